@@ -4,13 +4,24 @@
 
 The feet are those of one simulated person: the right one is the bundled example, the left one is
 simulated here. The pictures of the standard case are taken by its journey in the tests.
+
+With ``--journeys FOLDER`` it takes none of these, but walks the journeys of the manual by real
+events, and saves what is on the screen at each step, and a contact sheet, to be looked at:
+
+    QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 3840x2160x24" \\
+        python docs/pictures.py --journeys FOLDER --size 3840x2160 --language sv --theme dark
 """
 
 from __future__ import annotations
 
+import argparse
 import tempfile
 from dataclasses import replace
 from pathlib import Path
+
+from contact_sheet import write_sheet
+from hand import HANDS
+from journeys import Circumstances, walk
 
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott, Posting
@@ -38,13 +49,53 @@ EDITS = HandEdits(
 
 
 def main() -> None:
-    """Take them all."""
+    """Take them all, or walk the journeys."""
+    arguments = parsed()
+    if arguments.journeys is None:
+        take_documentation()
+    else:
+        take_journeys(arguments)
+
+
+def parsed() -> argparse.Namespace:
+    """Read the command line."""
+    parser = argparse.ArgumentParser(description="Take the pictures of the documentation.")
+    parser.add_argument("--journeys", type=Path, metavar="FOLDER")
+    parser.add_argument("--size", default="1366x768", help="of the screen; 3840x2160 is at scale 2")
+    parser.add_argument("--language", choices=("en", "sv"), default="en")
+    parser.add_argument("--theme", choices=("light", "dark"), default="light")
+    parser.add_argument("--hand", choices=tuple(HANDS), default="mouse")
+    return parser.parse_args()
+
+
+def take_journeys(arguments: argparse.Namespace) -> None:
+    """Walk the journeys in the circumstances asked for."""
+    folder: Path = arguments.journeys
+    folder.mkdir(parents=True, exist_ok=True)
+    session = folder / "left_foot.zip"
+    if not session.exists():
+        simulate_left_foot(session)
+    width, height = (int(text) for text in arguments.size.split("x"))
+    circumstances = Circumstances(
+        (width, height), arguments.language, arguments.theme, arguments.hand
+    )
+    pictures = walk(circumstances, session, folder)
+    write_sheet(pictures, folder / f"{circumstances.name}.png")
+
+
+def simulate_left_foot(session: Path) -> None:
+    """Simulate a scan of the other foot of the example's patient."""
+    simulated = simulate_session(SimulationOptions(seed=SEED, side=Side.LEFT, distance_mm=700))
+    write_session(simulated.session, session)
+
+
+def take_documentation() -> None:
+    """Take the pictures of the documentation."""
     with tempfile.TemporaryDirectory() as folder:
         here = Path(folder)
         paths = UserPaths(here / "settings.json", here / "autosave")
         session = here / "left_foot.zip"
-        simulated = simulate_session(SimulationOptions(seed=SEED, side=Side.LEFT, distance_mm=700))
-        write_session(simulated.session, session)
+        simulate_left_foot(session)
         take_windows(paths)
         take_feet(paths, session)
         take_foot_stage(paths, session)

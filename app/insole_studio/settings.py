@@ -27,8 +27,8 @@ class Settings:
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
     which sensor gives which view (``left=SERIAL``); `author`, `clinic`, `maker` and
-    `maker_address` stand on the prescription. A view is refused if its pose exceeds the
-    largest residuals or displacement.
+    `maker_address` stand on the prescription; file dialogs start in the folder of their kind. A
+    view is refused if its pose exceeds the largest residuals or displacement.
     """
 
     theme: Theme = "system"
@@ -41,6 +41,11 @@ class Settings:
     maker: str = ""
     maker_address: str = ""
     recent: list[str] = field(default_factory=list)
+    cases_folder: str = ""
+    scans_folder: str = ""
+    exports_folder: str = ""
+    papers_folder: str = ""
+    pictures_folder: str = ""
     window_geometry: str = ""
     window_docks: str = ""
     capture_views: list[str] = field(default_factory=list)

@@ -22,6 +22,10 @@ _LEAST_HEIGHT_TO_LENGTH = 0.07
 """Mean thickness of a closed surface; of a foot it is 0.13 or more, of an insole 0.04."""
 
 
+class ProportionsError(InputError):
+    """The surface is as long as a foot, but not of its proportions; a user may insist on it."""
+
+
 @dataclass(frozen=True)
 class Proportions:
     """Sizes of a placed surface, mm; `thickness_mm` is NaN for an open one."""
@@ -78,7 +82,7 @@ def check_proportions(mesh: TriangleMesh, length_mm: float) -> None:
 
     Raises
     ------
-    InputError
+    ProportionsError
         With the numbers.
     """
     sizes = proportions(mesh, length_mm)
@@ -87,7 +91,7 @@ def check_proportions(mesh: TriangleMesh, length_mm: float) -> None:
         _BALL_TO_LENGTH[0] <= ball <= _BALL_TO_LENGTH[1]
         and _HEEL_TO_BALL[0] <= heel <= _HEEL_TO_BALL[1]
     ):
-        raise InputError(
+        raise ProportionsError(
             "The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm "
             "wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole "
             "foot or its sole, and nothing else.",
@@ -96,7 +100,7 @@ def check_proportions(mesh: TriangleMesh, length_mm: float) -> None:
             heel_mm=sizes.heel_mm,
         )
     if sizes.thickness_mm < _LEAST_HEIGHT_TO_LENGTH * length_mm:
-        raise InputError(
+        raise ProportionsError(
             "The surface is only {thickness_mm:.0f} mm thick on average at a length of "
             "{length_mm:.0f} mm, as if it were an insole; choose the scan of the foot.",
             thickness_mm=sizes.thickness_mm,

@@ -14,7 +14,7 @@ from insole_core.geometry.side import Side
 from insole_core.messages import Message
 
 Measured: TypeAlias = Mapping[str, float | None]
-HEADS = ("measure", "unit", "left", "right", "difference", "percent")
+HEADS = ("measure", "unit", "left", "right", "difference", "percent", "positive")
 _UNLIKE_MM, _UNLIKE_SHARE = 10.0, 0.05
 
 
@@ -68,13 +68,17 @@ def measure_table(
 
 
 def table_csv(rows: Iterable[MeasureRow]) -> str:
-    """Format the table as CSV with a header; decimal points, empty where there is no value."""
+    """Format the table as CSV with a header; decimal points, empty where there is no value.
+
+    The last column says what an angle above 0 is called.
+    """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADS)
     for row in rows:
         numbers = (row.left, row.right, row.difference, row.percent)
-        writer.writerow((row.key, row.unit, *(_number(number) for number in numbers)))
+        positive = DEFINITIONS[row.key].positive
+        writer.writerow((row.key, row.unit, *(_number(number) for number in numbers), positive))
     return text.getvalue()
 
 

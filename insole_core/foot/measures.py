@@ -44,10 +44,14 @@ class Definition:
     unit
         "mm", "degrees" or "" for a ratio or a size.
     text
+    positive, negative
+        What an angle above and below 0 is called.
     """
 
     unit: str
     text: str
+    positive: str = ""
+    negative: str = ""
 
 
 DEFINITIONS = {
@@ -63,16 +67,24 @@ DEFINITIONS = {
     "arch_index": Definition("", "middle third of the toeless footprint / all of it"),
     "navicular_height": Definition("mm", "navicular, where it is marked, over the ground"),
     "rearfoot_angle_deg": Definition(
-        "degrees", "bisection of the calcaneus against the Achilles axis; > 0 is valgus"
+        "degrees",
+        "bisection of the calcaneus against the Achilles axis; > 0 is valgus",
+        *("valgus", "varus"),
     ),
     "achilles_angle_deg": Definition(
-        "degrees", "Achilles axis against the normal of the sole; > 0 leans medially"
+        "degrees",
+        "Achilles axis against the normal of the sole; > 0 leans medially (valgus)",
+        *("valgus", "varus"),
     ),
     "achilles_lean_deg": Definition(
-        "degrees", "Achilles axis against the upright of the scan; > 0 leans medially"
+        "degrees",
+        "Achilles axis against the upright of the scan; > 0 leans medially",
+        *("medial", "lateral"),
     ),
     "forefoot_angle_deg": Definition(
-        "degrees", "line of the 1st to 5th head against the heel's ground; > 0 is varus"
+        "degrees",
+        "line of the 1st to 5th head against the heel's ground; > 0 is varus",
+        *("varus", "valgus"),
     ),
     "shoe_size_eu": Definition("", "Paris points of 6.67 mm, with 15 mm before the toes"),
     "shoe_size_uk": Definition("", "English sizes of 8.47 mm, with 15 mm before the toes"),

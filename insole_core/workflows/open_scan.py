@@ -32,7 +32,7 @@ def open_scan(
     unit
         Of a mesh; None to conclude it from the size. A session is in mm.
     force
-        Continue although the shape looks like the other foot.
+        Continue although the shape looks like the other foot, or has no proportions of one.
 
     Raises
     ------
@@ -40,6 +40,8 @@ def open_scan(
         When the side is missing or contradicts the session, or a session is given a unit.
     SideMismatchError
         When the shape is that of the other foot, unless `force`.
+    ProportionsError
+        When the surface is no foot by its proportions, unless `force`.
     InputError
         When the file cannot be read.
     ReconstructionError

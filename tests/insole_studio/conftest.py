@@ -24,6 +24,7 @@ from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
 from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.user_paths import UserPaths
@@ -101,16 +102,16 @@ class CannedQuestions:
         self.asked.append(f"discard {name}")
         return self.unsaved is Answer.DISCARD
 
-    def folder_to_open(self) -> Path | None:
+    def folder_to_open(self, _title: str, _kept: Kept) -> Path | None:
         return self.path
 
-    def file_to_open(self, _kinds: str) -> Path | None:
+    def file_to_open(self, _kinds: str, _kept: Kept) -> Path | None:
         return self.path
 
     def may_replace(self, _paths: object) -> bool:
         return True
 
-    def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
+    def file_to_write(self, _suggestion: str, _kinds: str, _kept: Kept) -> Path | None:
         return self.path
 
     name_to_write = file_to_write

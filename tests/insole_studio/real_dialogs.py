@@ -14,7 +14,8 @@ LOOK_EVERY_MS = 50
 
 
 class DialogAnswers:
-    """Answers the dialogs that come, in their order; every text that was asked is kept.
+    """Answers the dialogs that come, in their order; every text that was asked is kept,
+    and every folder that a file dialog showed.
 
     A path is typed into a file dialog; a text is the label of a button of a message box.
     """
@@ -22,6 +23,7 @@ class DialogAnswers:
     def __init__(self, *answers: Path | str) -> None:
         self.left = list(answers)
         self.asked: list[str] = []
+        self.folders: list[Path] = []
 
     def look(self) -> None:
         """Answer the dialog that is in front, if there is one that waits."""
@@ -30,8 +32,10 @@ class DialogAnswers:
             return
         answer = self.left[0]
         if isinstance(dialog, QFileDialog) and isinstance(answer, Path):
+            folder = Path(dialog.directory().absolutePath())
             if _type_name(dialog, answer):
                 self.left.pop(0)
+                self.folders.append(folder)
         elif isinstance(dialog, QMessageBox) and isinstance(answer, str):
             self.left.pop(0)
             self.asked.append(dialog.text())

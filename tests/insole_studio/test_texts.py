@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
@@ -25,6 +26,7 @@ from insole_studio.texts import (
 )
 from insole_studio.widgets.number_field import NumberField
 
+_NUMBER = re.compile(r":[+,]?\.?\d*[fgeE%]\b|:[+,]?\.\d+[fgeE%]")
 SWEDISH = resource_path("translations/sv")
 
 
@@ -91,6 +93,34 @@ def test_numbers_are_written_as_the_language_does(qapp: QApplication) -> None:
     finally:
         load_language(qapp, "en")
     assert localised(241.25, ".1f") == "241.2"
+
+
+def test_numbers_are_written_by_this_module_only() -> None:
+    root = Path(insole_studio.__file__).parent
+    strays = [
+        f"{path.relative_to(root)}:{node.lineno}"
+        for path in root.rglob("*.py")
+        if not {"cli", "acquisition"} & set(path.relative_to(root).parts)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if _formats_a_number(node)
+    ]
+    assert strays == []
+
+
+def _formats_a_number(node: ast.AST) -> bool:
+    """Return whether `node` is an f-string or a call of `format` with a number's specification."""
+    if isinstance(node, ast.FormattedValue) and node.format_spec is not None:
+        return _NUMBER.search(":" + ast.unparse(node.format_spec).strip("f'\"")) is not None
+    if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
+        return False
+    return node.func.attr == "format" and bool(_NUMBER.search(ast.unparse(node.func.value)))
+
+
+@pytest.mark.parametrize("word", ["boll", "trampan", "hälkopp", "skive", "förskriv"])
+def test_one_thing_has_one_swedish_word(word: str) -> None:
+    """The words are: trampdyna, hälskål, hälskivning, ordination."""
+    texts = [*catalogue().values(), *catalogue(CORE_CONTEXT).values()]
+    assert [text for text in texts if word in text.lower()] == []
 
 
 def test_the_dialogs_of_qt_speak_the_language_too(qapp: QApplication) -> None:

@@ -37,6 +37,7 @@ from insole_studio.jobs import Jobs
 from insole_studio.native_heap import return_freed_memory, share_one_heap
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.color_scheme import is_dark
+from insole_studio.services.last_folders import LastFolders
 from insole_studio.services.notices import Notices
 from insole_studio.services.recent_files import RecentFiles
 from insole_studio.services.user_messages import UserMessages
@@ -131,7 +132,7 @@ def build_application(
         case=case,
         jobs=jobs,
         window=window,
-        messages=UserMessages(window),
+        messages=UserMessages(window, LastFolders(settings)),
         notices=Notices(stage.notices, window),
         recent=RecentFiles(settings, window),
         settings=settings,

@@ -47,5 +47,5 @@ def make_features(
         design=make_design(services, stage),
         export=ExportActions(services),
         compare=CompareWindow(services),
-        calibrate=CalibrateWindow(services.paths, source, services.window),
+        calibrate=CalibrateWindow(services.paths, source, services.messages, services.window),
     )

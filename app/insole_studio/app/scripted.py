@@ -41,6 +41,8 @@ class ScriptedWindow:
         Whether to use the dark theme.
     answers
         Answers to the window's questions; by default unsaved work is discarded.
+    emulate
+        Recorded session to play back as live sensors.
     """
 
     def __init__(
@@ -49,9 +51,10 @@ class ScriptedWindow:
         size: tuple[int, int] = DEFAULT_SIZE,
         dark: bool = False,
         answers: ScriptedAnswers | None = None,
+        emulate: Path | None = None,
     ) -> None:
         self._qt = qt_application()
-        self.app = build_application(self._qt, paths)
+        self.app = build_application(self._qt, paths, emulate)
         self.app.main.appearance.set_dark(dark)
         self.answers = answers or ScriptedAnswers()
         self.app.services.messages.questions = AnsweredQuestions(self.app.window, self.answers)

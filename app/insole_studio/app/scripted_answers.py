@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.side import Side
 from insole_studio.services.file_kinds import complete_name
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, Questions, SameSide, Unsaved
 from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.widgets.fields_dialog import Field
@@ -121,20 +122,20 @@ class AnsweredQuestions(Questions):
         """Return whether recovered work may be discarded: if unsaved work is."""
         return self.answers.unsaved is Answer.DISCARD
 
-    def folder_to_open(self) -> Path | None:
+    def folder_to_open(self, _title: str, _kept: Kept) -> Path | None:
         """Return the path."""
         return self.answers.path
 
-    def file_to_open(self, _kinds: str) -> Path | None:
+    def file_to_open(self, _kinds: str, _kept: Kept) -> Path | None:
         """Return the path."""
         return self.answers.path
 
-    def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
+    def file_to_write(self, suggestion: str, kinds: str, kept: Kept) -> Path | None:
         """Return the completed path, unless a file is there that must not be overwritten."""
-        path = self.name_to_write(suggestion, kinds)
+        path = self.name_to_write(suggestion, kinds, kept)
         return None if path is None or (path.exists() and not self.answers.replace) else path
 
-    def name_to_write(self, _suggestion: str, kinds: str) -> Path | None:
+    def name_to_write(self, _suggestion: str, kinds: str, _kept: Kept) -> Path | None:
         """Return the path, completed as in the dialog."""
         path = self.answers.path
         return None if path is None else complete_name(path, kinds)

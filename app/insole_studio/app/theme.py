@@ -67,7 +67,8 @@ def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> N
     colors = DARK if dark else LIGHT
     application.setStyle("Fusion")
     application.setPalette(_palette(colors))
-    application.setStyleSheet(_style_sheet(colors) + (_touch_sheet(colors) if touch else ""))
+    sheet = _style_sheet(colors) + _box_sheet(colors)
+    application.setStyleSheet(sheet + (_touch_sheet(colors) if touch else ""))
 
 
 def _palette(colors: Colors) -> QPalette:
@@ -138,6 +139,21 @@ def _style_sheet(colors: Colors) -> str:
     QMainWindow::separator {{ background: {colors.line}; width: 3px; height: 3px; }}
     QStatusBar {{ border-top: 1px solid {colors.line}; }}
     QStatusBar::item {{ border: none; }}
+    """
+
+
+def _box_sheet(colors: Colors) -> str:
+    """Return the style sheet of boxes to tick: Fusion's have no edge that is seen on dark."""
+    sign = "dark" if colors is DARK else "light"
+    check = resource_path(f"icons/check-{sign}.svg").as_posix()
+    return f"""
+    QCheckBox::indicator, QAbstractItemView::indicator {{
+        width: 14px; height: 14px; border: 1px solid {colors.quiet}; border-radius: 3px;
+        background: {colors.base}; }}
+    QCheckBox::indicator:checked, QAbstractItemView::indicator:checked {{
+        background: {colors.accent}; border-color: {colors.accent}; image: url("{check}"); }}
+    QCheckBox::indicator:disabled {{ border-color: {colors.line}; background: {colors.window}; }}
+    QCheckBox::indicator:checked:disabled {{ background: {colors.quiet}; }}
     """
 
 

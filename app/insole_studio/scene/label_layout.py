@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_studio.scene.view_camera import ViewTransform
 
 GAP_PX = 11.0
 """Gap between a point and its name."""
 _ROW = 1.15
 _ROWS = 9
 _ASIDE_PX = (0.0, 26.0, 60.0)
+_CLEAR_PX = 4.0
+_END_ON = 0.8
+"""Cosine of the angle to the line of sight above which a direction is not seen as one."""
 
 
 def name_boxes(
@@ -63,6 +67,62 @@ def leader_ends(anchors_px: FloatArray, boxes_px: FloatArray) -> FloatArray:
     near[:, 1] = boxes_px[:, 1::2].mean(axis=1)
     away = np.hypot(*(near - anchors_px).T) > GAP_PX + 2
     return np.where(away[:, None], near, np.nan)
+
+
+def is_across_view(places: FloatArray, look: ViewTransform) -> BoolArray:
+    """Return which of the places (n, 3) around a thing are beside it, not before or behind it."""
+    directions = places - places.mean(axis=0)
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    return np.abs(directions @ look.back) < _END_ON
+
+
+def moved_clear(
+    places: FloatArray, half_px: FloatArray, gaps_mm: FloatArray, look: ViewTransform
+) -> FloatArray:
+    """Move words around a thing outwards until none of them touches it, however small it is seen.
+
+    Parameters
+    ----------
+    places : (n, 3) float64
+        The middles of the words.
+    half_px : (n, 2) float64
+        Half of their widths and heights.
+    gaps_mm : (n,) float64
+        How far the middles are from the thing.
+
+    Returns
+    -------
+    (n, 3) float64
+    """
+    outwards = places - places.mean(axis=0)
+    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+    seen = np.abs(np.stack([outwards @ look.right, outwards @ look.up], axis=1))
+    needed_px = (seen * half_px).sum(axis=1) + _CLEAR_PX
+    shown_px = gaps_mm * np.linalg.norm(seen, axis=1) / look.mm_per_px
+    missing_mm = np.maximum(needed_px - shown_px, 0.0) * look.mm_per_px
+    return places + missing_mm[:, None] * outwards
+
+
+def moved_into_image(places: FloatArray, half_px: FloatArray, look: ViewTransform) -> FloatArray:
+    """Move words that the border of the image cuts, until they are whole.
+
+    Parameters
+    ----------
+    places : (n, 3) float64
+        The middles of the words.
+    half_px : (n, 2) float64
+        Half of their widths and heights.
+
+    Returns
+    -------
+    (n, 3) float64
+        Words wholly outside stay there.
+    """
+    middle, room = look.pixels_of(places), np.array(look.size_px)
+    in_sight = ((middle > -half_px) & (middle < room + half_px)).all(axis=1, keepdims=True)
+    inside = np.clip(middle, half_px, np.maximum(room - half_px, half_px))
+    shift = np.where(in_sight, inside - middle, 0.0) * look.mm_per_px
+    return places + shift[:, :1] * look.right - shift[:, 1:] * look.up
 
 
 def _candidates(anchor: FloatArray, size: FloatArray) -> FloatArray:

@@ -15,6 +15,7 @@ from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.label_layout import is_across_view, moved_clear, moved_into_image
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view_camera import ViewTransform
@@ -69,6 +70,8 @@ class Painter:
         self._tags = NameTags(plotter, pixel_ratio)
         self._named: Sequence[MarkedPoint] = ()
         self._directions: tuple[list[FloatArray], list[str]] = ([], [])
+        self._written: tuple[FloatArray, list[str]] = (np.zeros((0, 3)), [])
+        """Those of the directions that are shown, and where."""
         self._look: ViewTransform | None = None
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
@@ -89,7 +92,7 @@ class Painter:
         self._mesh = self._surface = None
         self._shapes.clear()
         self._texts.clear()
-        self._directions = ([], [])
+        self._directions, self._written = ([], []), (np.zeros((0, 3)), [])
         self._named = ()
         self._tags.show((), NAME_PX, self.scheme.text, self.scheme.bottom)
         self._plotter.renderer.clear_actors()
@@ -325,7 +328,7 @@ class Painter:
         self._directions = ([], [])
         if side is not None and bounds_mm is not None:
             self._directions = direction_words(side, bounds_mm)
-        self._show_texts("directions", *self._directions, DIRECTION_PX, centred=True)
+        self._write_directions(self._look)
 
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:
         """Show the reference plane as a translucent square.
@@ -366,14 +369,26 @@ class Painter:
         camera.parallel_scale = look.height_mm / 2
         camera.clipping_range = (1.0, 2 * EYE_DISTANCE_MM)
         self._look = look
+        self._write_directions(look)
         self._place_names(look)
+
+    def _write_directions(self, look: ViewTransform | None) -> None:
+        """Write the directions that can be told in this view, whole and beside the thing."""
+        places, words = np.array(self._directions[0]).reshape(-1, 3), self._directions[1]
+        if look is not None and words:
+            kept, gaps = is_across_view(places, look), np.repeat(WORD_GAP_MM, 2)
+            places = moved_clear(places, _half_sizes_px(words), gaps, look)[kept]
+            words = [word for word, is_kept in zip(words, kept, strict=True) if is_kept]
+            places = moved_into_image(places, _half_sizes_px(words), look)
+        if words == self._written[1] and np.array_equal(places, self._written[0]):
+            return
+        self._written = (places, words)
+        self._show_texts("directions", places, words, DIRECTION_PX, centred=True)
 
     def _place_names(self, look: ViewTransform) -> None:
         """Lay out the names of the key points clear of the anatomical directions."""
-        places, words = self._directions
-        middle = look.pixels_of(np.array(places)) if words else np.zeros((0, 2))
-        half = np.array([[0.3 * DIRECTION_PX * len(word), 0.7 * DIRECTION_PX] for word in words])
-        half = half.reshape(-1, 2)
+        places, words = self._written
+        middle, half = look.pixels_of(places), _half_sizes_px(words)
         leaders = self._tags.place(look, np.hstack([middle - half, middle + half]))
         self.show_lines("name-leaders", leaders, self.scheme.text, 1.0)
 
@@ -431,7 +446,7 @@ class Painter:
     def _show_texts(
         self,
         name: str,
-        places: Sequence[Any],
+        places: Sequence[Any] | FloatArray,
         words: list[str],
         size: int,
         *,
@@ -466,6 +481,12 @@ class Painter:
 
 def _title(coloring: Coloring | None) -> str:
     return "" if coloring is None else coloring.title
+
+
+def _half_sizes_px(words: Sequence[str]) -> FloatArray:
+    """Return half the widths and heights (n, 2) of the words of directions, about."""
+    sizes = [(0.3 * DIRECTION_PX * len(word), 0.7 * DIRECTION_PX) for word in words]
+    return np.array(sizes, dtype=float).reshape(-1, 2)
 
 
 def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray], list[str]]:

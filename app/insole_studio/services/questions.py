@@ -17,7 +17,9 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.side import Side
 from insole_studio.services.file_kinds import complete_name
+from insole_studio.services.last_folders import Kept, LastFolders
 from insole_studio.services.scan_dialog import ScanAnswer, ScanDialog
+from insole_studio.settings import Settings
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.fields_dialog import Field, FieldsDialog
 
@@ -55,14 +57,23 @@ class Unsaved(Enum):
 
 
 class Questions:
-    """Questions with verbs on their buttons; None means cancelled."""
+    """Questions with verbs on their buttons; None means cancelled.
 
-    def __init__(self, parent: QWidget) -> None:
+    Parameters
+    ----------
+    parent
+        The window that the questions come from.
+    folders
+        The folders that file dialogs start in; by default they are forgotten with the questions.
+    """
+
+    def __init__(self, parent: QWidget, folders: LastFolders | None = None) -> None:
         self._parent = parent
+        self._folders = folders or LastFolders(Settings())
 
     def on(self, window: QWidget) -> Questions:
         """Return the same questions for another window: each is asked on the one it comes from."""
-        return Questions(window)
+        return Questions(window, self._folders)
 
     def about_scan(self, path: Path, trouble: str = "") -> ScanAnswer | None:
         """Ask which foot a mesh shows, and in which unit.
@@ -230,32 +241,50 @@ class Questions:
         box.exec()
         return box.clickedButton() is discard
 
-    def folder_to_open(self) -> Path | None:
-        """Ask for the folder of a session."""
-        name = QFileDialog.getExistingDirectory(self._parent, tr("Open session"))
-        return Path(name) if name else None
+    def folder_to_open(self, title: str, kept: Kept) -> Path | None:
+        """Ask for a folder.
 
-    def file_to_open(self, kinds: str) -> Path | None:
-        """Ask for a file."""
-        name, _ = QFileDialog.getOpenFileName(self._parent, tr("Open"), "", kinds)
-        return Path(name) if name else None
+        Parameters
+        ----------
+        title
+            Of the dialog.
+        kept
+            What is in the folder; the next dialog for it starts beside the folder.
+        """
+        start = str(self._folders.of(kept))
+        name = QFileDialog.getExistingDirectory(self._parent, title, start)
+        return self._remembered(kept, Path(name)) if name else None
 
-    def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
+    def file_to_open(self, kinds: str, kept: Kept) -> Path | None:
+        """Ask for a file.
+
+        Parameters
+        ----------
+        kinds
+            Filter of the file dialog.
+        kept
+            What the file holds; the next dialog for it starts in the same folder.
+        """
+        start = str(self._folders.of(kept))
+        name, _ = QFileDialog.getOpenFileName(self._parent, tr("Open"), start, kinds)
+        return self._remembered(kept, Path(name)) if name else None
+
+    def file_to_write(self, suggestion: str, kinds: str, kept: Kept) -> Path | None:
         """Ask for a path to write to, and whether what is there may be replaced.
 
         Parameters
         ----------
         suggestion
             The proposed file name.
-        kinds
-            Filter of the file dialog.
+        kinds, kept
+            As for `file_to_open`.
         """
-        while (path := self.name_to_write(suggestion, kinds)) is not None:
+        while (path := self.name_to_write(suggestion, kinds, kept)) is not None:
             if not path.exists() or self.may_replace([path]):
                 return path
         return None
 
-    def name_to_write(self, suggestion: str, kinds: str) -> Path | None:
+    def name_to_write(self, suggestion: str, kinds: str, kept: Kept) -> Path | None:
         """Ask for a path to write to or to derive others from; replacing is not asked.
 
         The dialog's own question would be about the name as typed, which may not be the one that
@@ -263,14 +292,20 @@ class Questions:
 
         Parameters
         ----------
-        suggestion, kinds
+        suggestion, kinds, kept
             As for `file_to_write`.
         """
         name, chosen = QFileDialog.getSaveFileName(
-            self._parent, tr("Save"), suggestion, kinds,
+            self._parent, tr("Save"), str(self._folders.of(kept) / suggestion), kinds,
             options=QFileDialog.Option.DontConfirmOverwrite,
         )  # fmt: skip
-        return complete_name(Path(name), kinds, chosen) if name else None
+        if not name:
+            return None
+        return self._remembered(kept, complete_name(Path(name), kinds, chosen))
+
+    def _remembered(self, kept: Kept, path: Path) -> Path:
+        self._folders.remember(kept, path.parent)
+        return path
 
     def _box(self, text: str) -> QMessageBox:
         box = QMessageBox(self._parent)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMainWindow, QWidget
 
 from insole_core.errors import InsoleError
+from insole_studio.services.last_folders import LastFolders
 from insole_studio.services.questions import Questions
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.error_dialog import ErrorDialog
@@ -19,10 +20,10 @@ BRIEF_MS, LONG_MS = 5_000, 15_000
 class UserMessages(QObject):
     """Dialogs, the status line, and the questions."""
 
-    def __init__(self, window: QMainWindow) -> None:
+    def __init__(self, window: QMainWindow, folders: LastFolders | None = None) -> None:
         super().__init__(window)
         self._window = window
-        self.questions = Questions(window)
+        self.questions = Questions(window, folders)
         self.dialogs: list[ErrorDialog] = []
 
     def say(self, text: str, for_ms: int = BRIEF_MS) -> None:

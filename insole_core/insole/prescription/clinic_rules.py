@@ -195,18 +195,25 @@ def _of_posting(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarn
     cause = next((c.id for c in design.active if isinstance(c, Posting)), "")
     if abs(rearfoot) > usual:
         posted = Message(
-            "The rearfoot is posted by {angle:g}°; more than {usual:g}° is unusual.",
-            angle=rearfoot,
+            "The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.",
+            angle=abs(rearfoot),
+            edge=_edge(rearfoot),
             usual=usual,
         )
         yield DesignWarning(posted, cause)
     if abs(forefoot) > usual:
         posted = Message(
-            "The forefoot is posted by {angle:g}°; more than {usual:g}° is unusual.",
-            angle=forefoot,
+            "The forefoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.",
+            angle=abs(forefoot),
+            edge=_edge(forefoot),
             usual=usual,
         )
         yield DesignWarning(posted, cause)
+
+
+def _edge(angle_deg: float) -> str:
+    """Return which edge a posting raises."""
+    return "medially" if angle_deg > 0 else "laterally"
 
 
 def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:

@@ -10,6 +10,9 @@ from insole_core.insole.prescription.design import Correction, InsoleDesign
 _UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
 _DECIMALS, _DECIMALS_OF_A_SHARE = 1, 2
 """The precision of the tool's own fields."""
+_RAISING = {"rearfoot_deg", "forefoot_deg", "angle_deg"}
+"""Angles that raise the medial edge above 0, the lateral one below."""
+_LENGTH_SHARES = {"blend_start", "blend_end", "fade_start", "fade_end"}
 _SILENT = {"id", "enabled", "author", "created_at"}
 
 
@@ -51,6 +54,10 @@ def _line(correction: Correction) -> str:
 
 
 def _value(name: str, value: Any) -> str:
+    if name in _RAISING:
+        return f"{_words(name.removesuffix('_deg'))} {_raised(value)}"
+    if name in _LENGTH_SHARES:
+        return f"{_words(name)} {plain_number(100 * value)} % of the length"
     unit = next((unit for suffix, unit in _UNITS.items() if name.endswith(suffix)), "")
     for suffix in _UNITS:
         name = name.removesuffix(suffix)
@@ -62,6 +69,13 @@ def _value(name: str, value: Any) -> str:
         _words(n) if isinstance(n, str) else plain_number(n, decimals) for n in numbers
     )
     return f"{_words(name)} {text}{unit}"
+
+
+def _raised(angle_deg: float) -> str:
+    number = plain_number(abs(angle_deg))
+    if number == "0":
+        return "0°"
+    return f"{number}° medial" if angle_deg > 0 else f"{number}° lateral"
 
 
 def _words(name: str) -> str:

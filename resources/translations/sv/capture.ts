@@ -61,7 +61,7 @@
         </message>
         <message>
             <source>The earlier scan is kept.</source>
-            <translation>Den tidigare avbildningen finns kvar.</translation>
+            <translation>Den tidigare skanningen finns kvar.</translation>
         </message>
         <message>
             <source>The markers are not recognised; bring the reference system into the picture</source>

@@ -101,11 +101,11 @@
         </message>
         <message>
             <source>Mesh or archive</source>
-            <translation>Nät eller arkiv</translation>
+            <translation>Ytmodell eller arkiv</translation>
         </message>
         <message>
             <source>Mesh or archive…</source>
-            <translation>Nät eller arkiv…</translation>
+            <translation>Ytmodell eller arkiv…</translation>
         </message>
         <message>
             <source>Picked points</source>
@@ -129,7 +129,7 @@
         </message>
         <message>
             <source>Session, also of a mould…</source>
-            <translation>Inspelning, även av en form…</translation>
+            <translation>Session, även av en form…</translation>
         </message>
         <message>
             <source>Something unexpected happened; nothing was changed. Please report it.</source>

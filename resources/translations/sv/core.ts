@@ -89,7 +89,7 @@
         </message>
         <message>
             <source>A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of {needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.</source>
-            <translation>En skive på {depth_mm:g} mm med {angle:g}° inversion kräver en hälkopp på {needed_mm:g} mm, och koppen är {cup_mm:g} mm djup.</translation>
+            <translation>En hälskivning på {depth_mm:g} mm med {angle:g}° inversion kräver en hälskål på {needed_mm:g} mm, och skålen är {cup_mm:g} mm djup.</translation>
         </message>
         <message>
             <source>A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres ({low_mm:g} to {high_mm:g}).</source>
@@ -108,8 +108,8 @@
             <translation>En {side} fot enligt formen: {reason} (marginal {ratio:.1f} till 1).</translation>
         </message>
         <message>
-            <source>Achilles axis against the normal of the sole; &gt; 0 leans medially</source>
-            <translation>akillesaxeln mot fotsulans normal; &gt; 0 lutar medialt</translation>
+            <source>Achilles axis against the normal of the sole; &gt; 0 leans medially (valgus)</source>
+            <translation>akillesaxeln mot fotsulans normal; &gt; 0 lutar medialt (valgus)</translation>
         </message>
         <message>
             <source>Achilles axis against the upright of the scan; &gt; 0 leans medially</source>
@@ -632,8 +632,8 @@
             <translation>Fotens form är en {shape_side} fots, men en {side} fot ska simuleras; ge båda samma sida.</translation>
         </message>
         <message>
-            <source>The forefoot is posted by {angle:g}°; more than {usual:g}° is unusual.</source>
-            <translation>Framfoten är kilad {angle:g}°; mer än {usual:g}° är ovanligt.</translation>
+            <source>The forefoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
+            <translation>Framfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
             <source>The front edge of the {pad} lies {distance_mm:.1f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
@@ -681,7 +681,7 @@
         </message>
         <message>
             <source>The insole would be {height_mm:.0f} mm high, and {most_mm:g} mm can be made; lower the corrections that lie on each other.</source>
-            <translation>Inlägget skulle bli {height_mm:.0f} mm högt, och {most_mm:g} mm kan tillverkas; sänk de korrektioner som ligger på varandra.</translation>
+            <translation>Inlägget skulle bli {height_mm:.0f} mm högt, och {most_mm:g} mm kan tillverkas; sänk de korrigeringar som ligger på varandra.</translation>
         </message>
         <message>
             <source>The known length ends at {markers}, which the pictures do not show twice; take more pictures or measure between other markers.</source>
@@ -721,7 +721,7 @@
         </message>
         <message>
             <source>The mesh is open or crosses itself; only a closed solid can be worked.</source>
-            <translation>Nätet är öppet eller korsar sig själv; bara en sluten kropp kan bearbetas.</translation>
+            <translation>Ytmodellen är öppen eller korsar sig själv; bara en sluten kropp kan bearbetas.</translation>
         </message>
         <message>
             <source>The model needs walls at {count} clearly different distances; capture more, for example at 600, 800 and 1000 mm.</source>
@@ -789,15 +789,15 @@
         </message>
         <message>
             <source>The prescription has {count} corrections, and {most} can be made into one insole; remove some.</source>
-            <translation>Ordinationen har {count} korrektioner, och {most} kan göras till ett inlägg; ta bort några.</translation>
+            <translation>Ordinationen har {count} korrigeringar, och {most} kan göras till ett inlägg; ta bort några.</translation>
         </message>
         <message>
             <source>The program that reads the sensors has ended; look for sensors again.</source>
             <translation>Programmet som läser sensorerna har avslutats; sök efter sensorer igen.</translation>
         </message>
         <message>
-            <source>The rearfoot is posted by {angle:g}°; more than {usual:g}° is unusual.</source>
-            <translation>Bakfoten är kilad {angle:g}°; mer än {usual:g}° är ovanligt.</translation>
+            <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
+            <translation>Bakfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
             <source>The result does not fit a Kinect v1: {findings}; {reason}.</source>
@@ -1456,6 +1456,10 @@
             <translation>större</translation>
         </message>
         <message>
+            <source>laterally</source>
+            <translation>lateralt</translation>
+        </message>
+        <message>
             <source>least</source>
             <translation>minsta</translation>
         </message>
@@ -1482,6 +1486,10 @@
         <message>
             <source>lower right</source>
             <translation>nere till höger</translation>
+        </message>
+        <message>
+            <source>medially</source>
+            <translation>medialt</translation>
         </message>
         <message>
             <source>men's: the English size and one</source>
@@ -1825,7 +1833,7 @@
         </message>
         <message>
             <source>tape round the foot through the two points of the ball</source>
-            <translation>måttband runt foten genom trampans två punkter</translation>
+            <translation>måttband runt foten genom trampdynans två punkter</translation>
         </message>
         <message>
             <source>text on the bottom</source>
@@ -1945,7 +1953,7 @@
         </message>
         <message>
             <source>the prescriber</source>
-            <translation>förskrivaren</translation>
+            <translation>ordinatören</translation>
         </message>
         <message>
             <source>the same two points, perpendicular to the foot axis</source>
@@ -2425,7 +2433,7 @@
         </message>
         <message>
             <source>{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, so export it again.</source>
-            <translation>{path} kan inte läsas som ett {format}-nät ({reason}); den kan vara skadad eller avskuren, så exportera den igen.</translation>
+            <translation>{path} kan inte läsas som en ytmodell i formatet {format} ({reason}); den kan vara skadad eller avskuren, så exportera den igen.</translation>
         </message>
         <message>
             <source>{path} cannot be read: {reason}; check the name of the file.</source>
@@ -2533,7 +2541,7 @@
         </message>
         <message>
             <source>{path} is a mesh, which does not say which foot it is; add --side.</source>
-            <translation>{path} är ett nät, som inte säger vilken fot det är; ange --side.</translation>
+            <translation>{path} är en ytmodell, som inte säger vilken fot det är; ange --side.</translation>
         </message>
         <message>
             <source>{path} is a session, which is always in millimetres; leave out the unit.</source>
@@ -2565,7 +2573,7 @@
         </message>
         <message>
             <source>{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file.</source>
-            <translation>{path} är ingen nätfil som kan läsas; ange en .ply-, .stl- eller .obj-fil.</translation>
+            <translation>{path} är ingen ytmodell som kan läsas; ange en .ply-, .stl- eller .obj-fil.</translation>
         </message>
         <message>
             <source>{path} is no name of a report; let it end in {suffixes}.</source>

@@ -225,15 +225,15 @@
         </message>
         <message>
             <source>Prescriber</source>
-            <translation>Förskrivare</translation>
+            <translation>Ordinatör</translation>
         </message>
         <message>
             <source>Prescriber and maker</source>
-            <translation>Förskrivare och tillverkare</translation>
+            <translation>Ordinatör och tillverkare</translation>
         </message>
         <message>
             <source>Prescriber and maker…</source>
-            <translation>Förskrivare och tillverkare…</translation>
+            <translation>Ordinatör och tillverkare…</translation>
         </message>
         <message>
             <source>Prescription for the record (PDF)</source>
@@ -289,7 +289,7 @@
         </message>
         <message>
             <source>The prescription states who prescribes the insole and who makes it, as Annex XIII of the EU regulation on medical devices asks for. The shop does not get it.</source>
-            <translation>Ordinationen anger vem som förskriver inlägget och vem som tillverkar det, som bilaga XIII till EU:s förordning om medicintekniska produkter kräver. Verkstaden får den inte.</translation>
+            <translation>Ordinationen anger vem som ordinerar inlägget och vem som tillverkar det, som bilaga XIII till EU:s förordning om medicintekniska produkter kräver. Verkstaden får den inte.</translation>
         </message>
         <message>
             <source>These files are there already: {names}</source>

@@ -24,10 +24,6 @@
             <translation>Dra i en ring för att vrida foten; håll Ctrl för små steg</translation>
         </message>
         <message>
-            <source>Export, in Check &amp; export</source>
-            <translation>Exportera, i Kontroll &amp; export</translation>
-        </message>
-        <message>
             <source>Find this landmark anew</source>
             <translation>Sök detta landmärke på nytt</translation>
         </message>
@@ -85,7 +81,7 @@
         </message>
         <message>
             <source>No scan yet. Capture a foot, or open a recorded session or a mesh.</source>
-            <translation>Ingen skanning ännu. Ta upp en fot, eller öppna en inspelad session eller en ytmodell.</translation>
+            <translation>Ingen skanning än. Avbilda en fot, eller öppna en inspelad session eller en ytmodell.</translation>
         </message>
         <message>
             <source>One step more or less; with Shift ten, with Ctrl a tenth</source>

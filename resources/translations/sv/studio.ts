@@ -52,8 +52,12 @@
             <translation>5:e huvudet</translation>
         </message>
         <message>
-            <source>&gt; 0 raises the medial edge, &lt; 0 the lateral edge</source>
-            <translation>&gt; 0 höjer den mediala kanten, &lt; 0 den laterala</translation>
+            <source>&gt; 0 raises the medial edge of the forefoot (varus), &lt; 0 the lateral one</source>
+            <translation>&gt; 0 höjer framfotens mediala kant (varus), &lt; 0 den laterala</translation>
+        </message>
+        <message>
+            <source>&gt; 0 raises the medial edge of the rearfoot (varus), &lt; 0 the lateral one</source>
+            <translation>&gt; 0 höjer bakfotens mediala kant (varus), &lt; 0 den laterala</translation>
         </message>
         <message>
             <source>A plane to look at the foot against</source>
@@ -73,7 +77,7 @@
         </message>
         <message>
             <source>Achilles to sole</source>
-            <translation>Akilles mot sula</translation>
+            <translation>Akilles mot fotsula</translation>
         </message>
         <message>
             <source>Achilles, lower</source>
@@ -96,20 +100,24 @@
             <translation>Alla vyer är avbildade.</translation>
         </message>
         <message>
+            <source>Allowance around the heel</source>
+            <translation>Tillägg runt hälen</translation>
+        </message>
+        <message>
+            <source>Allowance in front of the longest toe</source>
+            <translation>Tillägg framför den längsta tån</translation>
+        </message>
+        <message>
+            <source>Allowance on both sides of the ball</source>
+            <translation>Tillägg på trampdynans båda sidor</translation>
+        </message>
+        <message>
             <source>Angle</source>
             <translation>Vinkel</translation>
         </message>
         <message>
             <source>Anterior</source>
             <translation>Framifrån</translation>
-        </message>
-        <message>
-            <source>Apex x</source>
-            <translation>Topp x</translation>
-        </message>
-        <message>
-            <source>Apex y</source>
-            <translation>Topp y</translation>
         </message>
         <message>
             <source>Apply a template</source>
@@ -153,19 +161,19 @@
         </message>
         <message>
             <source>Ball girth</source>
-            <translation>Bollomfång</translation>
+            <translation>Trampdynans omfång</translation>
         </message>
         <message>
             <source>Ball length</source>
-            <translation>Bollängd</translation>
+            <translation>Längd till trampdynan</translation>
         </message>
         <message>
             <source>Ball width</source>
-            <translation>Bollbredd</translation>
+            <translation>Trampdynans bredd</translation>
         </message>
         <message>
             <source>Ball width across</source>
-            <translation>Bollbredd tvärs</translation>
+            <translation>Trampdynans bredd tvärs</translation>
         </message>
         <message>
             <source>Base</source>
@@ -180,12 +188,8 @@
             <translation>Börja med ett tomt fall</translation>
         </message>
         <message>
-            <source>Blend from</source>
-            <translation>Övergång från</translation>
-        </message>
-        <message>
-            <source>Blend to</source>
-            <translation>Övergång till</translation>
+            <source>Begins at</source>
+            <translation>Börjar vid</translation>
         </message>
         <message>
             <source>Born</source>
@@ -380,6 +384,22 @@
             <translation>Kasta…</translation>
         </message>
         <message>
+            <source>Distance from the stroke beyond which nothing changes</source>
+            <translation>Avstånd från draget bortom vilket inget ändras</translation>
+        </message>
+        <message>
+            <source>Distance of the highest place from the back of the heel</source>
+            <translation>Högsta punktens avstånd från hälens bakkant</translation>
+        </message>
+        <message>
+            <source>Distance of the highest place from the foot axis; &gt; 0 is medial</source>
+            <translation>Högsta punktens avstånd från fotaxeln; &gt; 0 är medialt</translation>
+        </message>
+        <message>
+            <source>Distance of the points that the surface is computed at</source>
+            <translation>Avstånd mellan punkterna som ytan beräknas i</translation>
+        </message>
+        <message>
             <source>Do not open</source>
             <translation>Öppna inte</translation>
         </message>
@@ -512,6 +532,10 @@
             <translation>Kant</translation>
         </message>
         <message>
+            <source>Edge of the heel that is raised</source>
+            <translation>Den kant av hälen som höjs</translation>
+        </message>
+        <message>
             <source>Edit the insole</source>
             <translation>Ändra inlägget</translation>
         </message>
@@ -536,20 +560,16 @@
             <translation>Ändra: {name}</translation>
         </message>
         <message>
-            <source>Egg ratio</source>
-            <translation>Äggform</translation>
-        </message>
-        <message>
             <source>End the tour</source>
             <translation>Avsluta rundturen</translation>
         </message>
         <message>
-            <source>Expert</source>
-            <translation>Expert</translation>
+            <source>Ends at</source>
+            <translation>Slutar vid</translation>
         </message>
         <message>
-            <source>Export insole…</source>
-            <translation>Exportera inlägg…</translation>
+            <source>Expert</source>
+            <translation>Expert</translation>
         </message>
         <message>
             <source>Exported {name}</source>
@@ -557,11 +577,15 @@
         </message>
         <message>
             <source>Extent</source>
-            <translation>Omfång</translation>
+            <translation>Längd</translation>
         </message>
         <message>
             <source>Extrinsic</source>
             <translation>Extern</translation>
+        </message>
+        <message>
+            <source>Extrinsic turns the whole insole, intrinsic leaves its rim as it is</source>
+            <translation>Extern vrider hela inlägget, intern lämnar dess kant som den är</translation>
         </message>
         <message>
             <source>Find landmarks anew</source>
@@ -582,6 +606,10 @@
         <message>
             <source>Flat</source>
             <translation>Plan</translation>
+        </message>
+        <message>
+            <source>Flat on the ground, or following the foot at an even thickness</source>
+            <translation>Plan mot underlaget, eller följer foten med jämn tjocklek</translation>
         </message>
         <message>
             <source>Following</source>
@@ -612,6 +640,10 @@
             <translation>Framfotsvinkel</translation>
         </message>
         <message>
+            <source>Forefoot from</source>
+            <translation>Framfot från</translation>
+        </message>
+        <message>
             <source>Forefoot twist</source>
             <translation>Framfotsvridning</translation>
         </message>
@@ -622,6 +654,14 @@
         <message>
             <source>Free-hand pad</source>
             <translation>Frihandspelott</translation>
+        </message>
+        <message>
+            <source>From axis</source>
+            <translation>Från axeln</translation>
+        </message>
+        <message>
+            <source>From heel</source>
+            <translation>Från hälen</translation>
         </message>
         <message>
             <source>From patient to insole in five steps. Click on a step to go there.</source>
@@ -636,8 +676,24 @@
             <translation>Framkanten {distance} mm bakom metatarsalhuvudena</translation>
         </message>
         <message>
+            <source>Full from</source>
+            <translation>Full från</translation>
+        </message>
+        <message>
             <source>Full length</source>
             <translation>Hel längd</translation>
+        </message>
+        <message>
+            <source>Full up to</source>
+            <translation>Full till</translation>
+        </message>
+        <message>
+            <source>Fullness across</source>
+            <translation>Fyllighet tvärs</translation>
+        </message>
+        <message>
+            <source>Fullness along</source>
+            <translation>Fyllighet längs</translation>
         </message>
         <message>
             <source>Go on with</source>
@@ -648,8 +704,8 @@
             <translation>Fortsätt arbeta</translation>
         </message>
         <message>
-            <source>Grid</source>
-            <translation>Rutnät</translation>
+            <source>Greatest height of the wedge in the heel cup</source>
+            <translation>Kilens största höjd i hälskålen</translation>
         </message>
         <message>
             <source>Heel</source>
@@ -680,8 +736,20 @@
             <translation>Höjd</translation>
         </message>
         <message>
+            <source>Height at the highest place; below 0 it is a recess</source>
+            <translation>Höjd i den högsta punkten; under 0 blir det en urgröpning</translation>
+        </message>
+        <message>
             <source>Height map</source>
             <translation>Höjdkarta</translation>
+        </message>
+        <message>
+            <source>Height of the rim over the lowest place of the heel</source>
+            <translation>Kantens höjd över hälens lägsta punkt</translation>
+        </message>
+        <message>
+            <source>Height over the ground up to which the insole follows the foot</source>
+            <translation>Höjd över underlaget upp till vilken inlägget följer foten</translation>
         </message>
         <message>
             <source>Held</source>
@@ -690,6 +758,30 @@
         <message>
             <source>Horseshoe</source>
             <translation>Hästsko</translation>
+        </message>
+        <message>
+            <source>How far the height spreads across the pad; more makes it fuller</source>
+            <translation>Hur långt höjden breder ut sig tvärs pelotten; mer gör den fylligare</translation>
+        </message>
+        <message>
+            <source>How far the height spreads along the pad; more makes it fuller</source>
+            <translation>Hur långt höjden breder ut sig längs pelotten; mer gör den fylligare</translation>
+        </message>
+        <message>
+            <source>How much a stroke changes the height; 1 smooths out all it can</source>
+            <translation>Hur mycket ett drag ändrar höjden; vid utjämning jämnar 1 ut allt som går</translation>
+        </message>
+        <message>
+            <source>How much narrower the rear end is than the front; 0 % is an ellipse</source>
+            <translation>Hur mycket smalare bakre änden är än den främre; 0 % är en ellips</translation>
+        </message>
+        <message>
+            <source>How much the arch is raised at its highest place</source>
+            <translation>Hur mycket valvet höjs i sin högsta punkt</translation>
+        </message>
+        <message>
+            <source>How much the heel is raised</source>
+            <translation>Hur mycket hälen höjs</translation>
         </message>
         <message>
             <source>Identify</source>
@@ -713,7 +805,7 @@
         </message>
         <message>
             <source>Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence.</source>
-            <translation>Insole Studio: från avbildning av en fot till dess inlägg. BSD 3-Clause-licens.</translation>
+            <translation>Insole Studio: från skanning av en fot till dess inlägg. BSD 3-Clause-licens.</translation>
         </message>
         <message>
             <source>Insole over foot</source>
@@ -776,12 +868,24 @@
             <translation>Lager</translation>
         </message>
         <message>
+            <source>Least thickness under the foot, before pads and recesses</source>
+            <translation>Minsta tjocklek under foten, före pelotter och urgröpningar</translation>
+        </message>
+        <message>
             <source>Left foot</source>
             <translation>Vänster fot</translation>
         </message>
         <message>
             <source>Length</source>
             <translation>Längd</translation>
+        </message>
+        <message>
+            <source>Length of the pad</source>
+            <translation>Pelottens längd</translation>
+        </message>
+        <message>
+            <source>Length of the zone that is raised</source>
+            <translation>Längd på området som höjs</translation>
         </message>
         <message>
             <source>Let the light of this sensor blink</source>
@@ -906,10 +1010,6 @@
         <message>
             <source>Next: {name}</source>
             <translation>Nästa: {name}</translation>
-        </message>
-        <message>
-            <source>No scan yet. Open a recorded session, or the mesh of a foot.</source>
-            <translation>Ingen avbildning än. Öppna en inspelad session, eller en ytmodell av en fot.</translation>
         </message>
         <message>
             <source>None yet. Choose the pelott tool and click on the sole.</source>
@@ -1044,14 +1144,6 @@
             <translation>Placera referensplanet</translation>
         </message>
         <message>
-            <source>Place x</source>
-            <translation>Läge x</translation>
-        </message>
-        <message>
-            <source>Place y</source>
-            <translation>Läge y</translation>
-        </message>
-        <message>
             <source>Place: {name}</source>
             <translation>Placera: {name}</translation>
         </message>
@@ -1073,7 +1165,7 @@
         </message>
         <message>
             <source>Prescribe on this scan what an earlier case prescribes</source>
-            <translation>Ordinera på denna avbildning det som ett tidigare fall ordinerar</translation>
+            <translation>Ordinera på denna skanning det som ett tidigare fall ordinerar</translation>
         </message>
         <message>
             <source>Prescribe what a template holds; one of the other side is mirrored</source>
@@ -1086,10 +1178,6 @@
         <message>
             <source>Pronation</source>
             <translation>Pronation</translation>
-        </message>
-        <message>
-            <source>Pronation / supination</source>
-            <translation>Pronation / supination</translation>
         </message>
         <message>
             <source>Pronation / supination: tilt rear- and forefoot</source>
@@ -1154,6 +1242,10 @@
         <message>
             <source>Rearfoot angle</source>
             <translation>Bakfotsvinkel</translation>
+        </message>
+        <message>
+            <source>Rearfoot up to</source>
+            <translation>Bakfot till</translation>
         </message>
         <message>
             <source>Rearmost point</source>
@@ -1264,6 +1356,38 @@
             <translation>Skuggat</translation>
         </message>
         <message>
+            <source>Share of the foot's length at which the cup ends</source>
+            <translation>Andel av fotens längd där skålen slutar</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length at which the lift ends</source>
+            <translation>Andel av fotens längd där höjningen slutar</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length at which the twist begins</source>
+            <translation>Andel av fotens längd där vridningen börjar</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length from which the forefoot angle holds</source>
+            <translation>Andel av fotens längd från vilken framfotens vinkel gäller</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length from which the whole angle holds</source>
+            <translation>Andel av fotens längd från vilken hela vinkeln gäller</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length up to which the cup has its full depth</source>
+            <translation>Andel av fotens längd upp till vilken skålen har fullt djup</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length up to which the heel is raised in full</source>
+            <translation>Andel av fotens längd upp till vilken hälen är helt höjd</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length up to which the rearfoot angle holds</source>
+            <translation>Andel av fotens längd upp till vilken bakfotens vinkel gäller</translation>
+        </message>
+        <message>
             <source>Shell</source>
             <translation>Skal</translation>
         </message>
@@ -1308,16 +1432,16 @@
             <translation>Sidled</translation>
         </message>
         <message>
-            <source>Sigma across</source>
-            <translation>Sigma tvärs</translation>
-        </message>
-        <message>
-            <source>Sigma along</source>
-            <translation>Sigma längs</translation>
+            <source>Size of the shoe, which decides the length</source>
+            <translation>Skons storlek, som bestämmer längden</translation>
         </message>
         <message>
             <source>Slope</source>
             <translation>Lutning</translation>
+        </message>
+        <message>
+            <source>Slope of the wedge against the ground</source>
+            <translation>Kilens lutning mot underlaget</translation>
         </message>
         <message>
             <source>Smooth</source>
@@ -1352,6 +1476,10 @@
             <translation>Sträck pelotten</translation>
         </message>
         <message>
+            <source>Surface grid</source>
+            <translation>Ytans rutnät</translation>
+        </message>
+        <message>
             <source>Switch a correction off</source>
             <translation>Slå av en korrigering</translation>
         </message>
@@ -1382,6 +1510,10 @@
         <message>
             <source>Take the tour</source>
             <translation>Ta rundturen</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Avsmalning</translation>
         </message>
         <message>
             <source>Template of a prescription</source>
@@ -1448,16 +1580,24 @@
             <translation>Fönstret talar detta språk från nästa start.</translation>
         </message>
         <message>
-            <source>There is no insole to export yet; open a session or a mesh.</source>
-            <translation>Det finns inget inlägg att exportera än; öppna en session eller en ytmodell.</translation>
-        </message>
-        <message>
             <source>Thickness</source>
             <translation>Tjocklek</translation>
         </message>
         <message>
             <source>Thickness map</source>
             <translation>Tjocklekskarta</translation>
+        </message>
+        <message>
+            <source>Thickness of the layer next to the foot; 0 for none</source>
+            <translation>Tjocklek på lagret närmast foten; 0 för inget</translation>
+        </message>
+        <message>
+            <source>Thickness of the layer next to the shoe; 0 for none</source>
+            <translation>Tjocklek på lagret närmast skon; 0 för inget</translation>
+        </message>
+        <message>
+            <source>Thickness of the layer that supports the foot; 0 for none</source>
+            <translation>Tjocklek på lagret som stöder foten; 0 för inget</translation>
         </message>
         <message>
             <source>This line is 100 mm long. If not, print without scaling.</source>
@@ -1496,6 +1636,10 @@
             <translation>Luta −</translation>
         </message>
         <message>
+            <source>To the toes, or to behind the metatarsal heads</source>
+            <translation>Till tårna, eller till bakom metatarsalhuvudena</translation>
+        </message>
+        <message>
             <source>Toe end up</source>
             <translation>Tåände upp</translation>
         </message>
@@ -1518,6 +1662,10 @@
         <message>
             <source>Turn a sensor from the box into a measuring device</source>
             <translation>Gör en sensor ur kartongen till ett mätinstrument</translation>
+        </message>
+        <message>
+            <source>Turn seen from above; &gt; 0 is counter-clockwise</source>
+            <translation>Vridning sedd uppifrån; &gt; 0 är moturs</translation>
         </message>
         <message>
             <source>Turn the forefoot against the rearfoot</source>
@@ -1545,7 +1693,7 @@
         </message>
         <message>
             <source>Use this scan</source>
-            <translation>Använd denna avbildning</translation>
+            <translation>Använd denna skanning</translation>
         </message>
         <message>
             <source>Version and licence</source>
@@ -1568,6 +1716,14 @@
             <translation>Det som är valt, i mm och grader: skriv, rulla, eller använd piltangenterna.</translation>
         </message>
         <message>
+            <source>What the edge of the insole follows</source>
+            <translation>Vad inläggets kant följer</translation>
+        </message>
+        <message>
+            <source>What the stroke does to the surface</source>
+            <translation>Vad draget gör med ytan</translation>
+        </message>
+        <message>
             <source>What was recovered of {name} and not saved will be gone for good.</source>
             <translation>Det som räddats av {name} och inte sparats försvinner för alltid.</translation>
         </message>
@@ -1584,12 +1740,16 @@
             <translation>Bredd</translation>
         </message>
         <message>
-            <source>Wireframe</source>
-            <translation>Trådmodell</translation>
+            <source>Width of the pad</source>
+            <translation>Pelottens bredd</translation>
         </message>
         <message>
-            <source>Write the insole for the shop: STL, 3MF, OBJ or PLY</source>
-            <translation>Skriv inlägget för verkstaden: STL, 3MF, OBJ eller PLY</translation>
+            <source>Width of the zone that is raised</source>
+            <translation>Bredd på området som höjs</translation>
+        </message>
+        <message>
+            <source>Wireframe</source>
+            <translation>Trådmodell</translation>
         </message>
         <message>
             <source>Write the outline of the insole in true size as a PDF</source>
@@ -1613,7 +1773,7 @@
         </message>
         <message>
             <source>comes with the scan</source>
-            <translation>kommer med avbildningen</translation>
+            <translation>kommer med skanningen</translation>
         </message>
         <message>
             <source>frames</source>
@@ -1624,6 +1784,10 @@
             <translation>höjd</translation>
         </message>
         <message>
+            <source>lat.</source>
+            <translation>lat.</translation>
+        </message>
+        <message>
             <source>left</source>
             <translation>vänster</translation>
         </message>
@@ -1632,12 +1796,24 @@
             <translation>markörer {seen} av {wanted}</translation>
         </message>
         <message>
+            <source>med.</source>
+            <translation>med.</translation>
+        </message>
+        <message>
             <source>not scanned</source>
             <translation>inte skannat</translation>
         </message>
         <message>
             <source>right</source>
             <translation>höger</translation>
+        </message>
+        <message>
+            <source>valg.</source>
+            <translation>valg.</translation>
+        </message>
+        <message>
+            <source>var.</source>
+            <translation>var.</translation>
         </message>
         <message>
             <source>warm in {minutes:.0f} min</source>

@@ -45,7 +45,7 @@
         </message>
         <message>
             <source>Corrections and measures come with the scan.</source>
-            <translation>Korrigeringar och mått kommer med avbildningen.</translation>
+            <translation>Korrigeringar och mått kommer med skanningen.</translation>
         </message>
         <message>
             <source>Drag a point of the outline, and its neighbours follow; double click adds one on the line, or takes one away</source>
@@ -77,15 +77,15 @@
         </message>
         <message>
             <source>Lay a foot that lies roughly right on its sole, and its axis along the insole</source>
-            <translation>Lägg en fot som ligger ungefär rätt på sulan, med axeln längs inlägget</translation>
+            <translation>Lägg en fot som ligger ungefär rätt på fotsulan, med axeln längs inlägget</translation>
         </message>
         <message>
             <source>Level the sole</source>
-            <translation>Lägg sulan plant</translation>
+            <translation>Lägg fotsulan plant</translation>
         </message>
         <message>
             <source>Level the sole and lay the foot axis along the insole by the landmarks</source>
-            <translation>Lägg sulan plant och fotaxeln längs inlägget efter landmärkena</translation>
+            <translation>Lägg fotsulan plant och fotaxeln längs inlägget efter landmärkena</translation>
         </message>
         <message>
             <source>Medial edge up</source>
@@ -104,8 +104,8 @@
             <translation>Pelott här</translation>
         </message>
         <message>
-            <source>Pen mark at x {x} mm, y {y} mm</source>
-            <translation>Pennmärke vid x {x} mm, y {y} mm</translation>
+            <source>Pen mark at x {x:.0f} mm, y {y:.0f} mm</source>
+            <translation>Pennmärke vid x {x:.0f} mm, y {y:.0f} mm</translation>
         </message>
         <message>
             <source>Plane</source>

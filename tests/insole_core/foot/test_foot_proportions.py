@@ -36,8 +36,11 @@ def heel_half(foot: TriangleMesh) -> TriangleMesh:
 
 
 NO_FEET: dict[str, tuple[Shape, str]] = {
-    "box": (lambda _: own(make.box((90, 240, 60)).subdivide().subdivide()), "has no sole"),
-    "plate of 5 mm": (lambda _: own(make.box((90, 240, 5))), "no proportions of a foot: 300 mm"),
+    "box": (
+        lambda _: own(make.box((90, 240, 60)).subdivide().subdivide()),
+        "no proportions of a foot",
+    ),
+    "plate of 5 mm": (lambda _: own(make.box((90, 240, 5))), "no proportions of a foot: 2.."),
     "capsule": (lambda _: own(make.capsule(180, 35)), "no proportions of a foot"),
     "heel half": (heel_half, "no proportions of a foot"),
     "EU 74": (scaled(2.0), "a foot of 49. mm, and feet are 90 to 350 mm"),

@@ -30,10 +30,10 @@ def test_one_foot_has_no_asymmetry() -> None:
 
 def test_the_table_is_read_by_a_spreadsheet() -> None:
     lines = table_csv(measure_table({Side.LEFT: LEFT, Side.RIGHT: RIGHT})).splitlines()
-    assert lines[0] == "measure,unit,left,right,difference,percent"
-    assert lines[1] == "foot_length,mm,252.000,248.000,4.000,1.600"
-    assert lines[2] == "heel_width,mm,66.000,,,"
-    assert lines[4] == "rearfoot_angle_deg,degrees,4.000,-1.000,5.000,"
+    assert lines[0] == "measure,unit,left,right,difference,percent,positive"
+    assert lines[1] == "foot_length,mm,252.000,248.000,4.000,1.600,"
+    assert lines[2] == "heel_width,mm,66.000,,,,"
+    assert lines[4] == "rearfoot_angle_deg,degrees,4.000,-1.000,5.000,,valgus"
 
 
 def test_feet_of_two_patients_are_noticed(left_foot, right_foot) -> None:

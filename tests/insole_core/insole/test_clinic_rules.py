@@ -64,7 +64,9 @@ def test_usual_prescription_has_no_warning(left_foot):
 @pytest.mark.parametrize(
     ("corrections", "text"),
     [
-        ((Posting(rearfoot_deg=7),), "rearfoot is posted by 7°; more than 6°"),
+        ((Posting(rearfoot_deg=7),), "rearfoot is posted by 7° medially; more than 6°"),
+        ((Posting(rearfoot_deg=-9.2),), "rearfoot is posted by 9.2° laterally; more than 6°"),
+        ((Posting(forefoot_deg=-7),), "forefoot is posted by 7° laterally; more than 6°"),
         ((HeelLift(height_mm=9),), "lifted by 9 mm"),
         ((HeelSkive(depth_mm=3),), "skive of 3 mm with 0° of inversion needs a heel cup of 14 mm"),
         (
@@ -109,7 +111,7 @@ def test_angles_that_add_up_to_the_limit_are_not_above_it(left_foot):
     assert sum(c.rearfoot_deg for c in ten) != 6.0, "the sum of the numbers is not the number"
     assert warnings(left_foot, *ten) == []
     (found,) = warnings(left_foot, *ten, Posting(rearfoot_deg=0.1))
-    assert found.startswith("The rearfoot is posted by 6.1°; more than 6°")
+    assert found.startswith("The rearfoot is posted by 6.1° medially; more than 6°")
 
 
 def test_lifts_are_judged_together(left_foot):

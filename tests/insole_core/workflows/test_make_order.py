@@ -19,7 +19,7 @@ from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_core.insole.prescription.prescription_lines import correction_lines, plain_number
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob
@@ -297,6 +297,15 @@ def test_a_prescription_prints_no_needless_digits() -> None:
     assert "centre 12.3, 0 mm" in line
     assert "turn 0°" in line
     assert "egg ratio 0.33" in line
+
+
+def test_a_prescription_says_which_edge_is_raised_and_where() -> None:
+    posting = Posting(rearfoot_deg=-9.2, forefoot_deg=4.0)
+    (line,) = correction_lines(InsoleDesign(Side.LEFT, (posting,)))
+    assert line == (
+        "Posting: rearfoot 9.2° lateral; forefoot 4° medial; blend start 25 % of the length; "
+        "blend end 65 % of the length; method extrinsic"
+    )
 
 
 def test_the_clinics_own_blocks_are_kept(tmp_path: Path) -> None:

@@ -116,15 +116,30 @@ def test_a_scan_of_no_foots_size_is_asked_for_its_unit(
     mesh = make_foot(Side.LEFT).mesh
     half = replace(mesh, vertices=mesh.vertices / 2 / 25.4)  # of a foot in inches: no length tells
     write_ply(half, tmp_path / "half.ply")
-    questions.units = ["mm", "inch"]
+    questions.units, questions.anyway = ["mm", "inch"], True  # a plate of 80 × 250 mm
     app.features.case_files.opener.open_path(tmp_path / "half.ply")
     settle()
     assert questions.asked[0] == "side"
     assert "read in millimetres" in questions.asked[1]
+    assert "no proportions of a foot" in questions.asked[2]
     assert app.case.foot is not None
     assert np.ptp(app.case.foot.mesh.vertices[:, 1]) == pytest.approx(
         np.ptp(mesh.vertices[:, 1]) / 2, abs=2.0
     )
+
+
+def test_what_has_no_proportions_of_a_foot_is_opened_only_if_the_user_insists(
+    app: Application, questions: Any, make_foot: Any, tmp_path: Path, settle: Settle
+) -> None:
+    write_ply(make_foot(Side.LEFT).mesh, tmp_path / "plate.ply")
+    app.features.case_files.opener.open_path(tmp_path / "plate.ply")
+    settle()
+    assert "no proportions of a foot" in questions.asked[1]
+    assert app.case.foot is None
+    questions.anyway = True
+    app.features.case_files.opener.open_path(tmp_path / "plate.ply")
+    settle()
+    assert app.case.foot is not None
 
 
 def test_the_side_can_be_put_right_where_the_shape_contradicts(

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication, QCheckBox
+from pytestqt.qtbot import QtBot
 
-from insole_studio.app.theme import DARK, LIGHT, Colors
+from insole_studio.app.theme import DARK, LIGHT, Colors, apply_theme
 from insole_studio.scene.painter import Scheme
 from insole_studio.widgets.side_badge import COLORS
 
@@ -48,6 +50,22 @@ def test_links_choices_and_warnings(colors: Colors) -> None:
 def test_the_focus_is_seen(colors: Colors) -> None:
     for ground in (colors.window, colors.base, colors.raised):
         assert contrast(colors.accent, ground) >= GRAPHICS
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("ticked", [False, True])
+def test_a_box_to_tick_is_seen(qapp: QApplication, qtbot: QtBot, dark: bool, ticked: bool) -> None:
+    apply_theme(qapp, dark)
+    box = QCheckBox()
+    qtbot.addWidget(box)
+    box.setChecked(ticked)
+    box.resize(box.sizeHint())
+    image = box.grab().toImage()
+    places = [(x, y) for x in range(image.width()) for y in range(image.height())]
+    seen = {image.pixelColor(x, y).name() for x, y in places}
+    apply_theme(qapp, dark=False)
+    ground = (DARK if dark else LIGHT).window
+    assert max(contrast(color, ground) for color in seen) >= GRAPHICS
 
 
 @SCHEMES

@@ -327,7 +327,7 @@ def test_both_feet_are_measured_with_their_asymmetry(right_foot: Path, tmp_path:
     assert length["difference"] == pytest.approx(left - right, abs=2e-3)
     assert length["percent"] == pytest.approx(200 * (left - right) / (left + right), abs=0.01)
     head, first, *_ = table.read_text().splitlines()
-    assert head == "measure,unit,left,right,difference,percent"
+    assert head == "measure,unit,left,right,difference,percent,positive"
     assert first == f"foot_length,mm,{left:.3f},{right:.3f},{first.split(',', 4)[4]}"
 
 

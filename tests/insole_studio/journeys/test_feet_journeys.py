@@ -25,6 +25,7 @@ from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.autosave import Recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
+from insole_studio.scene.name_label import NameLabel
 from insole_studio.services.questions import SameSide
 from insole_studio.user_paths import UserPaths
 
@@ -76,10 +77,11 @@ def take_notice(app: Application) -> None:
 
 
 @pytest.fixture
-def scan(make_foot: MakeFoot, tmp_path: Path) -> Callable[[Side], Path]:
-    """A mesh file of a foot."""
+def scan(app: Application, make_foot: MakeFoot, tmp_path: Path) -> Callable[[Side], Path]:
+    """A mesh file of a foot as simple as a plate, which is opened all the same."""
 
     def write(side: Side) -> Path:
+        app.services.messages.questions.anyway = True  # type: ignore[attr-defined]
         path = tmp_path / f"{side}.ply"
         write_ply(make_foot(side).mesh, path)
         return path
@@ -171,6 +173,25 @@ def test_one_correction_is_copied_mirrored(two_feet: Application) -> None:
     assert isinstance(mirrored, Pelott)
     assert mirrored.centre_mm == pytest.approx((5.0, 150.0), abs=0.1)
     assert two_feet.case.selection == mirrored.id
+
+
+@pytest.mark.parametrize("model", ["insole", "foot"])
+def test_the_names_of_two_feet_stand_clear_of_the_word_for_the_toes(
+    two_feet: Application, model: str, settle: Settle, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel = getattr(two_feet.stage, model)
+    names: list[NameLabel] = []
+    monkeypatch.setattr(panel, "show_names", names.extend)
+    act(two_feet, "beside_foot")
+    settle()
+    look = panel.scene.look
+    places, words = panel.scene.painter._directions
+    (toes,) = look.pixels_of(places[words.index("Toes")])
+    assert len(names) == 2
+    for name in names:
+        (middle,) = look.pixels_of(name.place_mm)
+        assert toes[1] - middle[1] >= 22, "half of a name and half of a word, px"
+        assert middle[1] > 13, "the whole name is in the picture"
 
 
 def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> None:
@@ -487,7 +508,7 @@ def test_the_table_shows_both_feet(app: Application) -> None:
         app.case.apply(FootRecord.begun(round_foot(side), source), "Add")
     act(app, "copy_measures")
     head, first, *_ = QApplication.clipboard().text().splitlines()
-    assert head == "measure,unit,left,right,difference,percent"
+    assert head == "measure,unit,left,right,difference,percent,positive"
     left, right = (float(number) for number in first.split(",")[2:4])
     assert left == pytest.approx(right, abs=0.05)
 

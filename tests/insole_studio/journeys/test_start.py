@@ -20,6 +20,7 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanS
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.autosave import find_recovered
 from insole_studio.services.questions import Answer
@@ -185,6 +186,24 @@ def test_an_empty_start_offers_recent_files(
     app.controller.run_action("new_case", False)
     settle()
     assert offered(app) == ["M && S", "anna"]
+
+
+def test_the_example_is_opened_in_any_number_of_windows_and_never_saved_over(
+    app: Application, settle: Callable[[], None], questions, tmp_path: Path
+) -> None:
+    example = resource_path("example/example.insole")
+    before = example.read_bytes()
+    press(app, "Open the example")
+    settle()
+    assert questions.asked == []
+    assert app.case.foot is not None
+    assert app.case.path is None
+    assert app.services.recent.names == []
+    questions.path = tmp_path / "mine.insole"
+    app.controller.run_action("save", False)
+    settle()
+    assert questions.path.exists()
+    assert example.read_bytes() == before
 
 
 def test_a_recent_file_is_chosen_from_the_menu_whatever_its_name(

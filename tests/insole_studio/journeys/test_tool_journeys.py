@@ -147,6 +147,20 @@ def test_landmarks_are_confirmed_and_found_anew(opened: Application) -> None:
     assert len(opened.case.history) == 2
 
 
+def test_both_handles_of_the_posting_are_seen_and_dragged_from_behind(
+    opened: Application, foot: SceneView
+) -> None:
+    act(opened, "tool_posting")
+    act(opened, "look_posterior")
+    places = {h.name: pixel(foot, *h.position_mm) for h in foot.handles}
+    apart = places["rearfoot"] - places["forefoot"]
+    assert abs(apart.x()) > 20, "one handle is not on the other, px"
+    for name, angle in (("rearfoot", "rearfoot_deg"), ("forefoot", "forefoot_deg")):
+        drag(foot, places[name], places[name] - QPoint(0, 30))
+        assert getattr(last(opened), angle) > 0
+        places = {h.name: pixel(foot, *h.position_mm) for h in foot.handles}
+
+
 def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -> None:
     line = metatarsal_line(opened.case.record)
     assert line is not None
@@ -387,7 +401,7 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     opened.case.open_foot(round_foot(Side.LEFT), opened.case.record.source)
     act(opened, "copy_measures")
     copied = QApplication.clipboard().text()
-    assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent"
+    assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent,positive"
     length = next(line for line in copied.splitlines() if line.startswith("foot_length,mm,"))
     assert float(length.split(",")[2]) == pytest.approx(250.0, abs=1.0)
     opened.services.messages.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]

@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from insole_studio.scene.label_layout import GAP_PX, leader_ends, name_boxes
+from insole_studio.scene.label_layout import (
+    GAP_PX,
+    leader_ends,
+    moved_clear,
+    moved_into_image,
+    name_boxes,
+)
+from insole_studio.scene.view_camera import ViewTransform
 
 ROOM = (500, 400)
 NOTHING = np.zeros((0, 4))
@@ -58,3 +66,28 @@ def test_where_there_is_no_room_the_name_is_still_shown() -> None:
     everywhere = np.array([[-1e3, -1e3, 1e3, 1e3]])
     boxes = name_boxes(np.array([[200.0, 150.0]]), np.array([[60.0, 16.0]]), everywhere, ROOM)
     assert boxes[0, 0] == 200 + GAP_PX
+
+
+def test_a_word_cut_by_the_border_is_moved_until_it_is_whole() -> None:
+    right, up, back = np.eye(3)
+    look = ViewTransform(right, up, back, np.zeros(3), 200.0, ROOM)  # half a millimetre a pixel
+    half = np.array([[20.0, 8.0]] * 3)
+    cut, whole, outside = [120.0, 98.0, 5.0], [0.0, 10.0, 5.0], [-180.0, 0.0, 5.0]
+    moved = moved_into_image(np.array([cut, whole, outside]), half, look)
+    np.testing.assert_allclose(look.pixels_of(moved)[0], [480.0, 8.0])
+    np.testing.assert_array_equal(moved[1:], [whole, outside])
+
+
+@pytest.mark.parametrize("height_mm", [200.0, 800.0])
+def test_words_beside_a_thing_never_touch_it(height_mm: float) -> None:
+    right, up, back = np.eye(3)
+    look = ViewTransform(right, up, back, np.zeros(3), height_mm, ROOM)
+    edges = np.array([[-40.0, 0.0, 0.0], [40.0, 0.0, 0.0], [0.0, -120.0, 0.0], [0.0, 120.0, 0.0]])
+    gaps, half = np.array([26.0, 26.0, 22.0, 22.0]), np.array([[30.0, 9.0]] * 4)
+    outwards = edges / np.linalg.norm(edges, axis=1, keepdims=True)
+    middles = edges + gaps[:, None] * outwards
+    moved = moved_clear(middles, half, gaps, look)
+    away = np.abs(look.pixels_of(moved) - look.pixels_of(edges))
+    assert (away >= half).any(axis=1).all()
+    if height_mm == 200.0:
+        np.testing.assert_array_equal(moved, middles)

@@ -165,3 +165,28 @@ def test_medial_is_written_on_the_side_of_the_big_toe(side: Side) -> None:
     assert np.sign(where["Medial"][0]) == side.medial_sign
     assert np.sign(where["Lateral"][0]) == -side.medial_sign
     assert where["Toes"][1] > 250 > where["Heel"][1]
+
+
+@pytest.mark.parametrize(
+    ("preset", "words"),
+    [
+        (Preset.PLANTAR, {"Medial", "Lateral", "Heel", "Toes"}),
+        (Preset.MEDIAL, {"Heel", "Toes"}),
+        (Preset.POSTERIOR, {"Medial", "Lateral"}),
+    ],
+)
+def test_no_word_stands_before_or_behind_the_foot(
+    painter: Painter,
+    plotter: Any,
+    preset: Preset,
+    words: set[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    written: list[set[str]] = []
+    monkeypatch.setattr(
+        plotter, "add_point_labels", lambda _places, words, **_how: written.append(set(words))
+    )
+    painter.show_directions(Side.LEFT, np.array([[-40.0, 0.0, 0.0], [45.0, 250.0, 100.0]]))
+    camera = ViewCamera(preset=preset, focal_mm=(0.0, 120.0, 30.0), height_mm=400.0)
+    painter.aim(look(camera, Subject.FOOT, Side.LEFT, SIZE))
+    assert written[-1] == words

@@ -6,15 +6,20 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QStandardPaths
 from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 from real_dialogs import answering
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, Patient
-from insole_studio.app.bootstrap import Application
+from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.features.compare.stage import CompareStage
 from insole_studio.services.file_kinds import case_kinds, complete_name, template_kinds
+from insole_studio.services.last_folders import Kept, LastFolders
 from insole_studio.services.questions import Questions
+from insole_studio.settings import Settings, load_settings, save_settings
+from insole_studio.user_paths import UserPaths
 
 REPORTS = "PDF (*.pdf);;JSON (*.json)"
 
@@ -135,3 +140,70 @@ def test_an_export_asks_about_the_files_that_it_writes(
 
 def test_kinds_of_cases_name_their_suffix() -> None:
     assert complete_name(Path("a"), case_kinds()) == Path("a.insole")
+
+
+@pytest.fixture
+def documents(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of the documents; the working directory is another one."""
+    for name in ("documents", "working"):
+        (tmp_path / name).mkdir()
+    monkeypatch.chdir(tmp_path / "working")
+    monkeypatch.setattr(
+        QStandardPaths, "writableLocation", lambda _place: str(tmp_path / "documents")
+    )
+    return tmp_path / "documents"
+
+
+@pytest.fixture
+def remembering(app: Application) -> Application:
+    """The application with its real dialogs, which start where its settings say."""
+    app.services.messages.questions = Questions(app.window, LastFolders(app.settings))
+    app.window.activateWindow()
+    return app
+
+
+def test_the_window_remembers_the_folder_of_its_cases(
+    qapp: QApplication, qtbot: QtBot, paths: UserPaths, documents: Path, tmp_path: Path
+) -> None:
+    built = build_application(qapp, paths)
+    built.window.show()
+    qtbot.waitExposed(built.window)
+    built.case.open(CaseRecord(Patient(name="B")), None, unsaved=True)
+    with answering(tmp_path / "B", Path("B2")) as given:
+        for _ in range(2):
+            built.window.actions_by_key["save_as"].trigger()
+            qtbot.waitUntil(lambda: not built.jobs.is_running())
+    built.autosave.forget()
+    built.close()
+    assert given.folders == [documents, tmp_path]
+    assert (tmp_path / "B2.insole").exists()
+    assert load_settings(paths.settings_file).cases_folder == str(tmp_path)
+
+
+def test_dialogs_start_where_the_same_kind_of_thing_was_last(
+    remembering: Application,
+    opened: Application,
+    settle: Callable[[], None],
+    tmp_path: Path,
+    documents: Path,
+) -> None:
+    for name in ("patients", "reports"):
+        (tmp_path / name).mkdir()
+    names = (tmp_path / "patients" / "B", tmp_path / "reports" / "B", Path("B2"), Path("B3"))
+    with answering(*names) as given:
+        for key in ("save_as", "save_measures", "save_template", "print_outline"):
+            remembering.window.actions_by_key[key].trigger()
+            settle()
+    assert given.folders == [documents, documents, tmp_path / "patients", tmp_path / "reports"]
+    assert (tmp_path / "patients" / "B2.insole-template").exists()
+    assert (tmp_path / "reports" / "B3.pdf").exists()
+    save_settings(remembering.settings, tmp_path / "settings.json")
+    kept = load_settings(tmp_path / "settings.json")
+    assert (kept.cases_folder, kept.papers_folder) == (
+        str(tmp_path / "patients"), str(tmp_path / "reports"),
+    )  # fmt: skip
+
+
+def test_a_folder_that_is_gone_is_not_asked_for(documents: Path, tmp_path: Path) -> None:
+    folders = LastFolders(Settings(scans_folder=str(tmp_path / "unplugged")))
+    assert folders.of(Kept.SCANS) == documents

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.services.stage_window import StageWindow
+from insole_studio.services.user_messages import UserMessages
 from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
@@ -19,10 +20,11 @@ class CalibrateWindow(StageWindow["CalibrateStage"]):
     """Opens the calibrate stage; the sensors are switched off when it closes."""
 
     def __init__(
-        self, paths: UserPaths, source: SensorSource, window: QWidget | None = None
+        self, paths: UserPaths, source: SensorSource, messages: UserMessages, window: QWidget
     ) -> None:
         super().__init__(window)
         self._paths = paths
+        self._messages = messages
         self._source = source
 
     def print_boards(self) -> None:
@@ -36,4 +38,9 @@ class CalibrateWindow(StageWindow["CalibrateStage"]):
         from insole_studio.features.calibrate.stage import CalibrateStage
 
         store = SensorStore(self._paths.sensors_folder)
-        return CalibrateStage(store, self._source, self._paths.calibrations_folder)
+        return CalibrateStage(
+            store,
+            self._source,
+            self._paths.calibrations_folder,
+            questions=self._messages.questions,
+        )

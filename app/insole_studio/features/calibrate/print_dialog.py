@@ -8,7 +8,6 @@ from pathlib import Path
 from PySide6.QtGui import QPagedPaintDevice
 from PySide6.QtWidgets import (
     QDialog,
-    QFileDialog,
     QFormLayout,
     QHBoxLayout,
     QLabel,
@@ -29,6 +28,8 @@ from insole_core.errors import InsoleError
 from insole_core.recording.session import ReferenceSystem
 from insole_studio.features.calibrate.page_painter import PagePreview, paint_pages, write_pdf
 from insole_studio.features.calibrate.rows import BoardSize
+from insole_studio.services.last_folders import Kept
+from insole_studio.services.questions import Questions
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.message_label import MessageLabel
@@ -56,6 +57,8 @@ class PrintDialog(QDialog):
         The board in use, which is proposed.
     system
         The reference system whose marker templates can be printed.
+    questions
+        Ask for the PDF file; by default with folders of their own.
     ask_file
         Lets the user choose a PDF file by a proposed name; by default in a dialog.
     ask_printer
@@ -68,12 +71,14 @@ class PrintDialog(QDialog):
         system: ReferenceSystem,
         parent: QWidget | None = None,
         *,
+        questions: Questions | None = None,
         ask_file: Callable[[str], Path | None] | None = None,
         ask_printer: Callable[[], QPagedPaintDevice | None] | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Print boards"))
         self._system = system
+        self._questions = questions.on(self) if questions else Questions(self)
         self._ask_file = ask_file or self._choose_file
         self._ask_printer = ask_printer or self._choose_printer
         self._pages: Sequence[PrintedPage] = ()
@@ -178,11 +183,7 @@ class PrintDialog(QDialog):
             paint_pages(printer, self._pages)
 
     def _choose_file(self, proposed: str) -> Path | None:
-        dialog = QFileDialog(self, tr("Save"), proposed, "PDF (*.pdf)")
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setDefaultSuffix("pdf")  # so that it asks about the file that is written
-        accepted = dialog.exec() == QDialog.DialogCode.Accepted
-        return Path(dialog.selectedFiles()[0]) if accepted else None
+        return self._questions.file_to_write(proposed, "PDF (*.pdf)", Kept.PAPERS)
 
     def _choose_printer(self) -> QPagedPaintDevice | None:
         from PySide6.QtPrintSupport import QPrintDialog, QPrinter

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QVBoxLayout
+from PySide6.QtWidgets import QMessageBox, QVBoxLayout
 
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -18,6 +18,8 @@ from insole_studio.features.calibrate.presenter import CalibratePresenter
 from insole_studio.features.calibrate.print_dialog import PrintDialog
 from insole_studio.features.calibrate.view import CalibrateView
 from insole_studio.jobs import Jobs
+from insole_studio.services.last_folders import Kept
+from insole_studio.services.questions import Questions
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.tab_order import StageFrame
 
@@ -40,6 +42,8 @@ class CalibrateStage(StageFrame):
         Lets the user choose a folder; by default in a dialog.
     ask
         Asks whether to save an implausible result; by default in a dialog.
+    questions
+        Ask the user for paths; by default with folders of their own.
     """
 
     closed = Signal()
@@ -51,6 +55,8 @@ class CalibrateStage(StageFrame):
         folder: Path,
         ask_folder: Callable[[], Path | None] | None = None,
         ask: Callable[[str], bool] | None = None,
+        *,
+        questions: Questions | None = None,
     ) -> None:
         super().__init__()
         self.setWindowTitle(tr("Calibrate sensors") + " – Insole Studio")
@@ -60,6 +66,7 @@ class CalibrateStage(StageFrame):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
         self.jobs = Jobs(self)
+        self._questions = questions.on(self) if questions else Questions(self)
         self.presenter = CalibratePresenter(
             self.view, store, self.jobs, ask_folder or self._ask_folder, ask or self._ask
         )
@@ -74,7 +81,7 @@ class CalibrateStage(StageFrame):
 
     def print_boards(self) -> None:
         """Open the dialog that prints boards and marker templates."""
-        dialog = PrintDialog(self.view.board(), self._system, self)
+        dialog = PrintDialog(self.view.board(), self._system, self, questions=self._questions)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.open()
 
@@ -87,8 +94,7 @@ class CalibrateStage(StageFrame):
         self.closed.emit()
 
     def _ask_folder(self) -> Path | None:
-        name = QFileDialog.getExistingDirectory(self, tr("Folder with the images"))
-        return Path(name) if name else None
+        return self._questions.folder_to_open(tr("Folder with the images"), Kept.PICTURES)
 
     def _ask(self, sentence: str) -> bool:
         box = QMessageBox(self)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from insole_studio.acquisition.guidance import Hint, HintKind
-from insole_studio.texts import tr
+from insole_studio.texts import fill, tr
 
 
 def hint_text(hint: Hint) -> str:
@@ -21,4 +21,4 @@ def hint_text(hint: Hint) -> str:
         HintKind.TOO_BRIGHT: tr("Too bright; turn strong lights away"),
         HintKind.MOVING: tr("Something moves; hold the foot still"),
     }
-    return texts[hint.kind].format(found=hint.found, wanted=hint.wanted)
+    return fill(texts[hint.kind], found=hint.found, wanted=hint.wanted)

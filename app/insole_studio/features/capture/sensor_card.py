@@ -52,6 +52,7 @@ class SensorCard(QFrame):
         self._title = _Grip(serial)
         self._depth, self._color = PictureView(), PictureView()
         self._facts, self._hints = QLabel(), QLabel()
+        self._facts.setWordWrap(True)  # its length decides no width: the buttons of all cards fit
         self._facts.setObjectName("quiet")
         self._hints.setWordWrap(True)
         self._view = ComboBox([(view, view_text(view)) for view in VIEWS])

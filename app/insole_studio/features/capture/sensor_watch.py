@@ -23,7 +23,7 @@ from insole_studio.acquisition.guidance import (
 from insole_studio.acquisition.messages import WARM_UP_S, SensorState
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.features.capture.hints import hint_text
-from insole_studio.texts import tr
+from insole_studio.texts import fill, localised, tr
 from insole_studio.view_names import view_text
 
 _FULL_COLOR = (1280, 1024)
@@ -124,16 +124,14 @@ class SensorWatch:
 
     def title(self) -> str:
         """Return the name of the view and the depth in the image centre."""
-        depth = f"{self._centre_mm:.0f} mm" if self._centre_mm is not None else "– mm"
+        depth = f"{localised(self._centre_mm, '.0f')} mm" if self._centre_mm is not None else "– mm"
         return f"{view_text(self.view)} · {depth}"
 
     def facts(self, state: SensorState) -> str:
         """Return frame rate and losses, valid pixels and markers as text."""
-        rate = tr("{fps:.0f} frames/s, {lost} lost").format(fps=state.fps, lost=state.discarded)
+        rate = fill(tr("{fps:.0f} frames/s, {lost} lost"), fps=state.fps, lost=state.discarded)
         if state.phase is CapturePhase.WARMING_UP:
-            minutes = tr("warm in {minutes:.0f} min").format(
-                minutes=(WARM_UP_S - state.warm_s) / 60
-            )
+            minutes = fill(tr("warm in {minutes:.0f} min"), minutes=(WARM_UP_S - state.warm_s) / 60)
             rate = f"{rate} · {minutes}"
         found = self._guidance
         if found is None:
@@ -141,5 +139,5 @@ class SensorWatch:
         markers = tr("markers {seen} of {wanted}").format(
             seen=found.markers_seen, wanted=found.markers_wanted
         )
-        measured = tr("{share:.0%} measured").format(share=found.valid_share)
+        measured = fill(tr("{share:.0%} measured"), share=found.valid_share)
         return f"{rate} · {measured} · {markers}"

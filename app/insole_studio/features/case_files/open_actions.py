@@ -10,6 +10,7 @@ from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.foot.foot_proportions import ProportionsError
 from insole_core.foot.mesh_file import UnitError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
@@ -23,6 +24,7 @@ from insole_studio.features.case_files.case_guard import CaseGuard, FileState
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import InUse, SameSide
 from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.services.user_messages import LONG_MS
@@ -79,15 +81,16 @@ class OpenActions:
 
     def ask_open_case(self) -> None:
         """Let the user choose a case and open it."""
-        self._open_chosen(self._messages.questions.file_to_open(case_kinds()))
+        self._open_chosen(self._messages.questions.file_to_open(case_kinds(), Kept.CASES))
 
     def ask_open_session(self) -> None:
         """Let the user choose the folder of a session and open it."""
-        self._open_chosen(self._messages.questions.folder_to_open())
+        questions = self._messages.questions
+        self._open_chosen(questions.folder_to_open(tr("Open session"), Kept.SCANS))
 
     def ask_open_mesh(self) -> None:
         """Let the user choose an archive or a mesh and open it."""
-        self._open_chosen(self._messages.questions.file_to_open(scan_kinds()))
+        self._open_chosen(self._messages.questions.file_to_open(scan_kinds(), Kept.SCANS))
 
     def new_case(self) -> None:
         """Start an empty case."""
@@ -98,8 +101,16 @@ class OpenActions:
         self._services.jobs.cancel(CHANNEL)
 
     def open_example(self) -> None:
-        """Open the example case that ships with the product."""
-        self.open_path(resource_path(EXAMPLE))
+        """Open a copy of the example of the product, which no window locks or saves over."""
+
+        def read(progress: Progress) -> CaseRecord:
+            progress.step(0.0, tr("Opening the case"))
+            return read_case(resource_path(EXAMPLE))
+
+        def opened(record: CaseRecord) -> None:
+            self._case.open(record, None)
+
+        self._saver.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
 
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one reconstructed from the same scan keeps its design."""
@@ -176,6 +187,9 @@ class OpenActions:
                 chosen = questions.which_side_after_all(str(error), side)
                 if chosen is not None:
                     self._open_mesh(path, ScanAnswer(chosen, unit), force=chosen is side)
+            elif isinstance(error, ProportionsError):
+                if questions.open_anyway(str(error)):
+                    self._open_mesh(path, answer, force=True)
             elif isinstance(error, UnitError):
                 self._open_mesh(path, questions.about_scan(path, str(error)))
             else:

@@ -14,6 +14,7 @@ from insole_studio.document.case_name import case_name, file_stem
 from insole_studio.features.case_files.case_guard import CaseGuard, ChangedOnDiskError, FileState
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, Unsaved
 from insole_studio.texts import tr
 
@@ -42,7 +43,7 @@ class SaveActions:
     def ask_save(self, then: Then = _nothing) -> None:
         """Let the user choose a file, save, and then call `then`."""
         suggestion = f"{file_stem(self._case)}{CASE_SUFFIX}"
-        path = self._messages.questions.file_to_write(suggestion, case_kinds())
+        path = self._messages.questions.file_to_write(suggestion, case_kinds(), Kept.CASES)
         if path is not None:
             self.save_to(path, then)
 

@@ -22,4 +22,5 @@ class CompareWindow(StageWindow["CompareStage"]):
         """Create the stage in the current theme."""
         from insole_studio.features.compare.stage import CompareStage
 
-        return CompareStage(self._services.case, self._services.dark)
+        services = self._services
+        return CompareStage(services.case, services.dark, questions=services.messages.questions)

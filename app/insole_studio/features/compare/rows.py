@@ -61,7 +61,8 @@ def figure_rows(difference: Difference) -> tuple[FigureRow, ...]:
         FigureRow(text(), f"{localised(statistics[key], '.2f')} mm")
         for key, text in STATISTICS.items()
     ]
-    rows.append(FigureRow(tr("Compared area"), f"{statistics['compared_area_mm2'] / 100:.0f} cm²"))
+    area = localised(statistics["compared_area_mm2"] / 100, ".0f")
+    rows.append(FigureRow(tr("Compared area"), f"{area} cm²"))
     if fit == fit:  # noqa: PLR0124 - not NaN: a transform was fitted
         rows.append(FigureRow(tr("Residual of the fit"), f"{localised(fit, '.2f')} mm"))
     for heading, measures in (

@@ -7,13 +7,14 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QFileDialog, QVBoxLayout
+from PySide6.QtWidgets import QVBoxLayout
 
 from insole_studio.document.case import Case
 from insole_studio.features.compare.presenter import ComparePresenter
 from insole_studio.features.compare.rows import FOLDER
 from insole_studio.features.compare.view import CompareView
 from insole_studio.jobs import Jobs
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
@@ -32,6 +33,8 @@ class CompareStage(StageFrame):
         Offers its feet and insoles.
     dark
         Whether to use the dark theme.
+    questions
+        Ask the user for paths; by default with folders of their own.
     ask_source, ask_report
         Let the user choose a path; by default in a dialog.
     """
@@ -43,6 +46,7 @@ class CompareStage(StageFrame):
         case: Case,
         dark: bool,
         *,
+        questions: Questions | None = None,
         ask_source: Callable[[str], Path | None] | None = None,
         ask_report: Callable[[], Path | None] | None = None,
     ) -> None:
@@ -54,6 +58,7 @@ class CompareStage(StageFrame):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
         self.jobs = Jobs(self)
+        self._questions = questions.on(self) if questions else Questions(self)
         self.presenter = ComparePresenter(
             self.view,
             case=case,
@@ -71,11 +76,8 @@ class CompareStage(StageFrame):
 
     def _ask_source(self, kind: str) -> Path | None:
         if kind == FOLDER:
-            name = QFileDialog.getExistingDirectory(self, tr("Open session"))
-        else:
-            kinds = f"{tr('Mesh or archive')} {_SOURCES}"
-            name, _ = QFileDialog.getOpenFileName(self, tr("Open"), "", kinds)
-        return Path(name) if name else None
+            return self._questions.folder_to_open(tr("Open session"), Kept.SCANS)
+        return self._questions.file_to_open(f"{tr('Mesh or archive')} {_SOURCES}", Kept.SCANS)
 
     def _ask_report(self) -> Path | None:
-        return Questions(self).file_to_write("difference.pdf", _REPORTS)
+        return self._questions.file_to_write("difference.pdf", _REPORTS, Kept.PAPERS)

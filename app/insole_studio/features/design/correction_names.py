@@ -90,7 +90,7 @@ def _numbers(correction: Correction) -> str:
     if isinstance(correction, Posting):
         return f"{_edge(correction.rearfoot_deg)} / {_edge(correction.forefoot_deg)}"
     if isinstance(correction, ForefootTwist):
-        return f"{_plain(correction.angle_deg)}°"
+        return _edge(correction.angle_deg)
     if isinstance(correction, BrushStroke):
         return WORDS[correction.mode]().lower()
     if isinstance(correction, HeelSkive):
@@ -100,12 +100,13 @@ def _numbers(correction: Correction) -> str:
 
 
 def _plain(value: float) -> str:
-    return localised(value, "g")
+    """Write a number with the precision of the fields, and no needless zero."""
+    return localised(round(value, 1) + 0.0, "g")
 
 
 def _edge(angle_deg: float) -> str:
     """Say which edge an angle of a posting raises."""
-    if angle_deg == 0:
+    if round(angle_deg, 1) == 0:
         return "0°"
     edge = tr("medial") if angle_deg > 0 else tr("lateral")
     return f"{_plain(abs(angle_deg))}° {edge}"

@@ -44,7 +44,7 @@ class CorrectionRow:
 
 @dataclass(frozen=True)
 class FieldSpec:
-    """One editable number."""
+    """One editable number; `tip` says what it does."""
 
     key: str
     label: str
@@ -54,16 +54,18 @@ class FieldSpec:
     greatest: float
     step: float
     decimals: int = 1
+    tip: str = ""
 
 
 @dataclass(frozen=True)
 class ChoiceSpec:
-    """One choice among options, which are pairs of value and text."""
+    """One choice among options, which are pairs of value and text; `tip` says what it does."""
 
     key: str
     label: str
     value: str
     options: tuple[tuple[str, str], ...]
+    tip: str = ""
 
 
 @dataclass(frozen=True)

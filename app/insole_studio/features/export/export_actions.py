@@ -22,6 +22,7 @@ from insole_core.workflows.last_order import LastOrder
 from insole_studio.document.case_name import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.services.app_services import AppServices
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import tr
@@ -79,7 +80,7 @@ class ExportActions(StageWindow["ExportStage"]):
         """Let the user choose a file for the workshop, which never gets the patient's name."""
         kinds = f"{suffix[1:].upper()} (*{suffix})"
         stem = re.sub(r'[<>:"/\\|?*\s]+', "_", pseudonym)
-        return self._questions.name_to_write(f"{stem}-{word}{suffix}", kinds)
+        return self._questions.name_to_write(f"{stem}-{word}{suffix}", kinds, Kept.EXPORTS)
 
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be overwritten."""
@@ -165,7 +166,7 @@ class ExportActions(StageWindow["ExportStage"]):
     def ask_print_outline(self) -> None:
         """Let the user choose a PDF file and print the outline into it."""
         path = self._messages.questions.file_to_write(
-            f"{foot_stem(self._case)}-outline.pdf", "PDF (*.pdf)"
+            f"{foot_stem(self._case)}-outline.pdf", "PDF (*.pdf)", Kept.PAPERS
         )
         if path is not None:
             self.print_outline_to(path)

@@ -23,7 +23,7 @@ from insole_core.solids.marking import Relief
 from insole_core.solids.shop import Block
 from insole_core.solids.solid import Kind
 from insole_core.workflows.make_order import OrderChoice
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
@@ -233,4 +233,4 @@ class OrderForm(QWidget):
 
 
 def _text(block: Block) -> str:
-    return f"{block.name}, " + " × ".join(f"{length:g}" for length in block.size_mm)
+    return f"{block.name}, " + " × ".join(localised(length, "g") for length in block.size_mm)

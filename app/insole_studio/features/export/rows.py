@@ -14,7 +14,7 @@ from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 from insole_core.solids.nesting import Nest
 from insole_core.solids.order import CHECKS_OF, Part
 from insole_core.solids.solid import Kind
-from insole_studio.texts import tr
+from insole_studio.texts import fill, tr
 
 
 class CheckState(StrEnum):
@@ -95,8 +95,8 @@ def sentence_of(finding: Finding) -> str:
         return tr("closed") if finding.passed else tr("open or inside out")
     if finding.name == "block":
         text = tr("{value:.1f} mm to spare") if finding.passed else tr("{value:.1f} mm too large")
-        return text.format(value=abs(finding.value))
-    return _SENTENCES[finding.name]().format(value=finding.value)
+        return fill(text, value=abs(finding.value))
+    return fill(_SENTENCES[finding.name](), value=finding.value)
 
 
 def check_row(
@@ -143,24 +143,22 @@ def check_row(
 def summary_of(piece: Part) -> str:
     """Return size, volume and number of triangles of a part, and how far the triangles deviate."""
     width, length, height = piece.solid.bounds_mm[1] - piece.solid.bounds_mm[0]
-    said = tr(
-        "{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles"
-    ).format(
-        length=length, width=width, height=height,
+    said = fill(
+        tr("{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles"),
+        length=float(length), width=float(width), height=float(height),
         volume=piece.solid.volume_mm3 / 1000, count=len(piece.solid.triangles),
     )  # fmt: skip
     if piece.deviation_mm == 0:
         return said
     deviation = tr("They deviate by {deviation:.3f} mm at most.")
-    return f"{said}. {deviation.format(deviation=piece.deviation_mm)}"
+    return f"{said}. {fill(deviation, deviation=piece.deviation_mm)}"
 
 
 def summary_of_nest(nest: Nest) -> str:
     """Return what a pair needs of its block."""
     width, length, height = nest.size_mm
-    return tr("Both need {length:.0f} × {width:.0f} × {height:.1f} mm of the block").format(
-        length=length, width=width, height=height
-    )
+    text = tr("Both need {length:.0f} × {width:.0f} × {height:.1f} mm of the block")
+    return fill(text, length=float(length), width=float(width), height=float(height))
 
 
 def notes_of(piece: Part) -> list[str]:

@@ -211,7 +211,7 @@ def test_an_export_does_not_take_the_place_of_the_scan(
     case.open(replace(case.record, feet=(left,)), None)
     stage.presenter.remake()
     settle()
-    chosen.path, chosen.replace = tmp_path / "scan.stl", True
+    chosen.answer, chosen.replace = tmp_path / "scan.stl", True
     stage.view.export.click()
     settle()
     assert "is read to make the result" in stage.view.error.text()

@@ -25,6 +25,7 @@ from insole_studio.features.export.blocks_dialog import BlocksDialog
 from insole_studio.features.export.order_form import OrderForm
 from insole_studio.features.export.rows import CheckState
 from insole_studio.features.export.stage import ExportStage
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.settings import load_settings
 from insole_studio.widgets.fields_dialog import FieldsDialog
@@ -47,7 +48,7 @@ class PathGiven(Questions):
         self.windows.append(window)
         return self
 
-    def file_to_write(self, suggestion: str, _kinds: str) -> Path | None:
+    def file_to_write(self, suggestion: str, _kinds: str, _kept: Kept) -> Path | None:
         self.suggested.append(suggestion)
         return self.answer
 
@@ -178,7 +179,7 @@ def calls_of_dialogs() -> Iterator[tuple[str, ast.Call]]:
 
 def test_every_dialog_names_the_window_it_belongs_to() -> None:
     calls = list(calls_of_dialogs())
-    assert len(calls) > 8
+    assert len(calls) >= 8
     owners = {"self", "self._parent", "self._window", "over or self._window", "parent"}
     strays = [
         where
@@ -189,6 +190,11 @@ def test_every_dialog_names_the_window_it_belongs_to() -> None:
         )
     ]
     assert strays == []
+
+
+def test_all_file_dialogs_come_from_where_their_folders_are_remembered() -> None:
+    places = [w for w, call in calls_of_dialogs() if ast.unparse(call.func).startswith("QFileD")]
+    assert {place.split(":")[0] for place in places} == {"services/questions.py"}
 
 
 def test_the_shop_gets_the_order_number_and_the_case_keeps_it(

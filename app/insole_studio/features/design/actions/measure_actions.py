@@ -8,6 +8,7 @@ from insole_core.export.atomic import replacing_file
 from insole_core.foot.measure_table import table_csv
 from insole_studio.document.case import Case
 from insole_studio.features.design.patient.measure_texts import table_of
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
 
@@ -25,7 +26,7 @@ class MeasureActions:
 
     def ask_save(self) -> None:
         """Let the user choose a file, and write the table."""
-        path = self._messages.questions.file_to_write("measures.csv", "CSV (*.csv)")
+        path = self._messages.questions.file_to_write("measures.csv", "CSV (*.csv)", Kept.PAPERS)
         if path is not None:
             with replacing_file(path) as beside:
                 beside.write_text(table_csv(table_of(self._case.record)), encoding="utf-8")

@@ -27,6 +27,7 @@ from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.services.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.user_messages import LONG_MS, UserMessages
 from insole_studio.texts import tr
 
@@ -75,7 +76,7 @@ class PrescriptionActions:
     def ask_save_template(self) -> None:
         """Let the user choose a file, and save the template."""
         path = self._messages.questions.file_to_write(
-            f"template{TEMPLATE_SUFFIX}", template_kinds()
+            f"template{TEMPLATE_SUFFIX}", template_kinds(), Kept.CASES
         )
         if path is not None and self._case.record.design is not None:
             save_template(self._case, path)
@@ -83,7 +84,7 @@ class PrescriptionActions:
 
     def ask_apply_template(self) -> None:
         """Let the user choose a template, and apply it."""
-        path = self._messages.questions.file_to_open(template_kinds())
+        path = self._messages.questions.file_to_open(template_kinds(), Kept.CASES)
         if path is not None and self._case.record.design is not None:
             template, foot = read_template(path), _foot_of(self._case)
             self._case.apply(fitted(template, foot, self._case.stamped), tr("Apply a template"))
@@ -92,7 +93,7 @@ class PrescriptionActions:
 
     def ask_repeat_design(self) -> None:
         """Let the user choose an earlier case, and repeat its design."""
-        path = self._messages.questions.file_to_open(case_kinds())
+        path = self._messages.questions.file_to_open(case_kinds(), Kept.CASES)
         if path is not None and self._case.record.design is not None:
             design = design_of_case(self._case, path)
             self._case.apply(design, tr("Repeat the design of an earlier case"))

@@ -13,7 +13,8 @@ from insole_studio.features.design.tools.turn_tool import TurnTool, ring_centre
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.texts import localised, tr
 
-LEVEL_HALF_MM = 60.0
+LEVEL_HALF_MM = 42.0
+"""Wider than a heel, and short of the words beside the ball."""
 BELOW_MM = np.array([0.0, -9.0, -9.0])
 """Offset of the angle's text from its line, seen from below and from behind."""
 BEYOND = 0.25

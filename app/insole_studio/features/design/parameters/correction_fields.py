@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_shapes import local_outline
 from insole_core.insole.prescription.design import (
     ArchRaise,
@@ -46,20 +47,27 @@ class Editable:
     ----------
     name
         Name of the attribute.
-    label
-        Function that returns the translated label.
+    label, tip
+        Functions that return the translated label, and what the value does, in one sentence.
     number
         Index into a position or pair; None for a single value.
     step
         Step of the field.
+    is_share
+        Whether it is a share, which is shown in per cent.
+    is_medial
+        Whether it is the x of a place, which is shown as > 0 on the medial side of either foot.
     expert
         Whether it is about the computation, not about the foot: shown apart, after all others.
     """
 
     name: str
     label: Callable[[], str]
+    tip: Callable[[], str]
     number: int | None = None
     step: float = 0.5
+    is_share: bool = False
+    is_medial: bool = False
     expert: bool = False
 
     @property
@@ -67,85 +75,247 @@ class Editable:
         """Key of the value, unique within its part."""
         return self.name if self.number is None else f"{self.name}.{self.number}"
 
-
-def _height(name: str = "height_mm") -> Editable:
-    return Editable(name, lambda: tr("Height"))
-
-
-def _length() -> Editable:
-    return Editable("length_mm", lambda: tr("Length"))
+    def factor(self, side: Side) -> float:
+        """Return the number that a stored value is multiplied by to be shown."""
+        return (100 if self.is_share else 1) * (side.medial_sign if self.is_medial else 1)
 
 
-def _width() -> Editable:
-    return Editable("width_mm", lambda: tr("Width"))
+def _height(tip: Callable[[], str]) -> Editable:
+    return Editable("height_mm", lambda: tr("Height"), tip)
 
 
-def _zone(start: str, end: str) -> tuple[Editable, Editable]:
+def _length(tip: Callable[[], str]) -> Editable:
+    return Editable("length_mm", lambda: tr("Length"), tip)
+
+
+def _width(tip: Callable[[], str]) -> Editable:
+    return Editable("width_mm", lambda: tr("Width"), tip)
+
+
+def _place(name: str) -> tuple[Editable, Editable]:
     return (
-        Editable(start, lambda: tr("Blend from"), step=0.01),
-        Editable(end, lambda: tr("Blend to"), step=0.01),
+        Editable(
+            name,
+            lambda: tr("From axis"),
+            lambda: tr("Distance of the highest place from the foot axis; > 0 is medial"),
+            0,
+            is_medial=True,
+        ),
+        Editable(
+            name,
+            lambda: tr("From heel"),
+            lambda: tr("Distance of the highest place from the back of the heel"),
+            1,
+        ),
     )
+
+
+def _share(name: str, label: Callable[[], str], tip: Callable[[], str]) -> Editable:
+    return Editable(name, label, tip, step=1, is_share=True, expert=True)
 
 
 EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
     Pelott: (
-        _height(),
-        Editable("turn_deg", lambda: tr("Turn")),
-        _length(),
-        _width(),
-        Editable("centre_mm", lambda: tr("Place x"), 0),
-        Editable("centre_mm", lambda: tr("Place y"), 1),
-        Editable("egg_ratio", lambda: tr("Egg ratio"), step=0.05),
-        Editable("sigma_mm", lambda: tr("Sigma across"), 0),
-        Editable("sigma_mm", lambda: tr("Sigma along"), 1),
+        _height(lambda: tr("Height at the highest place; below 0 it is a recess")),
+        Editable(
+            "turn_deg",
+            lambda: tr("Turn"),
+            lambda: tr("Turn seen from above; > 0 is counter-clockwise"),
+        ),
+        _length(lambda: tr("Length of the pad")),
+        _width(lambda: tr("Width of the pad")),
+        *_place("centre_mm"),
+        _share(
+            "egg_ratio",
+            lambda: tr("Taper"),
+            lambda: tr("How much narrower the rear end is than the front; 0 % is an ellipse"),
+        ),
+        Editable(
+            "sigma_mm",
+            lambda: tr("Fullness across"),
+            lambda: tr("How far the height spreads across the pad; more makes it fuller"),
+            0,
+            expert=True,
+        ),
+        Editable(
+            "sigma_mm",
+            lambda: tr("Fullness along"),
+            lambda: tr("How far the height spreads along the pad; more makes it fuller"),
+            1,
+            expert=True,
+        ),
     ),
     Posting: (
-        Editable("rearfoot_deg", lambda: tr("Rearfoot")),
-        Editable("forefoot_deg", lambda: tr("Forefoot")),
-        *_zone("blend_start", "blend_end"),
-        Editable("method", lambda: tr("Posting")),
+        Editable(
+            "rearfoot_deg",
+            lambda: tr("Rearfoot"),
+            lambda: tr("> 0 raises the medial edge of the rearfoot (varus), < 0 the lateral one"),
+        ),
+        Editable(
+            "forefoot_deg",
+            lambda: tr("Forefoot"),
+            lambda: tr("> 0 raises the medial edge of the forefoot (varus), < 0 the lateral one"),
+        ),
+        Editable(
+            "method",
+            lambda: tr("Posting"),
+            lambda: tr("Extrinsic turns the whole insole, intrinsic leaves its rim as it is"),
+        ),
+        _share(
+            "blend_start",
+            lambda: tr("Rearfoot up to"),
+            lambda: tr("Share of the foot's length up to which the rearfoot angle holds"),
+        ),
+        _share(
+            "blend_end",
+            lambda: tr("Forefoot from"),
+            lambda: tr("Share of the foot's length from which the forefoot angle holds"),
+        ),
     ),
     ForefootTwist: (
-        Editable("angle_deg", lambda: tr("Angle")),
-        *_zone("blend_start", "blend_end"),
+        Editable(
+            "angle_deg",
+            lambda: tr("Angle"),
+            lambda: tr("> 0 raises the medial edge of the forefoot (varus), < 0 the lateral one"),
+        ),
+        _share(
+            "blend_start",
+            lambda: tr("Begins at"),
+            lambda: tr("Share of the foot's length at which the twist begins"),
+        ),
+        _share(
+            "blend_end",
+            lambda: tr("Full from"),
+            lambda: tr("Share of the foot's length from which the whole angle holds"),
+        ),
     ),
     HeelSkive: (
-        Editable("depth_mm", lambda: tr("Depth")),
-        Editable("slope_deg", lambda: tr("Slope")),
-        Editable("border", lambda: tr("Edge")),
+        Editable(
+            "depth_mm",
+            lambda: tr("Depth"),
+            lambda: tr("Greatest height of the wedge in the heel cup"),
+        ),
+        Editable(
+            "slope_deg", lambda: tr("Slope"), lambda: tr("Slope of the wedge against the ground")
+        ),
+        Editable("border", lambda: tr("Edge"), lambda: tr("Edge of the heel that is raised")),
     ),
-    HeelLift: (_height(), *_zone("fade_start", "fade_end")),
+    HeelLift: (
+        _height(lambda: tr("How much the heel is raised")),
+        _share(
+            "fade_start",
+            lambda: tr("Full up to"),
+            lambda: tr("Share of the foot's length up to which the heel is raised in full"),
+        ),
+        _share(
+            "fade_end",
+            lambda: tr("Ends at"),
+            lambda: tr("Share of the foot's length at which the lift ends"),
+        ),
+    ),
     ArchRaise: (
-        _height(),
-        _length(),
-        _width(),
-        Editable("apex_mm", lambda: tr("Apex x"), 0),
-        Editable("apex_mm", lambda: tr("Apex y"), 1),
+        _height(lambda: tr("How much the arch is raised at its highest place")),
+        _length(lambda: tr("Length of the zone that is raised")),
+        _width(lambda: tr("Width of the zone that is raised")),
+        *_place("apex_mm"),
     ),
-    HeelCup: (Editable("depth_mm", lambda: tr("Depth")), *_zone("fade_start", "fade_end")),
+    HeelCup: (
+        Editable(
+            "depth_mm",
+            lambda: tr("Depth"),
+            lambda: tr("Height of the rim over the lowest place of the heel"),
+        ),
+        _share(
+            "fade_start",
+            lambda: tr("Full up to"),
+            lambda: tr("Share of the foot's length up to which the cup has its full depth"),
+        ),
+        _share(
+            "fade_end",
+            lambda: tr("Ends at"),
+            lambda: tr("Share of the foot's length at which the cup ends"),
+        ),
+    ),
     BrushStroke: (
-        Editable("strength", lambda: tr("Strength"), step=0.1),
-        Editable("radius_mm", lambda: tr("Radius")),
-        Editable("mode", lambda: tr("Brush")),
+        Editable(
+            "strength",
+            lambda: tr("Strength"),
+            lambda: tr("How much a stroke changes the height; 1 smooths out all it can"),
+            step=0.1,
+        ),
+        Editable(
+            "radius_mm",
+            lambda: tr("Radius"),
+            lambda: tr("Distance from the stroke beyond which nothing changes"),
+        ),
+        Editable("mode", lambda: tr("Brush"), lambda: tr("What the stroke does to the surface")),
     ),
     InsoleDesign: (
-        Editable("thickness_mm", lambda: tr("Thickness")),
-        Editable("bottom", lambda: tr("Bottom")),
-        Editable("max_height_mm", lambda: tr("Flank height")),
-        Editable("grid_mm", lambda: tr("Grid"), step=0.25, expert=True),
+        Editable(
+            "thickness_mm",
+            lambda: tr("Thickness"),
+            lambda: tr("Least thickness under the foot, before pads and recesses"),
+        ),
+        Editable(
+            "bottom",
+            lambda: tr("Bottom"),
+            lambda: tr("Flat on the ground, or following the foot at an even thickness"),
+        ),
+        Editable(
+            "max_height_mm",
+            lambda: tr("Flank height"),
+            lambda: tr("Height over the ground up to which the insole follows the foot"),
+        ),
+        Editable(
+            "grid_mm",
+            lambda: tr("Surface grid"),
+            lambda: tr("Distance of the points that the surface is computed at"),
+            step=0.25,
+            expert=True,
+        ),
     ),
     Layers: (
-        Editable("cover_mm", lambda: tr("Cover")),
-        Editable("shell_mm", lambda: tr("Shell")),
-        Editable("base_mm", lambda: tr("Base")),
+        Editable(
+            "cover_mm",
+            lambda: tr("Cover"),
+            lambda: tr("Thickness of the layer next to the foot; 0 for none"),
+        ),
+        Editable(
+            "shell_mm",
+            lambda: tr("Shell"),
+            lambda: tr("Thickness of the layer that supports the foot; 0 for none"),
+        ),
+        Editable(
+            "base_mm",
+            lambda: tr("Base"),
+            lambda: tr("Thickness of the layer next to the shoe; 0 for none"),
+        ),
     ),
     Outline: (
-        Editable("source", lambda: tr("Outline")),
-        Editable("extent", lambda: tr("Extent")),
-        Editable("toe_allowance_mm", lambda: tr("Toes")),
-        Editable("ball_allowance_mm", lambda: tr("Ball")),
-        Editable("heel_allowance_mm", lambda: tr("Heel")),
-        Editable("shoe_size_eu", lambda: tr("EU size")),
+        Editable(
+            "source", lambda: tr("Outline"), lambda: tr("What the edge of the insole follows")
+        ),
+        Editable(
+            "extent",
+            lambda: tr("Extent"),
+            lambda: tr("To the toes, or to behind the metatarsal heads"),
+        ),
+        Editable(
+            "toe_allowance_mm",
+            lambda: tr("Toes"),
+            lambda: tr("Allowance in front of the longest toe"),
+        ),
+        Editable(
+            "ball_allowance_mm",
+            lambda: tr("Ball"),
+            lambda: tr("Allowance on both sides of the ball"),
+        ),
+        Editable("heel_allowance_mm", lambda: tr("Heel"), lambda: tr("Allowance around the heel")),
+        Editable(
+            "shoe_size_eu",
+            lambda: tr("EU size"),
+            lambda: tr("Size of the shoe, which decides the length"),
+        ),
     ),
 }
 _RANGES: dict[type[Any], dict[str, Range]] = {
@@ -157,11 +327,11 @@ _RANGES: dict[type[Any], dict[str, Range]] = {
 
 
 def field_specs(
-    part: Any, prefix: str, *, expert: bool = False
+    part: Any, prefix: str, side: Side, *, expert: bool = False
 ) -> tuple[FieldSpec | ChoiceSpec, ...]:
     """Return the fields of a correction, of the design, of its layers or outline, in tab order.
 
-    Values that the part does not have (the egg ratio of a bar, an automatic position) are omitted.
+    Values that the part does not have (the taper of a bar, an automatic position) are omitted.
 
     Parameters
     ----------
@@ -169,15 +339,17 @@ def field_specs(
         The part of the prescription.
     prefix
         Prefix of the fields' keys.
+    side
+        The foot that it is for.
     expert
         Whether to return those for experts, or all others.
     """
     wanted = (editable for editable in EDITABLE[type(part)] if editable.expert is expert)
-    specs = (_spec(part, editable, f"{prefix}.{editable.key}") for editable in wanted)
+    specs = (_spec(part, editable, f"{prefix}.{editable.key}", side) for editable in wanted)
     return tuple(spec for spec in specs if spec is not None)
 
 
-def with_value(part: Part, key: str, value: float | str) -> Part:
+def with_value(part: Part, key: str, value: float | str, side: Side) -> Part:
     """Return the part with one value replaced.
 
     Parameters
@@ -187,16 +359,19 @@ def with_value(part: Part, key: str, value: float | str) -> Part:
     key
         Key of the field, without the prefix.
     value
-        The new number or choice.
+        The new number, as the field shows it, or choice.
+    side
+        The foot that it is for.
     """
-    name, _, number = key.partition(".")
-    changes: dict[str, Any] = {name: value}
-    if number:
-        pair = list(_pair(part, name) or (0.0, 0.0))
-        pair[int(number)] = float(value)
-        changes = {name: tuple(pair)}
-    changed = replace(part, **changes)  # type: ignore[type-var]
-    return _within(changed) if isinstance(value, str) else changed
+    if isinstance(value, str):
+        return _within(replace(part, **{key: value}))  # type: ignore[type-var]
+    (editable,) = (editable for editable in EDITABLE[type(part)] if editable.key == key)
+    stored = value / editable.factor(side)
+    if editable.number is None:
+        return replace(part, **{editable.name: stored})  # type: ignore[type-var]
+    pair = list(_pair(part, editable.name) or (0.0, 0.0))
+    pair[editable.number] = stored
+    return replace(part, **{editable.name: tuple(pair)})  # type: ignore[type-var]
 
 
 def _within(part: Part) -> Part:
@@ -214,28 +389,44 @@ def _allowed(part: Any, name: str) -> Range:
     return range_beside(part, name, _RANGES[type(part)][name])
 
 
-def _spec(part: Any, editable: Editable, key: str) -> FieldSpec | ChoiceSpec | None:
+def _spec(part: Any, editable: Editable, key: str, side: Side) -> FieldSpec | ChoiceSpec | None:
     if isinstance(part, Outline) and not _acts(part, editable.name):
         return None
+    label, tip = editable.label(), editable.tip()
     words = CHOICES.get(type(part), {}).get(editable.name)
     if words is not None:
         options = tuple((word, WORDS[word]()) for word in words)
-        return ChoiceSpec(key, editable.label(), getattr(part, editable.name), options)
+        return ChoiceSpec(key, label, getattr(part, editable.name), options, tip)
     value = _number(part, editable)
     if value is None:
         return None
-    allowed = _allowed(part, editable.name)
-    unit = {"degrees": "°", "": ""}.get(allowed.unit, allowed.unit)
+    factor, allowed = editable.factor(side), _allowed(part, editable.name)
+    least, greatest = sorted((factor * allowed.least, factor * allowed.greatest))
     return FieldSpec(
         key,
-        editable.label(),
-        unit,
-        value,
-        allowed.least,
-        allowed.greatest,
+        label,
+        _unit(part, editable, allowed),
+        factor * value + 0.0,  # never "-0"
+        least,
+        greatest,
         editable.step,
-        decimals=2 if editable.step < 0.5 else 1,
+        decimals=_decimals(editable),
+        tip=tip,
     )
+
+
+def _unit(part: Any, editable: Editable, allowed: Range) -> str:
+    if editable.is_share:
+        return "%"
+    if isinstance(part, BrushStroke) and editable.name == "strength":
+        return "" if part.mode == "smooth" else "mm"
+    return "°" if allowed.unit == "degrees" else allowed.unit
+
+
+def _decimals(editable: Editable) -> int:
+    if editable.is_share:
+        return 0
+    return 2 if editable.step < 0.5 else 1
 
 
 def _number(part: Any, editable: Editable) -> float | None:

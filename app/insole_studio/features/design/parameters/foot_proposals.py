@@ -24,7 +24,7 @@ from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.key_point_tool import point_text
 from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
-from insole_studio.texts import localised, tr, translate_core_message
+from insole_studio.texts import fill, localised, tr, translate_core_message
 
 _ANGLE = Range(-45, 45, "degrees")
 
@@ -154,7 +154,7 @@ class FootProposals:
 
     def _mark_group(self, number: int, found: PenMark) -> FieldGroup:
         x, y, _ = found.mark.point
-        title = tr("Pen mark at x {x} mm, y {y} mm").format(x=f"{x:.0f}", y=f"{y:.0f}")
+        title = fill(tr("Pen mark at x {x:.0f} mm, y {y:.0f} mm"), x=float(x), y=float(y))
         uses = [
             Proposal(f"mark.{number}.{name}", tr("Use as {name}").format(name=point_text(name)))
             for name in found.meanings

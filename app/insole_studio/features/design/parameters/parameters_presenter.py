@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 from insole_core.cases.case_record import ReferencePlane
+from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.insole.prescription.design import (
     Correction,
@@ -20,7 +21,7 @@ from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of, pad_text
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.parameters.foot_proposals import FootProposals
-from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal
+from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.brush_tool import BrushTool
 from insole_studio.features.design.tools.outline_tool import with_source
 from insole_studio.features.design.tools.pelott_tool import PelottTool, selected_pelott
@@ -31,6 +32,7 @@ from insole_studio.texts import tr
 
 ANGLE = Range(-90, 90, "degrees")
 PLACE = Range(-400, 400)
+Fields: TypeAlias = tuple[FieldSpec | ChoiceSpec, ...]
 TEMPLATE_KEYS = ("height_mm", "length_mm", "width_mm")
 
 
@@ -79,7 +81,7 @@ class ParametersPresenter:
             self._panel.show_groups([FieldGroup("", note=note)])
             return
         is_outline = self._tool_controller.tool.key == "outline"
-        make = _make_groups(design, outline_first=is_outline)
+        make = _make_groups(design, self._expert_fields(design), outline_first=is_outline)
         self._panel.show_groups([*self._groups(design), *make])
 
     def edit(self, key: str, value: Any) -> None:
@@ -111,10 +113,31 @@ class ParametersPresenter:
         of_selected = [] if selected is None else [self._correction_group(selected)]
         if isinstance(tool, BrushTool):
             title = tr("Next stroke")
-            return [FieldGroup(title, field_specs(tool.template, "template")), *of_selected]
+            return [
+                FieldGroup(title, field_specs(tool.template, "template", self._side)),
+                *of_selected,
+            ]
         if isinstance(tool, PelottTool) and selected is None:
             return [self._template_group(tool.template)]
         return of_selected
+
+    def _expert_fields(self, design: InsoleDesign) -> Fields:
+        """Return the fields for experts of the correction whose other values are shown."""
+        tool, selected = self._tool_controller.tool, self._selected(design)
+        if tool.key in _TOOL_GROUPS:
+            return ()
+        if tool.key == "posting" and selected is None:
+            selected = posting_of(design) or Posting()
+        if selected is None:
+            return ()
+        prefix = "posting" if isinstance(selected, Posting) else "correction"
+        return field_specs(selected, prefix, self._side, expert=True)
+
+    @property
+    def _side(self) -> Side:
+        side = self._case.shown.side
+        assert side is not None, "there are fields for the design of a foot only"
+        return side
 
     def _selected(self, design: InsoleDesign) -> Correction | None:
         selection = self._case.selection
@@ -123,7 +146,7 @@ class ParametersPresenter:
     def _correction_group(self, correction: Correction) -> FieldGroup:
         if isinstance(correction, Posting):
             return self._posting_group(correction)
-        fields = field_specs(correction, "correction")
+        fields = field_specs(correction, "correction", self._side)
         offers = self._size_offers(correction)
         return FieldGroup(name_of(correction), fields, offers, caption=_size_caption(offers))
 
@@ -132,13 +155,14 @@ class ParametersPresenter:
         note = self._foot_offers.posting_note()
         offers = self._foot_offers.posting_offers()
         title = tr("Pronation / supination (> 0 raises the medial edge)")
-        return FieldGroup(title, field_specs(posting, "posting"), offers, note)
+        fields = field_specs(posting, "posting", self._side)
+        return FieldGroup(title, fields, offers, note)
 
     def _plane_groups(self) -> list[FieldGroup]:
         return [_plane_group(self._case.shown.annotations.plane)]
 
     def _template_group(self, template: Pelott) -> FieldGroup:
-        specs = field_specs(template, "template")
+        specs = field_specs(template, "template", self._side)
         fields = tuple(spec for spec in specs if spec.key.split(".")[1] in TEMPLATE_KEYS)
         title = tr("Next: {name}").format(name=name_of(template))
         offers = self._size_offers(template)
@@ -175,32 +199,32 @@ class ParametersPresenter:
         if design is None or selected is None:
             return
         sentence = tr("Edit: {name}").format(name=name_of(selected))
-        changed = design.with_changed(with_value(selected, name, value))
+        changed = design.with_changed(with_value(selected, name, value, self._side))
         self._case.apply(changed, sentence, f"{selected.id}:{name}")
 
     def _edit_template(self, name: str, value: Any) -> None:
         tool = self._tool_controller.tool
         if isinstance(tool, PelottTool | BrushTool):
-            tool.template = with_value(tool.template, name, value)
+            tool.template = with_value(tool.template, name, value, self._side)
 
     def _edit_posting(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
             before = posting_of(design) or self._case.stamped(Posting())
-            changed = with_posting(design, with_value(before, name, value))
+            changed = with_posting(design, with_value(before, name, value, self._side))
             self._case.apply(changed, tr("Edit the posting"), f"posting:{name}")
 
     def _edit_insole(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
             self._case.apply(
-                with_value(design, name, value), tr("Edit the insole"), f"insole:{name}"
+                with_value(design, name, value, self._side), tr("Edit the insole"), f"insole:{name}"
             )
 
     def _edit_layers(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
-            changed = replace(design, layers=with_value(design.layers, name, value))
+            changed = replace(design, layers=with_value(design.layers, name, value, self._side))
             self._case.apply(changed, tr("Edit the layers"), f"layers:{name}")
 
     def _edit_outline(self, name: str, value: Any) -> None:
@@ -209,7 +233,7 @@ class ParametersPresenter:
             outline = (
                 with_source(self._case.record, value)
                 if name == "source"
-                else with_value(design.outline, name, value)
+                else with_value(design.outline, name, value, self._side)
             )
             changed = replace(design, outline=outline)
             self._case.apply(changed, tr("Edit the outline"), f"outline:{name}")
@@ -248,14 +272,18 @@ def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
     return FieldGroup(tr("Reference plane"), fields, (Proposal("remove.plane", tr("Remove")),))
 
 
-def _make_groups(design: InsoleDesign, *, outline_first: bool) -> list[FieldGroup]:
+def _make_groups(
+    design: InsoleDesign, expert_fields: Fields, *, outline_first: bool
+) -> list[FieldGroup]:
     """Return the groups that are always shown: how the insole is made, and last the expert's."""
+    side = design.side
     made = [
-        FieldGroup(tr("Insole"), field_specs(design, "insole")),
-        FieldGroup(tr("Layers"), field_specs(design.layers, "layers")),
+        FieldGroup(tr("Insole"), field_specs(design, "insole", side)),
+        FieldGroup(tr("Layers"), field_specs(design.layers, "layers", side)),
     ]
-    outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline"))
-    expert = FieldGroup(tr("Expert"), field_specs(design, "insole", expert=True))
+    outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline", side))
+    expert_fields = (*expert_fields, *field_specs(design, "insole", side, expert=True))
+    expert = FieldGroup(tr("Expert"), expert_fields)
     return [outline, *made, expert] if outline_first else [*made, outline, expert]
 
 

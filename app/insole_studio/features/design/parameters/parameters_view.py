@@ -127,6 +127,7 @@ class ParametersView(QScrollArea):
         field = _make_field(spec)
         field.setProperty("key", spec.key)
         field.setAccessibleName(spec.label)
+        field.setAccessibleDescription(spec.tip)
         if isinstance(field, NumberField):
             field.set_room(FIELD_PX)
         else:
@@ -135,6 +136,8 @@ class ParametersView(QScrollArea):
         self._fields[spec.key] = field
         label = QLabel(spec.label)
         label.setBuddy(field)
+        for widget in (label, field):
+            widget.setToolTip(spec.tip)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         row, column = number % self._rows, before + 2 * (number // self._rows)
         grid.addWidget(label, row, column)

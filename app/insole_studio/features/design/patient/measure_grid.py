@@ -70,6 +70,7 @@ class MeasureGrid(QWidget):
             text = value if both or not measure.unit else f"{value} {measure.unit}"
             number = QLabel(text)
             number.setToolTip(measure.tip)
+            number.setAlignment(_RIGHT)  # also of two lines
             if column > _BOTH - 2:
                 number.setObjectName("quiet")
             self._grid.addWidget(number, row, column, _RIGHT)

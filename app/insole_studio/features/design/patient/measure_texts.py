@@ -11,7 +11,7 @@ from insole_core.geometry.side import Side
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.features.design.rows import Measure
 from insole_studio.features.design.tools.key_point_tool import distances
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import localised, tr, translate_core_message
 
 _ABOUT = "≈"  # precedes an uncertain value; the tooltip gives the reason
 _NONE = "–"  # in the narrow columns of two feet, where the scan shows no value
@@ -35,6 +35,18 @@ _NAMES: dict[str, Callable[[], str]] = {
     "shoe_size_uk": lambda: tr("Shoe size UK"),
     "shoe_size_us": lambda: tr("Shoe size US"),
     "mondopoint": lambda: tr("Mondopoint"),
+}
+_SIDES: dict[str, Callable[[], str]] = {
+    "valgus": lambda: tr("valgus"),
+    "varus": lambda: tr("varus"),
+    "medial": lambda: tr("medial"),
+    "lateral": lambda: tr("lateral"),
+}
+_SHORT_SIDES: dict[str, Callable[[], str]] = {
+    "valgus": lambda: tr("valg."),
+    "varus": lambda: tr("var."),
+    "medial": lambda: tr("med."),
+    "lateral": lambda: tr("lat."),
 }
 
 
@@ -60,7 +72,7 @@ def distances_of(record: CaseRecord) -> list[Measure]:
     found = distances(record.annotations)
     rows = []
     for a, b, distance in found:
-        value = f"{distance:.1f}"
+        value = localised(distance)
         values: tuple[str, ...] = (value,)
         if len(record.feet) == 2:
             values = (value, "", "", "") if record.side is Side.LEFT else ("", value, "", "")
@@ -78,21 +90,18 @@ def _measure(row: MeasureRow, doubtful: Mapping[Side, Mapping[str, str]]) -> Mea
         Why measures are uncertain, by the sides that the case has.
     """
     both = len(doubtful) == 2
-    decimals = 2 if "index" in row.key else 1
     found = {side: value for side, value in _sides(row).items() if side in doubtful}
     doubt = [
         doubtful[s][row.key] for s, v in found.items() if v is not None and row.key in doubtful[s]
     ]
     missing = [MISSING[row.key]] if None in found.values() else []
-    texts = [
-        _side_text(value, row.key in doubtful[s], decimals, both) for s, value in found.items()
-    ]
+    texts = [_side_text(row, value, row.key in doubtful[s], both) for s, value in found.items()]
     if both:
-        texts += [_number(row.difference, decimals, "+"), _number(row.percent, 0, "+")]
+        texts += [_number(row.difference, _decimals(row), "+"), _number(row.percent, 0, "+")]
     name = _NAMES[row.key]() if row.key in _NAMES else row.key
     unit = {"degrees": "°", "mm": "mm"}.get(row.unit, "")
-    if not both and missing:
-        unit = ""
+    if not both and (missing or row.unit == "degrees"):
+        unit = ""  # the text says it
     said = (DEFINITIONS[row.key].text, *dict.fromkeys((*doubt, *missing)))
     tip = "\n".join(map(translate_core_message, said))
     return Measure(name, tuple(texts), unit, tip, row.key)
@@ -102,15 +111,28 @@ def _sides(row: MeasureRow) -> dict[Side, float | None]:
     return {Side.LEFT: row.left, Side.RIGHT: row.right}
 
 
-def _side_text(value: float | None, is_doubtful: bool, decimals: int, both: bool) -> str:
+def _side_text(row: MeasureRow, value: float | None, is_doubtful: bool, both: bool) -> str:
     if value is None:
         return _NONE if both else tr("not scanned")
-    number = _number(value, decimals)
-    return f"{_ABOUT} {number}" if is_doubtful else number
+    text = _angle(row, value, both) if row.unit == "degrees" else _number(value, _decimals(row))
+    return f"{_ABOUT} {text}" if is_doubtful else text
+
+
+def _angle(row: MeasureRow, value: float, both: bool) -> str:
+    """Say an angle without a sign: to which side it is, below it in the narrow columns of both."""
+    number, definition = _number(abs(value), _decimals(row)), DEFINITIONS[row.key]
+    word = definition.positive if value > 0 else definition.negative
+    if round(value, _decimals(row)) == 0:
+        return number if both else f"{number}°"
+    return f"{number}\n{_SHORT_SIDES[word]()}" if both else f"{number}° {_SIDES[word]()}"
+
+
+def _decimals(row: MeasureRow) -> int:
+    return 2 if "index" in row.key else 1
 
 
 def _number(value: float | None, decimals: int, sign: str = "") -> str:
     if value is None:
         return ""
     rounded = round(value, decimals) + 0.0  # never "-0.0"
-    return f"{rounded:{sign}.{decimals}f}" if rounded else f"{rounded:.{decimals}f}"
+    return localised(rounded, f"{sign}.{decimals}f" if rounded else f".{decimals}f")

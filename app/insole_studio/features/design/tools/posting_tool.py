@@ -18,10 +18,10 @@ from insole_studio.texts import tr
 
 ANGLE_STEP_DEG = 0.5
 DEG_PER_MM = 0.2
-REARFOOT_SHARE = 0.15
-FOREFOOT_SHARE = 0.68
+HANDLE_SHARES = {"rearfoot": (0.09, 0.15), "forefoot": (0.16, 0.68)}
+"""Where the handles are, medially and along the foot, in lengths of the foot: from behind, where
+the Achilles axis is read, the one of the forefoot is seen beside the other."""
 BORDER_SHARE = 0.42
-EDGE_MM = 30.0
 
 
 class PostingTool(Tool):
@@ -37,10 +37,15 @@ class PostingTool(Tool):
         """Return the handles of the rearfoot and the forefoot."""
         if case.foot is None:
             return ()
-        x = surface.side.medial_sign * EDGE_MM
+        length, medial = case.foot.length_mm, surface.side.medial_sign
         return tuple(
-            Handle(name, surface.place(x, share * case.foot.length_mm), _HINTS[name](), "move")
-            for name, share in (("rearfoot", REARFOOT_SHARE), ("forefoot", FOREFOOT_SHARE))
+            Handle(
+                name,
+                surface.place(medial * across * length, along * length),
+                _HINTS[name](),
+                "move",
+            )
+            for name, (across, along) in HANDLE_SHARES.items()
         )
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
