@@ -20,6 +20,7 @@ from insole_studio.app.actions import ACTIONS
 from insole_studio.app.appearance import Appearance
 from insole_studio.app.application_events import ApplicationEvents
 from insole_studio.app.features import Features, make_features
+from insole_studio.app.garbage_collection import GarbageCollection
 from insole_studio.app.help_actions import HelpActions
 from insole_studio.app.key_reference import key_sections
 from insole_studio.app.main_controller import MainController
@@ -210,6 +211,7 @@ def run_application(
     sys.excepthook = _show_unexpected(app.services.messages)
     app.controller.closed.connect(qt.quit)
     app.window.show()
+    GarbageCollection(app.window)
     Preload(app.window)
     folder = app.services.paths.autosave_folder
     app.features.case_files.recovery.offer(find_recovered(folder, app.complaints.append))

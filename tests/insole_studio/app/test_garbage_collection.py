@@ -1,0 +1,30 @@
+"""Garbage is collected by the timer of the window, never in the midst of an event."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+
+from PySide6.QtCore import QObject
+from pytestqt.qtbot import QtBot
+
+from insole_studio.app import garbage_collection
+from insole_studio.app.garbage_collection import GarbageCollection
+
+
+class Cycle:
+    def __init__(self) -> None:
+        self.myself = self
+
+
+def test_cycles_go_with_the_timer_and_not_before(qtbot: QtBot, monkeypatch) -> None:
+    monkeypatch.setattr(garbage_collection, "INTERVAL_MS", 20)
+    parent = QObject()
+    GarbageCollection(parent)
+    assert not gc.isenabled()
+    gone = weakref.ref(Cycle())
+    kept = [[] for _ in range(gc.get_threshold()[0] + 100)]  # Python itself would collect here
+    assert gone() is not None
+    qtbot.waitUntil(lambda: gone() is None)
+    assert kept
+    parent.deleteLater()
