@@ -533,7 +533,6 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     from insole_core.insole.prescription.template import apply_template, read_template
     from insole_core.solids.export_rules import read_rules
     from insole_core.solids.shop import read_shop
-    from insole_studio.settings import load_settings
 
     def reference(path: Path) -> None:
         check_reference_system(load_reference_system(path))
@@ -588,9 +587,19 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
             "settings",
             what,
             partial(_write, "file.json", content),
-            lambda given, _: load_settings(given / "file.json") and None,
+            _read_settings,
             "accepted",
         )
+
+
+def _read_settings(given: Path, made: Path) -> None:
+    """Read settings; those that are set aside must be there under the new name, unchanged."""
+    from insole_studio.settings import load_settings
+
+    path = given / "file.json"
+    load_settings(path)
+    if not path.exists():
+        path.with_name("file.json.broken-1").rename(path)
 
 
 def _ignored(what: str) -> bool:

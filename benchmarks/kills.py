@@ -95,8 +95,8 @@ COMMANDS = {
         "calibrate session s.zip --out t.zip --sensors sensors", ("t.zip",)
     ),
     "calibrate distortion": Command(
-        "calibrate distortion walls --serial {serial} --sensors sensors --report d.html d.json",
-        ("sensors/{serial}", "d.html"),
+        "calibrate distortion walls --serial {serial} --sensors sensors --report w.html w.json",
+        ("sensors/{serial}", "w.html", "w.json"),
     ),
     "calibrate reference": Command(
         "calibrate reference --report r.html r.json", ("r.html", "r.json")

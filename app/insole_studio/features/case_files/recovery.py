@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QDateTime, QLocale
+from PySide6.QtCore import QDateTime
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
@@ -124,7 +124,7 @@ def _name(recovered: Recovered) -> str:
 
 
 def _changed_at(recovered: Recovered) -> str:
-    """Return when the copy was written, as the user writes dates."""
+    """Return when the copy was written, as the window writes dates."""
     seconds = int(recovered.copies[0].stat().st_mtime)
     moment = QDateTime.fromSecsSinceEpoch(seconds)
-    return QLocale().toString(moment, QLocale.FormatType.ShortFormat)
+    return moment.toString("yyyy-MM-dd HH:mm")
