@@ -13,9 +13,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
-MAX_TEXT_BYTES = 64 * 2**20
-"""No JSON file of ours is larger."""
-
 _BLOCK_BYTES = 2**20
 _FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
@@ -38,7 +35,7 @@ def open_regular(path: Path) -> BinaryIO:
     return file
 
 
-def read_regular(path: Path, limit: int = MAX_TEXT_BYTES) -> bytes:
+def read_regular(path: Path, limit: int) -> bytes:
     """Read a regular file.
 
     Parameters

@@ -8,8 +8,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Literal, get_type_hints
 
-from insole_core.errors import OutputError
-from insole_core.export.atomic import describe, make_private_folder, replacing_file
+from insole_core.export.atomic import make_folder_of, replacing_file
 from insole_core.forgiving_json import Complain, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
@@ -84,9 +83,6 @@ def save_settings(settings: Settings, path: Path) -> None:
     OutputError
         When the file cannot be written.
     """
-    try:
-        make_private_folder(path.parent)
-    except OSError as error:
-        raise OutputError(describe(path, error)) from error
+    make_folder_of(path)
     with replacing_file(path) as beside:
         beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")

@@ -23,6 +23,7 @@ __all__ = [
     "PRIVATE_FOLDER",
     "copy_into",
     "describe",
+    "make_folder_of",
     "make_private_folder",
     "replacing_file",
     "replacing_folder",
@@ -125,6 +126,20 @@ def make_private_folder(path: Path) -> None:
     if not path.is_dir():
         make_private_folder(path.parent)
         path.mkdir(mode=PRIVATE_FOLDER, exist_ok=True)
+
+
+def make_folder_of(path: Path) -> None:
+    """Make the folder that a file is to be written into, as `make_private_folder`.
+
+    Raises
+    ------
+    OutputError
+        When it cannot be made.
+    """
+    try:
+        make_private_folder(path.parent)
+    except OSError as error:
+        raise OutputError(describe(path, error)) from error
 
 
 def write_private(path: Path, content: bytes) -> None:

@@ -7,6 +7,7 @@ free at once; nobody has to judge by age or process number whether it is stale.
 from __future__ import annotations
 
 import errno
+import logging
 import os
 import sys
 from pathlib import Path
@@ -26,6 +27,8 @@ else:
     def _try_lock(handle: int) -> None:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
+
+log = logging.getLogger(__name__)
 
 _HELD_ELSEWHERE = (errno.EACCES, errno.EAGAIN, errno.EDEADLK)
 
@@ -82,7 +85,10 @@ class FileLock:
         if sys.platform == "win32":  # which removes no file that is open
             os.close(handle)
             return
-        self._path.unlink(missing_ok=True)  # before others can take it
+        try:
+            self._path.unlink(missing_ok=True)  # before others can take it
+        except OSError as error:  # a file that stays keeps nobody off
+            log.warning("the lock %s cannot be removed: %s", self._path, error)
         os.close(handle)
 
     def __enter__(self) -> FileLock:

@@ -54,6 +54,8 @@ class Move:
             When the place cannot be taken.
         """
         if not os.path.lexists(self.beside) and os.path.lexists(self.path):
+            if os.path.lexists(self.old) and self._is_old():  # the result is lost
+                raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(self.beside))
             return
         if self.replaces and not os.path.lexists(self.old):
             _set_aside(self.path, self.old)
@@ -123,7 +125,7 @@ def settle_interrupted(folder: Path) -> None:
 
     A journal stays while the disk of one of its results is absent.
     """
-    for left in list(folder.iterdir()) if folder.is_dir() else ():
+    for left in _paths_in(folder):
         try:
             if is_left(left.name) and left.suffix == SUFFIX:
                 _settle(left)
@@ -131,6 +133,16 @@ def settle_interrupted(folder: Path) -> None:
                 left.unlink()  # written by half: no move was made
         except (OSError, ValueError, LookupError, TypeError) as error:
             log.warning("%s cannot be settled: %s", left, error)
+
+
+def _paths_in(folder: Path) -> list[Path]:
+    try:
+        return list(folder.iterdir())
+    except FileNotFoundError:
+        return []
+    except OSError as error:  # this user works without journals
+        log.warning("%s cannot be looked into: %s", folder, error)
+        return []
 
 
 def _settle(left: Path) -> None:

@@ -14,7 +14,13 @@ from typing import Self, TypeAlias
 
 from insole_core.errors import InputError, InsoleError, OutputError, UsageError
 from insole_core.export.file_mode import take_mode
-from insole_core.export.journal import Move, NotTakenBack, make_moves
+from insole_core.export.journal import (
+    Move,
+    NotTakenBack,
+    journals_folder_of_user,
+    make_moves,
+    settle_interrupted,
+)
 from insole_core.export.sync import sync_tree
 from insole_core.export.temporary import (
     is_unfinished,
@@ -125,6 +131,7 @@ class Transaction:
         except OSError as error:
             raise OutputError(describe(named, error)) from error
         self._outputs.append(_Output(named, path, beside, find_foreign))
+        settle_interrupted(journals_folder_of_user())  # before what a journal needs is swept
         sweep(path.parent)
         return beside
 

@@ -136,7 +136,8 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
     Returns
     -------
     Foot or None
-        None for what looks like no foot, tells no side, or faces into the foot as an insole does.
+        None for what looks like no foot or has no size of one, tells no side, or faces into the
+        foot as an insole does.
     """
     whole, _ = without_scraps(mesh)
     points = surface_points(whole)
@@ -157,7 +158,10 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
     nearest, other = (candidate.pose.side_dissimilarity for candidate in found)
     if other < _CLEAR * nearest:
         return None
-    return place_foot(mesh, found[0].side, frame="unknown")
+    try:
+        return place_foot(mesh, found[0].side, frame="unknown")
+    except (InputError, SideMismatchError):  # of a size or proportions that no foot has
+        return None
 
 
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_private_folder, replacing_file
+from insole_core.export.atomic import make_folder_of, replacing_file
 from insole_core.json_object import JsonObject
 from insole_core.solids.shop import Block, read_block
 
@@ -48,7 +48,7 @@ class ClinicBlocks:
         OutputError
             When the place cannot be written.
         """
-        make_private_folder(self._path.parent)
+        make_folder_of(self._path)
         listed = [{"name": block.name, "size_mm": list(block.size_mm)} for block in blocks]
         content = {"format": FORMAT, "version": VERSION, "blocks": listed}
         with replacing_file(self._path) as beside:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from insole_core.export.atomic import make_private_folder
+from insole_core.export.atomic import make_folder_of
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 
 
@@ -38,5 +38,5 @@ class ClinicExportRules:
         OutputError
             When the place cannot be written.
         """
-        make_private_folder(self._path.parent)
+        make_folder_of(self._path)
         write_rules(rules, self._path)

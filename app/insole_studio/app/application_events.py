@@ -39,7 +39,7 @@ class ApplicationEvents(QObject):
         kind = event.type()
         if kind == QEvent.Type.Polish:
             _show_as_it_is(watched)
-        elif kind in _USER_TURNS and not _is_in_focused_field(watched):
+        elif kind in _USER_TURNS and _is_turned_to(watched) and not _is_in_focused_field(watched):
             commit_typed_text()
         return False
 
@@ -52,6 +52,15 @@ class ApplicationEvents(QObject):
 def _show_as_it_is(watched: QObject) -> None:
     if isinstance(watched, QLabel) and watched.textFormat() == Qt.TextFormat.AutoText:
         watched.setTextFormat(Qt.TextFormat.PlainText)
+
+
+def _is_turned_to(watched: QObject) -> bool:
+    """Return whether a user can turn to an object, not only see it or reach others through it."""
+    if watched.isWindowType():  # what it gets, it passes on to a widget, maybe the focused field
+        return False
+    # A tooltip closes by itself while the user goes on typing.
+    is_tip = isinstance(watched, QWidget) and watched.windowType() == Qt.WindowType.ToolTip
+    return not is_tip
 
 
 def _is_in_focused_field(watched: QObject) -> bool:

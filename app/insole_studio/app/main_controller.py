@@ -117,6 +117,7 @@ class MainController(QObject):
         features.export.leave_case()
         features.compare.close()
         features.case_files.opener.cancel()
+        features.case_files.saver.cancel()
         features.design.side_by_side.forget()
         features.design.repeat.forget()
         self._stage.clear()

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from insole_core.export.transaction import Transaction
 from insole_core.regular_file import read_regular
+from insole_core.strict_json import MOST_BYTES
 from insole_core.workflows.calibration.report_files import make_report, report_paths, write_reports
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
@@ -63,8 +64,8 @@ def step_date(store: SensorStore, serial: str, key: str) -> str:
     """
     path = store.folder_of(serial) / f"{key}.json"
     try:
-        values = json.loads(read_regular(path))
-    except (OSError, ValueError):
+        values = json.loads(read_regular(path, MOST_BYTES))
+    except (OSError, ValueError, RecursionError):
         return ""
     made_at = values.get("made_at", "") if isinstance(values, dict) else ""
     return str(made_at)[:10]

@@ -12,6 +12,7 @@ import trimesh
 
 from insole_core.compare.comparison import compare_surfaces
 from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
+from insole_core.compare.foot_measures import surface_measures
 from insole_core.compare.picked_points import find_dots, read_picked_points
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
@@ -40,6 +41,12 @@ def padded(left_foot: Foot) -> TriangleMesh:
 def misplaced_mm(found_b2a: np.ndarray, true_b2a: np.ndarray, b: TriangleMesh) -> float:
     away = transform(found_b2a, b.vertices) - transform(true_b2a, b.vertices)
     return float(np.linalg.norm(away, axis=1).max())
+
+
+def test_a_surface_larger_than_any_foot_is_compared_as_no_foot(left_foot: Foot) -> None:
+    large = replace(left_foot.mesh, vertices=1.8 * left_foot.mesh.vertices)
+    assert surface_measures(left_foot.mesh) is not None
+    assert surface_measures(large) is None
 
 
 @pytest.mark.parametrize("offset_mm", [-1.7, 0.3])

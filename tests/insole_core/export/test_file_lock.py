@@ -76,3 +76,18 @@ def test_a_file_that_its_holder_removed_is_made_anew(
 def test_a_place_that_cannot_be_written_is_told(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="its folder does not exist"):
         FileLock(tmp_path / "nowhere" / "draft.lock").acquire()
+
+
+def test_a_lock_is_free_again_also_where_its_file_cannot_be_removed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(path: Path, missing_ok: bool = False) -> None:
+        raise PermissionError(13, "Permission denied", str(path))
+
+    lock, other = (FileLock(tmp_path / "draft.lock") for _ in range(2))
+    assert lock.acquire()
+    monkeypatch.setattr(Path, "unlink", refuse)
+    lock.release()
+    assert other.acquire()
+    monkeypatch.undo()
+    other.release()

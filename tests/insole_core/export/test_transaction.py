@@ -197,6 +197,55 @@ def test_without_a_place_for_the_journal_the_work_is_done(
     assert "Without a journal" in caplog.text
 
 
+def test_journals_that_may_not_be_looked_for_stop_nothing(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(path: Path) -> Iterator[Path]:
+        raise PermissionError(errno.EACCES, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "iterdir", refuse)
+    settle_interrupted(journals_folder_of_user())
+    write_text("new", place / "insole.stl")
+    assert (place / "insole.stl").read_text() == "new"
+
+
+@pytest.fixture
+def half_done(tmp_path: Path, state_folder: Path) -> Path:
+    """Two files of a program that was killed hours ago, after it had replaced the first."""
+    folder, ours = tmp_path, f".insole-studio-{os.getpid()}-"
+    moves = [
+        {
+            "beside": str(folder / f"{ours}00000000000{number}"),
+            "path": str(folder / name),
+            "old": str(folder / f".insole-studio-old-00000000000{number}"),
+            "replaces": True,
+        }
+        for number, name in enumerate(("insole.stl", "sheet.pdf"))
+    ]
+    for move in moves:
+        Path(move["path"]).write_text("old")
+        os.link(move["path"], move["old"])
+        Path(move["beside"]).write_text("new")
+        os.utime(move["beside"], (1, 1))
+    Path(moves[0]["beside"]).replace(moves[0]["path"])
+    state_folder.mkdir()
+    (state_folder / f"{ours}0123456789ab.journal").write_text(json.dumps(moves))
+    return folder
+
+
+def test_what_a_journal_needs_is_not_swept(half_done: Path) -> None:
+    write_text("", half_done / "other.txt")
+    assert (half_done / "insole.stl").read_text() == "new"
+    assert (half_done / "sheet.pdf").read_text() == "new"
+
+
+def test_moves_whose_result_somebody_else_swept_are_taken_back(half_done: Path) -> None:
+    temporary.sweep(half_done)
+    settle_interrupted(journals_folder_of_user())
+    assert (half_done / "insole.stl").read_text() == "old"
+    assert (half_done / "sheet.pdf").read_text() == "old"
+
+
 def test_the_journal_of_a_process_that_runs_is_left_alone(state_folder: Path) -> None:
     state_folder.mkdir()
     running = state_folder / f".insole-studio-{os.getppid()}-0123456789ab.journal"

@@ -22,7 +22,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application
-from insole_studio.document.autosave import find_recovered
+from insole_studio.document.autosave import Recovered, find_recovered
 from insole_studio.services.questions import Answer
 
 KILLED = """
@@ -167,6 +167,23 @@ def test_what_several_killed_programs_left_is_offered_one_by_one(
     assert sentence.startswith("Bo Ek was not saved when")
     app.controller.run_action("new_case", False)
     assert told(app) == []
+
+
+def test_what_another_window_has_recovered_meanwhile_opens_all_the_same(
+    app: Application, tmp_path: Path, settle: Callable[[], None], questions
+) -> None:
+    found = []
+    for name in ("Cia Alm", "Bo Ek"):
+        record, copy = CaseRecord(Patient(name=name)), tmp_path / f"{name}.insole"
+        write_case(record, copy)
+        found.append(Recovered(record, None, (copy,)))
+    app.features.case_files.recovery.offer(found)
+    settle()
+    found[1].discard()
+    press(app, "Open it")
+    settle()
+    assert app.case.record.patient.name == "Bo Ek"
+    assert app.services.messages.dialogs == []
 
 
 def test_an_empty_start_offers_recent_files(

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QSpinBox,
     QToolBar,
     QToolButton,
+    QToolTip,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
@@ -258,6 +259,26 @@ def test_a_change_from_elsewhere_keeps_what_is_typed(saved: Application) -> None
     assert patient_field(saved, "name").text() == "Bo E"
     strike(saved.window, KEY.Key_Tab)
     assert saved.case.record.patient.name == "Bo E"
+
+
+def test_a_click_into_the_field_itself_enters_nothing(saved: Application) -> None:
+    """A number that is not finished, or out of range, can be corrected with the mouse."""
+    field = number(saved, "insole.thickness_mm")
+    type_into(field, "400")
+    place = field.mapTo(saved.window, QPoint(8, field.height() // 2))
+    QTest.mouseClick(saved.window.windowHandle(), Qt.MouseButton.LeftButton, NONE, place)
+    assert field.cleanText() == "400"
+    assert not field.refusal.isVisible()
+
+
+def test_a_tooltip_that_goes_enters_nothing(saved: Application, qtbot: QtBot) -> None:
+    field = number(saved, "insole.thickness_mm")
+    type_into(field, "400")
+    QToolTip.showText(field.mapToGlobal(QPoint(0, 60)), "Thickness", field)
+    qtbot.waitUntil(QToolTip.isVisible)
+    QToolTip.hideText()
+    qtbot.waitUntil(lambda: not QToolTip.isVisible())
+    assert field.cleanText() == "400"
 
 
 def test_selection_and_cursor_stay_after_saving(

@@ -43,12 +43,12 @@ class Recovery:
     def offer(self, found: Sequence[Recovered]) -> None:
         """Open the first of the recovered cases, unsaved; the others are offered beside it."""
         for number, other in enumerate(found[1:]):
-            self._offer_other(f"{NOTICE}-{number}", other)
+            self._offer_other(f"{NOTICE}-{number}", other, _changed_at(other))
         if found:
-            self._open(found[0])
+            self._open(found[0], _changed_at(found[0]))
 
-    def _open(self, recovered: Recovered) -> None:
-        changed = _changed_at(recovered)
+    def _open(self, recovered: Recovered, changed: str) -> None:
+        """Open a recovered case, also if another window has opened and removed its copy."""
         path = self._locked(recovered.path)
         self._case.open(recovered.record, path, unsaved=True, digest=recovered.digest)
         self._tell(changed)
@@ -97,21 +97,24 @@ class Recovery:
         if saved is not None and saved.exists():
             self._reopen(saved)
 
-    def _offer_other(self, key: str, recovered: Recovered) -> None:
+    def _offer_other(self, key: str, recovered: Recovered, changed: str) -> None:
         sentence = tr("{name} was not saved either; it is kept as it was on {time}.")
         self._notices.put(
             key,
-            sentence.format(name=_name(recovered), time=_changed_at(recovered)),
-            (tr("Open it"), lambda: self._saver.after_unsaved(lambda: self._open(recovered))),
-            (tr("Discard it…"), lambda: self._ask_to_discard_other(key, recovered)),
+            sentence.format(name=_name(recovered), time=changed),
+            (
+                tr("Open it"),
+                lambda: self._saver.after_unsaved(lambda: self._open(recovered, changed)),
+            ),
+            (tr("Discard it…"), lambda: self._ask_to_discard_other(key, recovered, changed)),
             stays=True,
         )
 
-    def _ask_to_discard_other(self, key: str, recovered: Recovered) -> None:
+    def _ask_to_discard_other(self, key: str, recovered: Recovered, changed: str) -> None:
         if self._messages.questions.may_discard(_name(recovered)):
             recovered.discard()
         else:
-            self._offer_other(key, recovered)
+            self._offer_other(key, recovered, changed)
 
 
 def _name(recovered: Recovered) -> str:

@@ -71,6 +71,10 @@ class SaveActions:
 
         self._services.jobs.start(CHANNEL, write, saved, lambda e: self._failed(e, path, then))
 
+    def cancel(self) -> None:
+        """Leave a save to itself: its case is left, and the next one must not get its file."""
+        self._services.jobs.cancel(CHANNEL)
+
     def _save(self, then: Then = _nothing) -> None:
         if self._case.path is None or self._case.is_read_only:
             self.ask_save(then)

@@ -281,6 +281,7 @@ class ExportPresenter:
         """Write the file and its documents in the background."""
         record, pieces, choice = self._record, self.pieces, self._order
         override, responsible = self._override(), self._asker.responsible()
+        number = self._number
 
         def write(progress: Progress) -> tuple[Path, ...]:
             files = files_of(pieces, choice, path, override is not None)
@@ -295,7 +296,9 @@ class ExportPresenter:
             names = ", ".join(written.name for written in paths)
             self._panel.show_summary(tr("Exported {name}").format(name=names))
             self._remember(choice)
-            self._exported(self._noted(record, choice.pseudonym), paths)
+            is_left = number != self._number  # another case has been opened meanwhile
+            exported = record if is_left else self._noted(record, choice.pseudonym)
+            self._exported(exported, paths)
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._fail)

@@ -144,6 +144,22 @@ def test_a_link_is_the_same_case(
     assert given.asked == [f"{link} is open in another window."]
 
 
+def test_a_save_that_ends_in_the_next_case_does_not_give_it_its_file(
+    first: Application,
+    open_in: Callable[[Application, Path], None],
+    qtbot: QtBot,
+    anna: Path,
+) -> None:
+    open_in(first, anna)
+    first.case.apply(Patient(name="Anna Berg"), "Edit the patient's fields")
+    first.features.case_files.saver.save()
+    first.case.open(CaseRecord(Patient(name="Otto")), None)
+    finish(qtbot, first)
+    qtbot.wait(200)
+    assert first.case.path is None
+    assert not (anna.parent / LOCK).exists()
+
+
 @pytest.mark.parametrize("leave", ["new_case", "open_other", "close"])
 def test_a_case_that_is_left_can_be_opened(
     first: Application,

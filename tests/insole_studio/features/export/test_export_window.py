@@ -238,6 +238,22 @@ def test_another_case_takes_nothing_of_the_one_before(
     assert form.choice().pseudonym == "P-9"
 
 
+def test_an_export_that_ends_in_the_next_case_leaves_its_order_number_out_of_it(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    make_foot: Callable[[Side], Foot],
+    tmp_path: Path,
+) -> None:
+    order(stage, pseudonym="P-7", both=False, block=None)
+    settle()
+    stage.presenter.export_to(tmp_path / "P-7.stl")
+    app.case.open(case_of(make_foot, Patient("Otto Ek")), None)
+    settle()
+    assert any(tmp_path.glob("P-7*.stl"))
+    assert app.case.record.patient == Patient("Otto Ek")
+
+
 def form_of(app: Application, record: CaseRecord, settle: Callable[[], None]) -> OrderForm:
     """The form of the stage, opened again for another case."""
     app.case.open(record, None)
