@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args, get_origin
 
+from insole_core.errors import InputError
 from insole_core.messages import Message
 from insole_core.regular_file import read_regular
 
@@ -93,6 +94,14 @@ def set_aside(path: Path) -> Path:
             return path
         return kept
     return path
+
+
+def keep_unreadable(path: Path, load: Callable[[], object]) -> None:
+    """Set a file aside that is about to be replaced, if it holds what `load` cannot read."""
+    try:
+        load()
+    except InputError:
+        set_aside(path)
 
 
 def _read(path: Path) -> dict[str, Any]:

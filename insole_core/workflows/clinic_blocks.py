@@ -8,6 +8,7 @@ from pathlib import Path
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import make_folder_of, replacing_file
+from insole_core.forgiving_json import keep_unreadable
 from insole_core.json_object import JsonObject
 from insole_core.solids.shop import Block, read_block
 
@@ -41,7 +42,7 @@ class ClinicBlocks:
         return tuple(read_block(item) for item in root.objects("blocks"))
 
     def save(self, blocks: Sequence[Block]) -> None:
-        """Store the clinic's blocks.
+        """Store the clinic's blocks; a file that cannot be read is kept under another name.
 
         Raises
         ------
@@ -49,6 +50,7 @@ class ClinicBlocks:
             When the place cannot be written.
         """
         make_folder_of(self._path)
+        keep_unreadable(self._path, self.load)
         listed = [{"name": block.name, "size_mm": list(block.size_mm)} for block in blocks]
         content = {"format": FORMAT, "version": VERSION, "blocks": listed}
         with replacing_file(self._path) as beside:

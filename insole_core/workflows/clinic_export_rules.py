@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.export.atomic import make_folder_of
+from insole_core.forgiving_json import keep_unreadable
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 
 
@@ -31,7 +32,7 @@ class ClinicExportRules:
         return read_rules(self._path if self._path.exists() else None)
 
     def save(self, rules: ExportRules) -> None:
-        """Store the rules of the clinic.
+        """Store the rules of the clinic; a file that cannot be read is kept under another name.
 
         Raises
         ------
@@ -39,4 +40,5 @@ class ClinicExportRules:
             When the place cannot be written.
         """
         make_folder_of(self._path)
+        keep_unreadable(self._path, self.load)
         write_rules(rules, self._path)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from insole_core.errors import OutputError
+from insole_core.errors import InputError, OutputError
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
@@ -26,3 +26,19 @@ def test_a_folder_that_cannot_be_made_is_one_sentence(tmp_path: Path, store: str
     }[store]
     with pytest.raises(OutputError, match="cannot be written"):
         save()
+
+
+@pytest.mark.parametrize(
+    "store", [ClinicBlocks, ClinicExportRules], ids=["the blocks", "the export rules"]
+)
+def test_a_file_that_cannot_be_read_is_kept_when_another_is_stored(
+    tmp_path: Path, store: type[ClinicBlocks] | type[ClinicExportRules]
+):
+    path = tmp_path / "clinic.json"
+    path.write_text("half a fi")
+    kept = store(path)
+    with pytest.raises(InputError):
+        kept.load()
+    kept.save(() if isinstance(kept, ClinicBlocks) else read_rules())
+    assert (tmp_path / "clinic.json.broken-1").read_text() == "half a fi"
+    kept.load()
