@@ -126,10 +126,10 @@ def test_a_number_beyond_its_range_changes_nothing_and_is_said_at_the_field(
 def test_a_zone_cannot_end_before_it_begins(opened: Application, settle: Settle) -> None:
     act(opened, "tool_posting")
     type_number(opened, "posting.rearfoot_deg", "4")
-    typed = type_number(opened, "posting.blend_start", "0.9")
+    typed = type_number(opened, "posting.blend_start", "90")
     assert "cannot be taken" in typed.refusal.text()
-    least = type_number(opened, "posting.blend_end", "0.5").value()
-    type_number(opened, "posting.blend_start", f"{least - 0.05:.2f}")
+    least = type_number(opened, "posting.blend_end", "50").value()
+    type_number(opened, "posting.blend_start", f"{least - 5:.0f}")
     settle()
     posting = design_of(opened)[0]
     assert isinstance(posting, Posting)

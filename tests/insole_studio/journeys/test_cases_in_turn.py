@@ -214,6 +214,8 @@ def test_a_case_opened_after_another_looks_as_at_a_fresh_start(
     after_another = show_case(app)
     app.services.save_settings()
     recent = list(app.settings.recent)
+    app.features.case_files.opener.new_case()  # else its file is in use
+    settle()
     app.features.close_windows()
     app.window.hide()
     fresh_paths = UserPaths(tmp_path / "fresh" / "settings.json", tmp_path / "fresh" / "autosave")
