@@ -8,7 +8,15 @@ from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent
+from PySide6.QtGui import (
+    QAction,
+    QActionGroup,
+    QCloseEvent,
+    QKeyEvent,
+    QKeySequence,
+    QResizeEvent,
+    QShowEvent,
+)
 from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
@@ -335,6 +343,11 @@ class MainWindow(QMainWindow):
     def _note_layout(self) -> None:
         if self.isVisible():
             self.layout_changed.emit()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Fit the toolbar once its buttons have the fonts they are shown in."""
+        super().showEvent(event)
+        QTimer.singleShot(0, self, self._fit_toolbar)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share what the window gains or loses between the two views, and announce the layout."""
