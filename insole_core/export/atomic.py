@@ -16,13 +16,12 @@ from insole_core.errors import OutputError
 from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
 from insole_core.export.temporary import is_temporary, is_unfinished, make_folder, release, remove
 from insole_core.export.transaction import FindForeign, Transaction, any_file
-from insole_core.export.write_errors import describe
+from insole_core.export.write_errors import describe, output_errors
 
 __all__ = [
     "PRIVATE_FILE",
     "PRIVATE_FOLDER",
     "copy_into",
-    "describe",
     "make_folder_of",
     "make_private_folder",
     "replacing_file",
@@ -91,10 +90,8 @@ def copy_into(folder: Path, source: Path) -> None:
 @contextmanager
 def scratch_folder(path: Path) -> Iterator[Path]:
     """Yield an empty folder beside the file `path` for its parts; it is removed at the end."""
-    try:
+    with output_errors(path):
         folder = make_folder(path.parent, path)
-    except OSError as error:
-        raise OutputError(describe(path, error)) from error
     try:
         with _blamed_on(path):
             yield folder
@@ -136,10 +133,8 @@ def make_folder_of(path: Path) -> None:
     OutputError
         When it cannot be made.
     """
-    try:
+    with output_errors(path):
         make_private_folder(path.parent)
-    except OSError as error:
-        raise OutputError(describe(path, error)) from error
 
 
 def write_private(path: Path, content: bytes) -> None:

@@ -13,8 +13,7 @@ import sys
 from pathlib import Path
 from types import TracebackType
 
-from insole_core.errors import OutputError
-from insole_core.export.atomic import describe
+from insole_core.export.write_errors import output_errors
 
 if sys.platform == "win32":
     import msvcrt
@@ -60,10 +59,8 @@ class FileLock:
             When the lock's file cannot be written.
         """
         while self._handle is None:
-            try:
+            with output_errors(self._path):
                 handle = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o600)
-            except OSError as error:
-                raise OutputError(describe(self._path, error)) from error
             try:
                 _try_lock(handle)
             except OSError as error:

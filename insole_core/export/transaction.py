@@ -32,7 +32,7 @@ from insole_core.export.temporary import (
     set_aside_name,
     sweep,
 )
-from insole_core.export.write_errors import FULL, describe
+from insole_core.export.write_errors import FULL, describe, output_errors
 
 FindForeign: TypeAlias = Callable[[Path], str | None]
 """Returns the name of a file in a folder that is no earlier output of the same kind; None if there
@@ -125,11 +125,9 @@ class Transaction:
             check_file(named)
         else:
             check_folder(named, find_foreign)
-        try:
+        with output_errors(named):
             make = make_file if find_foreign is None else make_folder
             beside = make(path.parent, named)
-        except OSError as error:
-            raise OutputError(describe(named, error)) from error
         self._outputs.append(_Output(named, path, beside, find_foreign))
         settle_interrupted(journals_folder_of_user())  # before what a journal needs is swept
         sweep(path.parent)
@@ -216,7 +214,7 @@ def check_file(path: Path) -> None:
         Also where writing to the file would fail although renaming another over it might succeed.
     """
     real = Path(os.path.realpath(path))
-    try:
+    with output_errors(path):
         _check_parent(real)
         if real.is_dir():
             raise _os_error(errno.EISDIR)
@@ -224,8 +222,6 @@ def check_file(path: Path) -> None:
             os.close(os.open(real, os.O_WRONLY))
         elif real.exists():
             raise _os_error(errno.ENXIO)
-    except OSError as error:
-        raise OutputError(describe(path, error)) from error
 
 
 def check_folder(path: Path, find_foreign: FindForeign) -> None:
@@ -238,13 +234,11 @@ def check_folder(path: Path, find_foreign: FindForeign) -> None:
         place takes no folder.
     """
     real = Path(os.path.realpath(path))
-    try:
+    with output_errors(path):
         _check_parent(real)
         if real.exists() and not real.is_dir():
             raise _os_error(errno.ENOTDIR)
         foreign = find_foreign(real) if real.exists() else None
-    except OSError as error:
-        raise OutputError(describe(path, error)) from error
     if _is_worked_in(real):
         raise OutputError(
             "{path} is the folder that you work in, or holds it; name a folder within it.",

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import errno
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+from insole_core.errors import OutputError
 from insole_core.export.temporary import named_path
 from insole_core.messages import Message
 
@@ -24,6 +27,20 @@ _REASONS = {
 }
 _OPEN_ON_WINDOWS = (5, 32, 33)
 """Codes of Windows for a file that another program has open."""
+
+
+@contextmanager
+def output_errors(path: Path) -> Iterator[None]:
+    """Turn errors of the system into one sentence about the place that was to be written.
+
+    Raises
+    ------
+    OutputError
+    """
+    try:
+        yield
+    except OSError as error:
+        raise OutputError(describe(path, error)) from error
 
 
 def describe(path: Path, error: OSError) -> str:

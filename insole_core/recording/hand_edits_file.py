@@ -6,9 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from insole_core.errors import OutputError
 from insole_core.export.atomic import write_text
-from insole_core.export.write_errors import describe
+from insole_core.export.write_errors import output_errors
 from insole_core.json_object import JsonObject
 from insole_core.recording.hand_edits import (
     NO_EDITS,
@@ -53,10 +52,8 @@ def write_edits(edits: HandEdits, session: Path) -> None:
     """
     path = edits_path(session)
     if edits == NO_EDITS and not _is_archive_with_edits(session):
-        try:
+        with output_errors(path):
             path.unlink(missing_ok=True)
-        except OSError as error:
-            raise OutputError(describe(path, error)) from error
         return
     write_text(json.dumps(edits_json(edits), indent=1) + "\n", path)
 

@@ -23,7 +23,7 @@ from insole_core.export.atomic import (
     write_text,
 )
 from insole_core.export.transaction import nothing_foreign
-from insole_core.export.write_errors import describe
+from insole_core.export.write_errors import describe, output_errors
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import encode_png
@@ -93,10 +93,8 @@ class Draft:
         self._facts: dict[str, dict[str, Any]] = {}
         self._pool = ThreadPoolExecutor(_WRITERS, thread_name_prefix="capture-writer")
         self._writing: dict[str, list[Future[None]]] = {}
-        try:
+        with output_errors(folder):
             make_private_folder(folder / "views")
-        except OSError as error:
-            raise OutputError(describe(folder, error)) from error
 
     @classmethod
     def reopen(cls, folder: Path, order: Sequence[str] = ()) -> Draft:
@@ -209,14 +207,12 @@ class Draft:
             When it could not be written; an earlier version of the view remains valid.
         """
         target = self.folder / "views" / view
-        try:
+        with output_errors(target):
             for writing in self._writing.pop(view):
                 writing.result()
             with replacing_folder(target, nothing_foreign) as beside:
                 beside.rmdir()
                 self._taking(view).rename(beside)
-        except OSError as error:
-            raise OutputError(describe(target, error)) from error
         self._facts[view] = {
             "serial": calibrated.sensor.serial,
             "calibration": calibrated.origin,
