@@ -24,10 +24,13 @@ from insole_core.insole.prescription.corrections import (
     Place,
     Posting,
 )
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.shell import Post, Shell
 
 __all__ = [
-    "CORRECTION_TYPES", "ArchRaise", "BrushStroke", "Correction", "ForefootTwist", "HeelCup",
-    "HeelLift", "HeelSkive", "InsoleDesign", "Layers", "Outline", "Pelott", "Place", "Posting",
+    "CORRECTION_TYPES", "ArchRaise", "BrushStroke", "Correction", "Finish", "ForefootTwist",
+    "HeelCup", "HeelLift", "HeelSkive", "InsoleDesign", "Layers", "Outline", "Pelott", "Place",
+    "Post", "Posting", "RimStation", "Shell",
 ]  # fmt: skip
 
 
@@ -51,6 +54,12 @@ class InsoleDesign:
         If thicker together than `thickness_mm`, they decide: see `least_thickness_mm`.
     bottom
         "flat" on the ground, or "following" the contact surface at the least thickness.
+    device
+        Name of the device that the design started from; empty if none.
+    finish
+        None: as scanned, the way of thesis 3.3.
+    shell
+        None: plain walls and bottom, as the order asks for.
     """
 
     side: Side
@@ -62,6 +71,9 @@ class InsoleDesign:
     outline: Outline = field(default_factory=Outline)
     layers: Layers = field(default_factory=Layers)
     bottom: str = "flat"
+    device: str = ""
+    finish: Finish | None = None
+    shell: Shell | None = None
 
     @property
     def least_thickness_mm(self) -> float:

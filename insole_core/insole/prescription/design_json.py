@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import MISSING, Field, fields
+from dataclasses import MISSING, Field, fields, is_dataclass
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -13,21 +13,31 @@ from insole_core.given_file import read_given
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
     Correction,
+    Finish,
     InsoleDesign,
     Layers,
     Outline,
+    Post,
+    RimStation,
+    Shell,
 )
 from insole_core.insole.prescription.design_limits import CHOICES, check_design
 from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES, load_strictly
 
 FORMAT, VERSION = "insole-design", 1
 
 _MOST_STORED = 1000  # more than can be built, so that whatever was edited can be opened again
 _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
-_PLACE_LISTS = ("outline_mm", "points_mm")
-_TEXTS = {"id", "author", "created_at"} | {key for words in CHOICES.values() for key in words}
-_PARTS: dict[str, type[Any]] = {"outline": Outline, "layers": Layers}
+_PLACE_LISTS = ("outline_mm", "points_mm", "trim_mm")
+_LISTS: dict[str, type[Any]] = {"rim": RimStation, "posts": Post}
+_TEXTS = {"id", "author", "created_at", "device", "material"} | {
+    key for words in CHOICES.values() for key in words
+}
+_PARTS: dict[str, type[Any]] = {
+    "outline": Outline, "layers": Layers, "finish": Finish, "shell": Shell,
+}  # fmt: skip
 
 
 def read_design(path: Path) -> InsoleDesign:
@@ -63,7 +73,6 @@ def design_to_json(design: InsoleDesign) -> dict[str, Any]:
         **_to_json(design),
         "side": str(design.side),
         "corrections": [{"type": c.type, **_to_json(c)} for c in design.corrections],
-        **{key: _to_json(getattr(design, key)) for key in _PARTS},
     }
 
 
@@ -110,6 +119,8 @@ def _to_json(value: Any) -> dict[str, Any]:
 
 
 def _plain(content: Any) -> Any:
+    if is_dataclass(content):
+        return _to_json(content)
     return [_plain(part) for part in content] if isinstance(content, tuple) else content
 
 
@@ -155,7 +166,19 @@ def _value(key: str, value: Any, where: str) -> Any:
                 "{where} must be a list of places, each two numbers in [ ].", where=where
             )
         return tuple(_place(place, where) for place in value)
+    if key in _LISTS:
+        return _list(_LISTS[key], value, where)
     return _number(value, where)
+
+
+def _list(kind: type[Any], value: Any, where: str) -> tuple[Any, ...]:
+    if not isinstance(value, list):
+        raise DesignError("{where} must be a list of objects; put them in [ ].", where=where)
+    places = [Message("{list}[{number}]", list=where, number=n) for n in range(len(value))]
+    return tuple(
+        _read(kind, dict(_object(item, place)), place)
+        for item, place in zip(value, places, strict=True)
+    )
 
 
 def _place(value: Any, where: str) -> tuple[float, float]:
