@@ -32,7 +32,8 @@ class ToeZone:
     ahead_mm : (ny, nx) float64
         How far each node lies ahead of the parabola through the five heads, along y.
     level_mm
-        Median of the contact surface just ahead of the heads.
+        On which the toes lie: the median of the contact surface just ahead of the heads, less the
+        depth of a sulcus.
     floor_mm : (ny, nx) float64
         Heights of the designed floor.
     begin_mm, end_mm
@@ -84,6 +85,7 @@ def toe_zone(
     floor_mm = np.full(ahead_mm.shape, level_mm)
     if finish.toe_zone == "sulcus":
         floor_mm = level_mm - _SULCUS_DEPTH_MM * smoother_step(ahead_mm, *_SULCUS_MM)
+        level_mm -= _SULCUS_DEPTH_MM
     elif finish.toe_zone == "crest":
         reach_mm = (tips[1:4, 1] - np.polyval(parabola, tips[1:4, 0])).mean()
         aside = (heads[0, 0] - medial * place.x_mm) / max(heads[0, 0] - heads[-1, 0], 1.0)
