@@ -13,8 +13,8 @@ from insole_core.insole.finishing.edge_distance import EdgeDistance
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.surface.blending import smoother_step
 
-TRANSITION_MM = 14.0
-"""From the toe line to where the floor of the toes is reached."""
+_TRANSITION_MM, _SULCUS_TRANSITION_MM = 14.0, 18.0
+"""From the toe line to where the floor of the toes is reached, and the lower one of a sulcus."""
 _LEVEL_MM = (0.0, 6.0)  # ahead of the heads: the strip whose median height is the toes' level
 _LEAST_NODES = 20
 _SULCUS_DEPTH_MM, _SULCUS_MM = 4.0, (4.0, 13.5)  # and where, ahead of the heads, it falls [OFF]
@@ -92,7 +92,8 @@ def toe_zone(
         across = smoother_step(aside, *_CREST_TOES)
         away = np.abs(ahead_mm - _CREST_PLACE * reach_mm) / _CREST_HALF_MM
         floor_mm = level_mm + _CREST_MM * across * (1 - smoother_step(away, 0.0, 1.0))
-    begin, end = finish.toe_line_mm, finish.toe_line_mm + TRANSITION_MM
+    transition_mm = _SULCUS_TRANSITION_MM if finish.toe_zone == "sulcus" else _TRANSITION_MM
+    begin, end = finish.toe_line_mm, finish.toe_line_mm + transition_mm
     if finish.toe_zone == "as_scanned":
         begin = end = np.inf
     return ToeZone(ahead_mm, level_mm, floor_mm, begin, end)
