@@ -97,7 +97,7 @@ class Application:
         self.features.close_windows()
         self.jobs.close()
         self.autosave.close()
-        self.features.case_files.guard.release()
+        self.features.case_files.close()
         self.stage.close()
         self.services.save_settings()
         self.window.close_for_good()
