@@ -113,6 +113,15 @@ class Autosave(QObject):
         if self._case.has_unsaved_changes:
             _write_copy(self._stem, self._case.record, self._origin())
 
+    def keep_now(self) -> None:
+        """Write at once what may be lost, because the program may be ended at any moment."""
+        if not self._wanted:
+            return
+        try:
+            self.write_now()
+        except InsoleError as error:
+            log.warning("unsaved work cannot be kept: %s", error)
+
     def forget(self) -> None:
         """Remove the copy permanently: the user has saved the case, or does not want it."""
         self._timer.stop()
@@ -125,10 +134,7 @@ class Autosave(QObject):
         self._case.changed.disconnect(self._timer.start)
         self._case.opened.disconnect(self._timer.start)
         if self._wanted and self._case.has_unsaved_changes:
-            try:
-                self.write_now()
-            except InsoleError as error:
-                log.warning("unsaved work is lost: %s", error)
+            self.keep_now()
         else:
             self._remove_copies()
         self._timer.stop()
