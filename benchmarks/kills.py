@@ -3,7 +3,7 @@
 Each command first writes its results; then it runs again in a copy of that folder, and is killed
 
 - at a random moment, or
-- just before or after one of its renames, links and removals (each once), or
+- just before each of its renames, links and removals, and after the last one, or
 - finds the disk full after so many bytes.
 
 After the next start of the product all results must be there, whole, and all of the earlier run or
@@ -189,9 +189,8 @@ def _prepared(
         what = f"{moment:.2f} s of {seconds:.2f} s"
         attempts.append(("random", what, attempt(_nothing, moment)))
     for step in range(1, steps + 1):
-        for late in (False, True):
-            what = f"{step} of {steps}{' done' if late else ''}"
-            attempts.append(("step", what, attempt(_trap(step, late))))
+        attempts.append(("step", f"{step} of {steps}", attempt(_trap(step, False))))
+    attempts.append(("step", f"{steps} of {steps} done", attempt(_trap(steps, True))))
     attempts += [("full", f"{most} bytes", attempt(_full_disk(most))) for most in _BYTES]
     rng.shuffle(attempts)
     return before, seconds, attempts
