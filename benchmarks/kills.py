@@ -130,7 +130,7 @@ def main() -> None:
                 print(f"{name}: tried, {time.monotonic() - started:.0f} s", flush=True)
     head = ["command", *_KINDS, "old", "new", *FAULTS]
     rows = [[name, *(counts[name, key] for key in head[1:])] for name in names]
-    total = ["all", *(sum(row[column] for row in rows) for column in range(1, len(head)))]
+    total = ["all", *(sum(int(str(row[column])) for row in rows) for column in range(1, len(head)))]
     seconds = [*(f"{slowest[name]:.1f}" for name in names), ""]
     print_table([*head, "seconds"], [[*r, s] for r, s in zip([*rows, total], seconds, strict=True)])
     print(f"seed {seed}, {time.monotonic() - started:.0f} s")
@@ -188,8 +188,9 @@ def _prepared(
         moment = seconds * (rng.uniform(0.0, 1.0) if number % 2 else rng.uniform(0.85, 1.05))
         what = f"{moment:.2f} s of {seconds:.2f} s"
         attempts.append(("random", what, attempt(_nothing, moment)))
-    for step in range(1, steps + 1):
-        attempts.append(("step", f"{step} of {steps}", attempt(_trap(step, False))))
+    attempts += [
+        ("step", f"{step} of {steps}", attempt(_trap(step, False))) for step in range(1, steps + 1)
+    ]
     attempts.append(("step", f"{steps} of {steps} done", attempt(_trap(steps, True))))
     attempts += [("full", f"{most} bytes", attempt(_full_disk(most))) for most in _BYTES]
     rng.shuffle(attempts)
