@@ -318,8 +318,8 @@ def see_export(walk: Walk) -> None:
         QTest.keyClick(form.block, Qt.Key.Key_Down)
         wait_for(export.jobs)
     walk.see("export-blocks")
-    pieces = [b for b in export.view.findChildren(QToolButton) if b.property("piece")]
-    hand.click(pieces[-1])
+    parts = [b for b in export.view.findChildren(QToolButton) if b.property("part")]
+    hand.click(parts[-1])
     wait_for(export.jobs)
     walk.see("export-nested")
     with walk.asked("own-blocks", refuse):
