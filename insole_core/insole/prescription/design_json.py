@@ -26,7 +26,7 @@ FORMAT, VERSION = "insole-design", 1
 _MOST_STORED = 1000  # more than can be built, so that whatever was edited can be opened again
 _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
 _PLACE_LISTS = ("outline_mm", "points_mm")
-_TEXTS = {"id", "author", "created_at"} | {key for words in CHOICES.values() for key in words}
+_TEXTS = {"id", "author", "created_at", "kind"}.union(*CHOICES.values())
 _PARTS: dict[str, type[Any]] = {"outline": Outline, "layers": Layers}
 
 

@@ -87,13 +87,13 @@ def test_distance_to_the_heads_is_shown_and_snapped_to(left_foot):
     pad = snapped(left_foot, EGG, 8.0)
     assert behind_heads_mm(pad, find_landmarks(left_foot)) == pytest.approx(8.0, abs=0.5)
     ahead = replace(pad, centre_mm=(pad.centre_mm[0], pad.centre_mm[1] + 20))
-    assert any("mm before the line" in w for w in warnings(left_foot, ahead))
+    assert any("mm ahead of the line" in w for w in warnings(left_foot, ahead))
 
 
 @pytest.mark.parametrize(
     ("behind_mm", "said"),
     [
-        (5.6, "lies 5.6 mm behind the line of the heads 2 to 4; 6 to 11 mm"),
+        (5.6, "lies 5.6 mm behind the line of the heads 2 to 4; the clinic's rule is 6 to 11 mm"),
         (5.97, ""),
         (11.03, ""),
         (11.4, "lies 11.4 mm behind"),
