@@ -1,4 +1,4 @@
-"""The form of an order: piece, manufacturing, engraving and documents."""
+"""The form of an order: part, manufacturing, engraving and documents."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The user checks a piece, orders it otherwise, and hands it to the shop."""
+"""The user checks a part, orders it otherwise, and hands it to the shop."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def order(stage: ExportStage, **changes: object) -> None:
     stage.presenter.edit_choice(replace(stage.view.form.choice(), **changes))  # type: ignore[arg-type]
 
 
-def test_piece_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[], None]) -> None:
+def test_part_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[], None]) -> None:
     assert sign_of(stage, "watertight") is CheckState.PASSED
     assert "triangles" in stage.view.summary.text()
     assert stage.view.export.isEnabled()
@@ -158,7 +158,7 @@ def test_pair_is_nested_into_one_block(
 ) -> None:
     order(stage, both=True, block=PAIR, job_sheet=False)
     settle()
-    stage.presenter.show_piece("nest")
+    stage.presenter.show_part("nest")
     chosen.answer = tmp_path / "anna.stl"
     stage.view.export.click()
     settle()
@@ -288,8 +288,8 @@ def test_look_at_the_worst_place(stage: ExportStage, settle: Callable[[], None])
     settle()
     stage.view.check_list.rows["shoe_height"].sentence.click()
     x, y, _ = stage.view.model.scene.camera.focal_mm
-    (piece,) = stage.presenter.pieces
-    worst = next(f for f in piece.findings if f.name == "shoe_height").place_mm
+    (part,) = stage.presenter.parts
+    worst = next(f for f in part.findings if f.name == "shoe_height").place_mm
     assert worst is not None
     assert (x, y) == pytest.approx(worst[:2])
 
