@@ -23,8 +23,10 @@ from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.document.case import Case
+from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.features.export.rows import CheckState
 from insole_studio.features.export.stage import ExportStage
+from insole_studio.texts import load_language
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
@@ -349,3 +351,21 @@ def test_the_head_says_whose_insoles_these_are(stage: ExportStage, case: Case) -
     assert stage.view.patient.text() == "Anna Berg  ·  born 1980-01-01"
     case.apply(Patient(), "Forget the patient")
     assert stage.view.patient.text() == "Patient without a name"
+
+
+def test_the_order_names_a_material_as_the_shop_does_in_every_language(
+    qapp: QApplication, qtbot: QtBot
+) -> None:
+    load_language(qapp, "sv")
+    try:
+        form = OrderForm(Stock(SHOP.blocks, SHOP.materials))
+        qtbot.addWidget(form)
+        blocks = [form.block.itemText(index) for index in range(form.block.count())]
+        assert "EVA par, 340 × 260 × 40" in blocks
+        for typed, ordered in (("Kork och EVA", "Cork and EVA"), ("Filt", "Filt"), ("", "")):
+            form.material.setEditText(typed)
+            assert form.choice().material == ordered
+        form.show_choice(OrderChoice(material="Cork and EVA"), has_pair=False)
+        assert form.material.currentText() == "Kork och EVA"
+    finally:
+        load_language(qapp, "en")

@@ -41,7 +41,7 @@ class ParametersPanel(Protocol):
     """The parameters panel as its presenter sees it, with the signals it emits."""
 
     field_edited: Any
-    offer_chosen: Any
+    proposal_chosen: Any
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None: ...  # noqa: D102
 
@@ -66,7 +66,7 @@ class ParametersPresenter:
         self._pads = pads
         self._foot_offers = FootProposals(case, rules, default_pelott(pads))
         panel.field_edited.connect(self.edit)
-        panel.offer_chosen.connect(self.choose)
+        panel.proposal_chosen.connect(self.choose)
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.preview_changed.connect(self.show)
