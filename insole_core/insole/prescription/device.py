@@ -16,6 +16,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription import design_json
 from insole_core.insole.prescription.corrections import Outline
 from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.prescription.item_name import checked_name, key_of
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-device", 1
@@ -25,7 +26,6 @@ _OUTLINE_KEYS = ("extent", "toe_allowance_mm", "ball_allowance_mm", "heel_allowa
 _HEAD = {
     "format": design_json.FORMAT, "version": design_json.VERSION, "side": "left", "corrections": [],
 }  # fmt: skip
-_MOST_NAME = 80
 
 
 @dataclass(frozen=True)
@@ -55,12 +55,6 @@ class Device:
         return key_of(self.name)
 
 
-def key_of(name: str) -> str:
-    """Return a name as one word: ``"EVA, full length"`` becomes ``"eva-full-length"``."""
-    letters = "".join(c if c.isalnum() else " " for c in name.casefold())
-    return "-".join(letters.split())
-
-
 def apply_device(device: Device, design: InsoleDesign) -> InsoleDesign:
     """Make a design one of a device.
 
@@ -87,16 +81,11 @@ def device_of(
     DesignError
         If the name is empty or too long.
     """
-    name = name.strip()
-    if not key_of(name) or len(name) > _MOST_NAME:
-        raise DesignError(
-            "A device needs a name of 1 to {most} characters; type one.", most=_MOST_NAME
-        )
     values = {key: getattr(design, key) for key in DEVICE_KEYS}
     values["outline"] = Outline(**{key: getattr(design.outline, key) for key in _OUTLINE_KEYS})
     if design.shell is not None:
         values["shell"] = replace(design.shell, trim_mm=None, body_weight_kg=None)
-    return Device(name, InsoleDesign(Side.LEFT, **values), keywords, source)
+    return Device(checked_name(name), InsoleDesign(Side.LEFT, **values), keywords, source)
 
 
 def device_to_json(device: Device) -> dict[str, Any]:
