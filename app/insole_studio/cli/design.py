@@ -73,11 +73,11 @@ def _insole(
     """Read a foot and build its insole, printing the warnings about both."""
     from insole_core.insole.build import build_insole
 
-    design = _read_prescription(prescription)
-    side = _agreed_side(named, design)
+    given = _read_prescription(prescription)
+    side = _agreed_side(named, given)
     foot = foot_argument.read_foot(path, side, arguments, progress.part(0.0, 0.8))
-    prescription = prescribed.prescribed(foot, design, arguments)
-    insole = build_insole(foot, prescription, progress.part(0.8, 1.0))
+    design = prescribed.prescribed(foot, given, arguments)
+    insole = build_insole(foot, design, progress.part(0.8, 1.0))
     _print_warnings(insole)
     return insole
 
@@ -108,4 +108,3 @@ def _print_warnings(insole: Insole) -> None:
     landmarks = find_landmarks(insole.foot)
     for warning in design_warnings(insole, landmarks, load_rules()):
         print(f"Warning: {warning.sentence}", file=sys.stderr)
-
