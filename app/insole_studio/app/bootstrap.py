@@ -31,8 +31,8 @@ from insole_studio.app.theme import apply_theme
 from insole_studio.app.window_feature import WindowFeature
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
-from insole_studio.features.design.correction_names import pad_text
 from insole_studio.features.design.design import make_design_stage
+from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.jobs import Jobs
 from insole_studio.native_heap import return_freed_memory, share_one_heap
@@ -91,13 +91,14 @@ class Application:
         return self.features.design.stage
 
     def close(self) -> None:
-        """Stop the threads, free the renderers, save the settings."""
+        """Keep unsaved work, stop the threads, free the renderers, save the settings."""
         commit_typed_text()
+        self.autosave.keep_now()  # sensors and threads may take longer than a shutdown waits
         self.events.close()
         self.features.close_windows()
         self.jobs.close()
         self.autosave.close()
-        self.features.case_files.guard.release()
+        self.features.case_files.close()
         self.stage.close()
         self.services.save_settings()
         self.window.close_for_good()
@@ -140,6 +141,8 @@ def build_application(
         paths=paths,
     )
     autosave = Autosave(case, jobs, paths.autosave_folder)
+    # The end of the session, of which systems without signals tell in this way.
+    application.commitDataRequest.connect(autosave.keep_now, Qt.ConnectionType.DirectConnection)
     source = SensorSource(SensorStore(paths.sensors_folder), emulate)
     features = make_features(services, stage, autosave, source)
     main = WindowFeature(
@@ -161,7 +164,7 @@ def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
     stage.pointed.connect(status.show_place)
     stage.hint_changed.connect(status.show_hint)
     status.cancel_requested.connect(jobs.cancel)
-    return MainWindow(stage, status, [pad_text(pad) for pad in stage.pads], ACTIONS)
+    return MainWindow(stage, status, pad_menu(stage.pads), ACTIONS)
 
 
 def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> bool:
