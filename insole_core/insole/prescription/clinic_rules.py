@@ -33,8 +33,9 @@ from insole_core.insole.prescription.design import (
     Place,
     Posting,
 )
+from insole_core.insole.prescription.finish_warnings import finish_warnings
 from insole_core.insole.prescription.pronation import PronationStep
-from insole_core.insole.prescription.rim_sliders import cup_depth_mm
+from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, Value
@@ -153,7 +154,7 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, grid, arch, and pads; at most one about
+        Landmarks first, then posting, heel, height, grid, finish, arch, and pads; at most one about
         landmarks.
     """
     design = insole.design
@@ -165,6 +166,7 @@ def design_warnings(
         *_of_heel(design, rules),
         *_of_height(insole, rules),
         *_of_grid(design, rules),
+        *(DesignWarning(w.sentence, w.correction_id, w.place_mm) for w in finish_warnings(insole)),
         *(w for arch in arches for w in _of_arch(insole, arch)),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
@@ -268,9 +270,11 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
 
 def _cup_mm(design: InsoleDesign) -> float:
     """Return the depth of the heel cup: that of the designed rim, or of the corrections."""
+    if design.finish is not None:
+        rim = cup_depth_mm(finish_with_cups(design.finish, design.active))
+        return _USUAL_CUP_MM if rim is None else rim
     cups = [c.depth_mm for c in design.active if isinstance(c, HeelCup)]
-    rim = None if design.finish is None else cup_depth_mm(design.finish)
-    return min(cups, default=_USUAL_CUP_MM) if rim is None else max([rim, *cups])
+    return min(cups, default=_USUAL_CUP_MM)
 
 
 def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:
