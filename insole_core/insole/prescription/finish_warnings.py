@@ -22,6 +22,7 @@ from insole_core.messages import Message
 _SHOWN_WIDENING_MM, _SHOWN_NARROWING_MM, _SHOWN_FREE_MM = 5.0, 0.5, 1.0
 _SHOWN_BESIDE_MM, _SHOWN_RAISE_MM, _SHOWN_FILL_MM = 1.5, 0.5, 0.1
 _SHOWN_ON_TRANSITION = 0.3
+_WORDS = {"medial": "medially", "lateral": "laterally"}
 
 
 @dataclass(frozen=True)
@@ -59,11 +60,11 @@ def _of_widths(finished: FinishedSurface) -> Iterator[FinishWarning]:
             finished,
             at,
             Message(
-                "The transition to the rim of {asked_mm:.0f} mm has no room at the {border} edge, "
-                "where the insole is {width_mm:.0f} mm wide: it is {used_mm:.0f} mm there. Set a "
-                "narrower transition.",
+                "The transition to the rim of {asked_mm:.0f} mm has no room {where}, where the "
+                "insole is {width_mm:.0f} mm wide: it is {used_mm:.0f} mm there; set a narrower "
+                "transition.",
                 asked_mm=widths.asked_mm[at],
-                border=_border(finished, at),
+                where=_where(finished, at),
                 width_mm=2 * widths.room_mm[at],
                 used_mm=widths.width_mm[at],
             ),
@@ -74,11 +75,11 @@ def _of_widths(finished: FinishedSurface) -> Iterator[FinishWarning]:
             finished,
             at,
             Message(
-                "The transition to the rim is {used_mm:.0f} mm wide at the {border} edge instead "
-                "of {asked_mm:.0f} mm, or the wall would be too steep or bent too sharply; a rim "
+                "The transition to the rim is {used_mm:.0f} mm wide {where} instead of "
+                "{asked_mm:.0f} mm, or the wall would be too steep or bent too sharply; a rim "
                 "nearer to the foot needs less.",
                 used_mm=widths.width_mm[at],
-                border=_border(finished, at),
+                where=_where(finished, at),
                 asked_mm=widths.asked_mm[at],
             ),
         )
@@ -107,11 +108,11 @@ def _of_flank(finished: FinishedSurface) -> Iterator[FinishWarning]:
             finished,
             at,
             Message(
-                "The rim is {rim_mm:.0f} mm high at the {border} edge, and the scan of the foot "
-                "reaches up to {flank_mm:.0f} mm beside it: above that the wall is designed, and "
-                "no foot carries it. Lower the rim, or scan more of the flank.",
+                "The rim is {rim_mm:.0f} mm high {where}, and the scan of the foot reaches up to "
+                "{flank_mm:.0f} mm beside it: above that the wall is designed, and no foot carries "
+                "it; lower the rim, or scan more of the flank.",
                 rim_mm=finished.curve.height_mm[at],
-                border=_border(finished, at),
+                where=_where(finished, at),
                 flank_mm=max(rim.flank_mm[at], 0.0),
             ),
         )
@@ -125,11 +126,10 @@ def _of_stations(finished: FinishedSurface) -> Iterator[FinishWarning]:
         return
     station = stations[int(np.argmax(off_mm))]
     beside = Message(
-        "The rim is {rim_mm:.1f} mm high where a station of the {border} edge asks for "
-        "{asked_mm:.1f} mm, or it would bend too sharply; move the neighbouring stations away or "
+        "The rim is {rim_mm:.1f} mm high where a station {where} asks for {asked_mm:.1f} mm, or it would bend too sharply; move the neighbouring stations away or "
         "nearer to its height.",
         rim_mm=finished.curve.height_at(station.arc_mm),
-        border=station.station.border,
+        where=_WORDS[station.station.border],
         asked_mm=station.height_mm,
     )
     yield FinishWarning(beside, station.place_mm)
@@ -160,7 +160,7 @@ def _of_arch(finished: FinishedSurface) -> Iterator[FinishWarning]:
     if asked_mm - arch.height_mm > _SHOWN_FILL_MM:
         deep = Message(
             "The arch is to be filled by {asked_mm:.1f} mm and is only {height_mm:.1f} mm high; it "
-            "is filled by {height_mm:.1f} mm. Set a smaller fill.",
+            "is filled by {height_mm:.1f} mm; set a smaller fill.",
             asked_mm=asked_mm,
             height_mm=arch.height_mm,
         )
@@ -224,6 +224,6 @@ def _at_edge(finished: FinishedSurface, at: int, sentence: Message) -> FinishWar
     return FinishWarning(sentence, (float(x), float(y)))
 
 
-def _border(finished: FinishedSurface, at: int) -> str:
+def _where(finished: FinishedSurface, at: int) -> str:
     edge = finished.rim.edge
-    return edge.border_of(float(edge.arc_mm[at]))
+    return _WORDS[edge.border_of(float(edge.arc_mm[at]))]
