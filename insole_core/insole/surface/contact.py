@@ -16,6 +16,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
 from insole_core.insole.finishing.finished import FinishedSurface, finished
+from insole_core.insole.forms.form_surface import base_surface, finish_on_base
 from insole_core.insole.outline.insole_outline import outline_reach
 from insole_core.insole.prescription.design import (
     ForefootTwist,
@@ -103,6 +104,7 @@ def base_key(design: InsoleDesign) -> BaseKey:
         design.max_height_mm,
         design.margin_mm,
         design.outline,
+        design.base,
         design.finish,
     )
 
@@ -132,6 +134,9 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     sole = sole_surface(foot, design, progress.part(0.0, 0.8))
     progress.step(0.8, "Turning the foot and shaping the heel")
     surface, length = sole.surface, foot.length_mm
+    if design.base is not None:
+        surface = base_surface(foot, surface, design.base)
+    level = surface
     surface = replace(surface, heights_mm=posted(surface, sole.measured, design, length))
     shaping = [c for c in design.active if isinstance(c, _SHAPING)]
     for c in sorted(shaping, key=lambda c: _SHAPING.index(type(c))):
@@ -150,8 +155,8 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         finish = finished(
             foot,
             design,
-            design.finish,
-            sole=sole.surface,
+            finish_on_base(design.finish, design.base),
+            sole=level,
             contact=surface,
             measured=sole.measured,
             arch_apex_mm=sole.arch_apex_mm,
