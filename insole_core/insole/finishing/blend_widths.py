@@ -19,8 +19,9 @@ _OF_ROOM = 0.75
 """Greatest width as a share of the way to the middle: in between, the insole supports."""
 _STEEPEST = np.tan(np.radians(59.0))
 """Of a wall by the beam's equation; 60 degrees are asked of the plate."""
-_MOST_BEND = 0.22
-"""Greatest curvature of a wall at its foot, 1/mm, likewise; 0.3 is asked of the Laplacian."""
+_MOST_BEND = (0.19, 0.24)
+"""Greatest curvature at the foot of a wall that turns down to a low rim, and of one that turns up
+to a high one, 1/mm, likewise; 0.3 is asked of the Laplacian, and 0.1 of its root mean square."""
 _SPREAD_MM, _SIGMA_MM = 6.0, 6.0
 _NEAREST_MM = 1.5  # by which a node may lie nearer to another part of the edge
 _OUTSIDE_MM = -10.0
@@ -126,6 +127,6 @@ class _Across:
         slope = -np.gradient(heights, self.width_mm, axis=1)
         beyond = rim_mm[:, None] - (heights + slope * self.width_mm)
         at_rim = np.abs(slope + 1.5 * beyond / self.width_mm)
-        bend = np.abs(3 * beyond / self.width_mm**2)
+        bend = np.abs(3 * beyond / self.width_mm**2) / np.where(beyond < 0, *_MOST_BEND)
         steep = np.maximum(np.abs(slope), at_rim) / _STEEPEST
-        return np.asarray(np.nan_to_num(np.maximum(steep, bend / _MOST_BEND), nan=np.inf))
+        return np.asarray(np.nan_to_num(np.maximum(steep, bend), nan=np.inf))

@@ -79,7 +79,7 @@ def test_a_reverse_mortons_extension_lies_under_heads_2_to_5_and_not_under_the_1
     outline = pad_outline(pad)
     assert not inside_curve(outline, at(HEADS[0]))
     # It ends halfway to the 2nd head, (16, 192), but for the rounding of the corners.
-    assert outline[:, 0].max() == pytest.approx(16.0, abs=1.5)
+    assert outline[:, 0].max() == pytest.approx(16.0, abs=1.0)
     assert np.hypot(*(outline - at(HEADS[0])).T).min() > 8.0
 
 

@@ -188,7 +188,7 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
     pad = selected_zone(case)
     if design is None or pad is None:
         return False
-    if not event.by_key and pelott_at(design, event) != pad:
+    if not event.by_key and not _is_on(design, pad, event):
         return False
     step = 0.1 if event.fine else HEIGHT_STEP_MM
     raised = replace(
@@ -196,6 +196,14 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
     )
     case.apply(with_zone(design, pad, raised), tr("Raise the pad"), f"{pad.id}:wheel")
     return True
+
+
+def _is_on(design: InsoleDesign, pad: Pelott, event: PointerEvent) -> bool:
+    """Return whether the pointer is on a pad, or in an arch raise and on no pad."""
+    found = pelott_at(design, event)
+    if found is not None or event.surface_mm is None or seen_from_above(event):
+        return found == pad
+    return bool(inside_curve(pad_outline(pad, OUTLINE_POINTS), event.surface_mm[:2]))
 
 
 def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
