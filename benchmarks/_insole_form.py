@@ -11,12 +11,11 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.finishing.finished import FinishedSurface
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design import HeelCup, InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, contact_base
 from insole_core.insole.surface.pads_on_surface import apply_pads
 
 RIM_STEP_MM = 5.0
-BEHIND_HEADS_MM = 0.0
 
 
 @dataclass(frozen=True)
@@ -119,24 +118,17 @@ def _support_change_mm(foot: Foot, design: InsoleDesign) -> float:
     plain = replace(design.finish, skin_smoothing_mm=0.0, arch_fill_mm=0.0, expansion_mm=0.0)
     finished = contact_base(foot, replace(design, finish=plain)).finished
     assert finished is not None
-    as_scanned = contact_base(foot, replace(design, finish=None, corrections=_without_cup(design)))
+    corrections = tuple(c for c in design.corrections if not isinstance(c, HeelCup))
+    as_scanned = contact_base(foot, replace(design, finish=None, corrections=corrections))
     change = finished.surface.heights_mm - as_scanned.surface.heights_mm
-    change = change[finished.zones.support & _far_from_fringe(as_scanned)]
-    return float(np.ptp(change)) / 2 if change.size else 0.0
-
-
-def _without_cup(design: InsoleDesign) -> tuple[object, ...]:
-    return tuple(c for c in design.corrections if c.type != "heel_cup")
-
-
-def _far_from_fringe(base: ContactBase) -> BoolArray:
-    return base.measured
+    change = change[finished.zones.support]
+    return float(np.ptp(change)) if change.size else 0.0  # both are raised to their thickness
 
 
 def _sole(base: ContactBase, finished: FinishedSurface) -> BoolArray:
     """Return the measured nodes of the insole behind the heads."""
     inside = base.measured & (finished.place.inside_mm > 0)
-    return np.asarray(inside & (finished.toes.ahead_mm < BEHIND_HEADS_MM))
+    return np.asarray(inside & (finished.toes.ahead_mm < 0))
 
 
 def _free(finished: FinishedSurface) -> BoolArray:
@@ -160,7 +152,7 @@ def _seam_laplacian(finished: FinishedSurface) -> float:
 def _designed(finished: FinishedSurface) -> BoolArray:
     """Return the nodes that are not toes as they were scanned."""
     as_scanned = finished.finish.toe_zone == "as_scanned"
-    return np.asarray((finished.toes.ahead_mm < BEHIND_HEADS_MM) | (not as_scanned))
+    return np.asarray((finished.toes.ahead_mm < 0) | (not as_scanned))
 
 
 def _slope_deg(finished: FinishedSurface) -> float:

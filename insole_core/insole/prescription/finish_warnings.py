@@ -126,8 +126,8 @@ def _of_stations(finished: FinishedSurface) -> Iterator[FinishWarning]:
         return
     station = stations[int(np.argmax(off_mm))]
     beside = Message(
-        "The rim is {rim_mm:.1f} mm high where a station {where} asks for {asked_mm:.1f} mm, or it would bend too sharply; move the neighbouring stations away or "
-        "nearer to its height.",
+        "The rim is {rim_mm:.1f} mm high where a station {where} asks for {asked_mm:.1f} mm, or it "
+        "would bend too sharply; move the neighbouring stations away or nearer to its height.",
         rim_mm=finished.curve.height_at(station.arc_mm),
         where=_WORDS[station.station.border],
         asked_mm=station.height_mm,
