@@ -14,7 +14,7 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.coloring import MISSING, Coloring
 from insole_studio.scene.label_layout import is_across_view, moved_clear, moved_into_image
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -401,6 +401,7 @@ class Painter:
                 "scalars": "values",
                 "cmap": coloring.color_map,
                 "clim": coloring.limits,
+                "nan_color": MISSING,
                 "show_scalar_bar": False,
                 "ambient": 0.35,
                 "diffuse": 0.7,

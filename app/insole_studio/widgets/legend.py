@@ -6,10 +6,11 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.coloring import MISSING, Coloring
 
 BAR_PX = 140
 NUMBER_PX = 72
+SWATCH_PX = 14
 WHOLE_FROM = 100.0
 """From this value on numbers are shown without decimals."""
 
@@ -32,7 +33,7 @@ class Legend(QWidget):
 
     def sizeHint(self) -> QSize:
         """Return a size for title, strip and two numbers."""
-        return QSize(self.minimumSizeHint().width() + self._name_px, 22)
+        return QSize(self.minimumSizeHint().width() + self._name_px + self._missing_px, 22)
 
     def minimumSizeHint(self) -> QSize:
         """Return a size without the title, which is then shown as tooltip."""
@@ -44,12 +45,21 @@ class Legend(QWidget):
             return 0
         return self.fontMetrics().horizontalAdvance(self._coloring.title)
 
+    @property
+    def _missing_px(self) -> int:
+        """Width of the swatch for missing values, with its text and a gap."""
+        if self._coloring is None or not self._coloring.missing:
+            return 0
+        return SWATCH_PX + 18 + self.fontMetrics().horizontalAdvance(self._coloring.missing)
+
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the limits and the strip between them."""
         if self._coloring is None:
             return
         painter = QPainter(self)
         start = self.width() - self.minimumSizeHint().width()
+        if start >= self._name_px + self._missing_px:
+            self._paint_missing(painter, start - self._name_px - self._missing_px)
         strip = QRectF(start + NUMBER_PX, 5, BAR_PX, self.height() - 10)
         gradient = QLinearGradient(strip.topLeft(), strip.topRight())
         for number, color in enumerate(self._coloring.colors):
@@ -68,3 +78,11 @@ class Legend(QWidget):
             right, vertical | Qt.AlignmentFlag.AlignLeft, f"{high} {self._coloring.unit}"
         )
         painter.end()
+
+    def _paint_missing(self, painter: QPainter, left: int) -> None:
+        assert self._coloring is not None
+        if not self._coloring.missing:
+            return
+        painter.fillRect(QRectF(left, 5, SWATCH_PX, self.height() - 10), QColor(MISSING))
+        text = QRectF(left + SWATCH_PX + 6, 0, self._missing_px, self.height())
+        painter.drawText(text, Qt.AlignmentFlag.AlignVCenter, self._coloring.missing)

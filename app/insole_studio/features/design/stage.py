@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
@@ -54,6 +55,7 @@ class DesignStage(QObject):
         *,
         case: Case,
         surface: InsolePreview,
+        foot_display: FootDisplay,
         section: SectionModel,
         counterpart: SideBySide,
         tool_controller: ToolController,
@@ -86,6 +88,7 @@ class DesignStage(QObject):
             section=section,
             tool_controller=tool_controller,
             counterpart=counterpart,
+            display=foot_display,
         )
         self.insole_presenter = InsolePresenter(
             self.insole,

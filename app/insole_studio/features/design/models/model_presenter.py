@@ -19,6 +19,7 @@ from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel, section_line
 from insole_studio.document.side_by_side import Beside, SideBySide
@@ -44,7 +45,7 @@ from insole_studio.features.design.tools.outline_tool import curve_of
 from insole_studio.features.design.tools.pelott_tool import selected_pelott
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.coloring import Coloring, on_display
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import localised, tr
@@ -329,6 +330,28 @@ class FootPresenter(ModelPresenter):
     _ghost = False
     """Whether the insole is shown translucently below the foot."""
 
+    def __init__(
+        self,
+        panel: ModelPanel,
+        *,
+        case: Case,
+        surface: InsolePreview,
+        section: SectionModel,
+        tool_controller: ToolController,
+        counterpart: SideBySide,
+        display: FootDisplay,
+    ) -> None:
+        super().__init__(
+            panel,
+            case=case,
+            surface=surface,
+            section=section,
+            tool_controller=tool_controller,
+            counterpart=counterpart,
+        )
+        self._display = display
+        display.changed.connect(self._show_evened)
+
     @property
     def mesh(self) -> TriangleMesh | None:
         """The mesh of the foot."""
@@ -373,18 +396,26 @@ class FootPresenter(ModelPresenter):
 
     def _show_foot(self, foot: Foot) -> None:
         coloring = color_foot(foot, self._counterpart) if self._is_compared else None
-        self.panel.show_mesh(foot.mesh, coloring)
+        shown = self._display.surface
+        if shown is None:
+            self.panel.show_mesh(foot.mesh, coloring)
+        else:
+            self.panel.show_mesh(*on_display(shown, coloring))
         record = self._case.record.current
         text = ""
         if coloring is not None and record is not None:
             text = f"{pair_text(record, self._counterpart)}:  {numbers_text(coloring.values)}"
         self.panel.show_numbers(text)
 
+    def _show_evened(self) -> None:
+        if self._case.foot is not None:
+            self._show_foot(self._case.foot)
+
     def _beside(self) -> TriangleMesh | None:
         built = self._counterpart.built
         if built is None or self._counterpart.kind is not Beside.FOOT:
             return None
-        return built.foot.mesh
+        return built.foot_display.mesh
 
     def rest(self) -> None:
         """Update the translucent insole after a gesture."""
