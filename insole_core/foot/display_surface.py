@@ -195,7 +195,8 @@ def _border_smoothed(mesh: TriangleMesh) -> FloatArray:
     sums = sparse.csr_array((np.ones(len(both)), (both[:, 0], both[:, 1])), shape)
     vertices = mesh.vertices
     for _ in range(_BORDER_ROUNDS):
-        vertices = np.where(is_simple, (vertices + sums @ vertices / 2) / 2, vertices)
+        beside = np.asarray(sums @ vertices) / 2
+        vertices = np.where(is_simple, (vertices + beside) / 2, vertices)
     return vertices
 
 

@@ -56,7 +56,7 @@ def test_an_inlet_is_closed_to_the_boundary() -> None:
 def test_walls_that_face_each_other_stay_apart() -> None:
     along, up = np.meshgrid(np.arange(31.0), np.arange(11.0))
     left = sheet(np.stack([0 * along, along, up], axis=-1))
-    right = left.moved(left.vertices + [2.0, 0.0, 0.0]).flipped()
+    right = left.moved(left.vertices + np.array([2.0, 0.0, 0.0])).flipped()
     both = TriangleMesh(
         np.concatenate([left.vertices, right.vertices]),
         np.concatenate([left.triangles, right.triangles + np.int32(len(left.vertices))]),

@@ -21,6 +21,7 @@ from insole_studio.features.design.models.model_presenter import (
     ModelPresenter,
 )
 from insole_studio.features.design.models.rear_lines import rear_lines
+from insole_studio.features.design.models.section_follower import SectionFollower
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
@@ -129,6 +130,7 @@ class DesignStage(QObject):
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
         self.insole.listed_chosen.connect(self.recent_chosen)
+        self.section_follower = SectionFollower(section, tool_controller, self)
         self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
         self._keeps_focus = False
@@ -238,6 +240,7 @@ class DesignStage(QObject):
     def clear(self) -> None:
         """Take away what is shown of the case, and what was chosen for looking at it."""
         self._tool_controller.reset()
+        self.section_follower.stop()
         self._cut.show(None)
         self._forget_highlight()
         for view, presenter in self._presenters.values():
@@ -250,6 +253,7 @@ class DesignStage(QObject):
 
     def close(self) -> None:
         """Free the renderers."""
+        self.section_follower.stop()
         for view, _ in self._presenters.values():
             view.scene.close_scene()
 
@@ -342,8 +346,8 @@ class DesignStage(QObject):
             view.show_scale()
 
     def _ask_for_section(self) -> None:
-        wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
-        self.section_wanted.emit(wanted)
+        is_tool = self._tool_controller.tool.key == "section"
+        self.section_wanted.emit(self._cut.plane is not None or self._cut.follows or is_tool)
 
     def _show_hint(self) -> None:
         hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""
@@ -351,6 +355,7 @@ class DesignStage(QObject):
 
     def _point(self, event: PointerEvent) -> None:
         self.pointed.emit(_describe(event))
+        self.section_follower.point(event)
         view, _ = self._presenters[event.subject]
         grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
         if grabbed is not None and not self._tool_controller.is_busy:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -385,17 +386,16 @@ class TestModels:
         surface: InsolePreview,
         facts: dict[str, Any],
         display: FootDisplay,
-        open_foot: Any,
+        make_foot: Any,
         qtbot: QtBot,
         side: Side,
     ) -> None:
         presenter = FootPresenter(view, display=display, **facts)
-        open_foot(side)
-        assert case.foot is not None
-        assert view.shown["show_mesh"] == (case.foot.mesh, None)
-        with qtbot.waitSignal(display.changed, timeout=20_000):
-            pass
-        assert view.shown["show_mesh"] == (case.foot.display_surface().mesh, None)
+        foot = replace(make_foot(side))  # whose surface for display is not known yet
+        case.open_foot(foot, NOWHERE)
+        assert view.shown["show_mesh"] == (foot.mesh, None)
+        qtbot.waitUntil(lambda: display.surface is not None, timeout=20_000)
+        assert view.shown["show_mesh"] == (foot.display_surface().mesh, None)
         assert view.shown["show_side"] == (side,)
         assert view.shown["show_directions"][0] is side
         assert presenter.side is side

@@ -21,7 +21,7 @@ from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
-from insole_studio.document.section_plane import SectionModel, section_line
+from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.models.color_maps import (
@@ -46,6 +46,7 @@ from insole_studio.features.design.tools.pelott_tool import selected_pelott
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring, on_display
+from insole_studio.scene.contour_lines import ContourLines, contour_lines
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import localised, tr
@@ -53,7 +54,7 @@ from insole_studio.widgets.empty_page import ListedRow
 
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
-CONTOUR_MM = 1.0
+SECTION_POINTS = 192
 _NOTHING = (object(),) * 7
 
 
@@ -86,7 +87,7 @@ class ModelPresenter:
         case.selection_changed.connect(self.show_marks)
         tool_controller.tool_changed.connect(self.show_marks)
         surface.changed.connect(self.show_surface)
-        section.changed.connect(self.show_marks)
+        section.changed.connect(self._show_section)
         tool_controller.gesture_ended.connect(self.rest)
         counterpart.changed.connect(self.show_counterpart)
 
@@ -289,10 +290,20 @@ class ModelPresenter:
         lines = self._on_surface(found.line), way
         self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", self._outline(pad))
 
+    def _show_section(self) -> None:
+        """Show the section in its place; its handles come with the other marks."""
+        if self._tool_controller.tool.key == "section":
+            self.show_marks()
+        elif self.mesh is not None:
+            self.panel.show_section(self._section_line())
+
     def _section_line(self) -> FloatArray | None:
-        plane = self._section.plane
-        line = section_line(self._surface, plane) if plane is not None else None
-        return None if line is None else line + np.array([0.0, 0.0, self._lift_mm])
+        line = self._section.line(self._surface)
+        if line is None:
+            return None
+        # Always as many points, so that a line that follows the pointer is only moved.
+        numbers = np.linspace(0.0, len(line) - 1, SECTION_POINTS).round().astype(int)
+        return line[numbers] + np.array([0.0, 0.0, self._lift_mm])
 
     @property
     def _lift_mm(self) -> float:
@@ -516,6 +527,10 @@ class InsolePresenter(ModelPresenter):
         self._contours = shown
         self._show_contours()
 
+    def show_grazing_light(self, on: bool) -> None:
+        """Light the insole from the side, or from ahead."""
+        self.panel.show_grazing_light(on)
+
     def show_wireframe(self, shown: bool) -> None:
         """Show only edges, or the whole surface."""
         self.panel.show_wireframe(shown)
@@ -557,7 +572,13 @@ class InsolePresenter(ModelPresenter):
         if self._contoured == (self._surface.mesh, wanted):
             return  # they are slow to draw, and one change emits several signals
         self._contoured = self._surface.mesh, wanted
-        self.panel.show_contours(CONTOUR_MM if wanted else 0.0)
+        self.panel.show_contours(self._contour_lines() if wanted else None)
+
+    def _contour_lines(self) -> ContourLines | None:
+        mesh, normals, skins = self._surface.mesh, self._surface.normals, self._surface.skins
+        if mesh is None or normals is None or skins is None:
+            return None
+        return contour_lines(mesh.vertices, normals, skins[0].triangles, skins[0].links.is_boundary)
 
     def _show_why_empty(self) -> None:
         is_start = self._case.foot is None
