@@ -16,6 +16,7 @@ from PySide6.QtCore import QElapsedTimer, QEventLoop, QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QApplication,
     QDialog,
     QFileDialog,
@@ -190,12 +191,14 @@ def refuse(dialog: QDialog) -> None:
 
 
 def type_path(dialog: QDialog, path: Path) -> None:
-    """Type a path into a file dialog, and Enter until the dialog takes it."""
+    """Type a path into a file dialog and press Enter, until the dialog takes it."""
     assert isinstance(dialog, QFileDialog)
     (field,) = dialog.findChildren(QLineEdit, "fileNameEdit")
-    field.selectAll()
-    QTest.keyClicks(field, str(path))
     while dialog.isVisible():
+        field.selectAll()
+        QTest.keyClicks(field, str(path))
+        for view in dialog.findChildren(QAbstractItemView):
+            view.clearSelection()  # else Enter takes the folders selected while the path was typed
         QTest.keyClick(field, Qt.Key.Key_Return)
         QApplication.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, LOOK_MS)
 
@@ -315,8 +318,8 @@ def see_export(walk: Walk) -> None:
         QTest.keyClick(form.block, Qt.Key.Key_Down)
         wait_for(export.jobs)
     walk.see("export-blocks")
-    pieces = [b for b in export.view.findChildren(QToolButton) if b.property("piece")]
-    hand.click(pieces[-1])
+    parts = [b for b in export.view.findChildren(QToolButton) if b.property("part")]
+    hand.click(parts[-1])
     wait_for(export.jobs)
     walk.see("export-nested")
     with walk.asked("own-blocks", refuse):

@@ -5,16 +5,15 @@ from __future__ import annotations
 import shutil
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from itertools import chain, count
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_private_folder
+from insole_core.export.atomic import make_output_folder
 from insole_core.export.file_lock import FileLock
 from insole_core.export.temporary import GRACE_S
-from insole_core.export.write_errors import output_errors
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_status import ViewStatus
@@ -93,8 +92,7 @@ class Drafts:
         OutputError
             When there is no place for drafts.
         """
-        with output_errors(self._folder):
-            make_private_folder(self._folder)
+        make_output_folder(self._folder)
         candidates = chain((name,), (f"{name}-{number}" for number in count(2)))
         return next(
             held
@@ -150,10 +148,12 @@ def hold_unfinished(folder: Path) -> tuple[HeldDraft, UnfinishedCapture]:
         When its place cannot be written.
     """
     held = hold_draft(folder)
-    left = read_unfinished(folder)
-    if left is None:
-        held.release()
-        raise InputError(_GONE, folder=folder)
+    with ExitStack() as on_failure:
+        on_failure.callback(held.release)
+        left = read_unfinished(folder)
+        if left is None:
+            raise InputError(_GONE, folder=folder)
+        on_failure.pop_all()
     return held, left
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.corrections import (
     CORRECTION_TYPES,
     ArchRaise,
@@ -24,10 +25,13 @@ from insole_core.insole.prescription.corrections import (
     Place,
     Posting,
 )
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.shell import Post, Shell
 
 __all__ = [
-    "CORRECTION_TYPES", "ArchRaise", "BrushStroke", "Correction", "ForefootTwist", "HeelCup",
-    "HeelLift", "HeelSkive", "InsoleDesign", "Layers", "Outline", "Pelott", "Place", "Posting",
+    "CORRECTION_TYPES", "ArchRaise", "BaseForm", "BrushStroke", "Correction", "Finish",
+    "ForefootTwist", "Form", "HeelCup", "HeelLift", "HeelSkive", "InsoleDesign", "Layers",
+    "Outline", "Pelott", "Place", "Post", "Posting", "RimStation", "Shell",
 ]  # fmt: skip
 
 
@@ -51,6 +55,14 @@ class InsoleDesign:
         If thicker together than `thickness_mm`, they decide: see `least_thickness_mm`.
     bottom
         "flat" on the ground, or "following" the contact surface at the least thickness.
+    device
+        Name of the device that the design started from; empty if none.
+    base
+        None: the foot's own sole.
+    finish
+        None: as scanned, the way of thesis 3.3.
+    shell
+        None: plain walls and bottom, as the order asks for.
     """
 
     side: Side
@@ -62,6 +74,10 @@ class InsoleDesign:
     outline: Outline = field(default_factory=Outline)
     layers: Layers = field(default_factory=Layers)
     bottom: str = "flat"
+    device: str = ""
+    base: BaseForm | None = None
+    finish: Finish | None = None
+    shell: Shell | None = None
 
     @property
     def least_thickness_mm(self) -> float:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
-from dataclasses import MISSING, Field, fields
+from collections.abc import Callable
+from dataclasses import MISSING, Field, fields, is_dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -12,22 +14,35 @@ from insole_core.geometry.side import Side
 from insole_core.given_file import read_given
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
+    BaseForm,
     Correction,
+    Finish,
+    Form,
     InsoleDesign,
     Layers,
     Outline,
+    Post,
+    RimStation,
+    Shell,
 )
 from insole_core.insole.prescription.design_limits import CHOICES, check_design
 from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES, load_strictly
 
 FORMAT, VERSION = "insole-design", 1
 
 _MOST_STORED = 1000  # more than can be built, so that whatever was edited can be opened again
 _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
-_PLACE_LISTS = ("outline_mm", "points_mm")
-_TEXTS = {"id", "author", "created_at"} | {key for words in CHOICES.values() for key in words}
-_PARTS: dict[str, type[Any]] = {"outline": Outline, "layers": Layers}
+_PLACE_LISTS = ("outline_mm", "points_mm", "trim_mm")
+_LISTS: dict[str, type[Any]] = {"rim": RimStation, "posts": Post}
+_NUMBER_LISTS = ("along_shares", "across_shares")
+_TEXTS = {"id", "name", "author", "created_at", "device", "material"} | {
+    key for words in CHOICES.values() for key in words
+}
+_PARTS: dict[str, type[Any]] = {
+    "outline": Outline, "layers": Layers, "base": BaseForm, "finish": Finish, "shell": Shell,
+}  # fmt: skip
 
 
 def read_design(path: Path) -> InsoleDesign:
@@ -63,7 +78,6 @@ def design_to_json(design: InsoleDesign) -> dict[str, Any]:
         **_to_json(design),
         "side": str(design.side),
         "corrections": [{"type": c.type, **_to_json(c)} for c in design.corrections],
-        **{key: _to_json(getattr(design, key)) for key in _PARTS},
     }
 
 
@@ -110,6 +124,8 @@ def _to_json(value: Any) -> dict[str, Any]:
 
 
 def _plain(content: Any) -> Any:
+    if is_dataclass(content):
+        return _to_json(content)
     return [_plain(part) for part in content] if isinstance(content, tuple) else content
 
 
@@ -139,23 +155,55 @@ def _read(kind: type[Any], given: dict[str, Any], where: str) -> Any:
 
 
 def _value(key: str, value: Any, where: str) -> Any:
-    if key in _TEXTS:
-        if not isinstance(value, str):
-            raise DesignError("{where} must be a text; write it in quotation marks.", where=where)
-        return value
-    if key == "enabled":
-        if not isinstance(value, bool):
-            raise DesignError("{where} must be true or false.", where=where)
-        return value
-    if key in _PLACES:
-        return _place(value, where)
-    if key in _PLACE_LISTS:
-        if not isinstance(value, list):
-            raise DesignError(
-                "{where} must be a list of places, each two numbers in [ ].", where=where
-            )
-        return tuple(_place(place, where) for place in value)
-    return _number(value, where)
+    read: Callable[[Any, str], Any] = _READERS.get(key, _number)
+    return read(value, where)
+
+
+def _text(value: Any, where: str) -> str:
+    if not isinstance(value, str):
+        raise DesignError("{where} must be a text; write it in quotation marks.", where=where)
+    return value
+
+
+def _flag(value: Any, where: str) -> bool:
+    if not isinstance(value, bool):
+        raise DesignError("{where} must be true or false.", where=where)
+    return value
+
+
+def _places(value: Any, where: str) -> tuple[tuple[float, float], ...]:
+    if not isinstance(value, list):
+        raise DesignError("{where} must be a list of places, each two numbers in [ ].", where=where)
+    return tuple(_place(place, where) for place in value)
+
+
+def _form(value: Any, where: str) -> Form:
+    form: Form = _read(Form, dict(_object(value, where)), where)
+    return form
+
+
+def _list(kind: type[Any], value: Any, where: str) -> tuple[Any, ...]:
+    if not isinstance(value, list):
+        raise DesignError("{where} must be a list of objects; put them in [ ].", where=where)
+    places = [Message("{list}[{number}]", list=where, number=n) for n in range(len(value))]
+    return tuple(
+        _read(kind, dict(_object(item, place)), place)
+        for item, place in zip(value, places, strict=True)
+    )
+
+
+def _rows(value: Any, where: str) -> tuple[tuple[float, ...], ...]:
+    return tuple(_numbers(row, where) for row in _items(value, where))
+
+
+def _numbers(value: Any, where: str) -> tuple[float, ...]:
+    return tuple(_number(number, where) for number in _items(value, where))
+
+
+def _items(value: Any, where: str) -> list[Any]:
+    if not isinstance(value, list):
+        raise DesignError("{where} must be a list of numbers; put them in [ ].", where=where)
+    return value
 
 
 def _place(value: Any, where: str) -> tuple[float, float]:
@@ -229,3 +277,16 @@ def _check_keys(given: dict[str, Any], kind: type[Any], where: str) -> None:
 
 def _refuse_constant(name: str) -> NoReturn:
     raise DesignError("{name} is no number a design can hold; put in a usual one.", name=name)
+
+
+_READERS: dict[str, Callable[[Any, str], Any]] = {
+    **dict.fromkeys(_TEXTS, _text),
+    **dict.fromkeys(_PLACES, _place),
+    **dict.fromkeys(_PLACE_LISTS, _places),
+    **dict.fromkeys(_NUMBER_LISTS, _numbers),
+    **{key: partial(_list, kind) for key, kind in _LISTS.items()},
+    "enabled": _flag,
+    "form": _form,
+    "heights_mm": _rows,
+}
+"""How the value of a key is read; those of the other keys are numbers."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields, replace
+from itertools import pairwise
 from typing import Any
 
 from insole_core.errors import DesignError
@@ -15,16 +16,22 @@ from insole_core.insole.outline.outline_curve import closed_curve, crosses_itsel
 from insole_core.insole.pads.pad_shapes import PAD_SHAPES, encloses_centre
 from insole_core.insole.prescription.design import (
     ArchRaise,
+    BaseForm,
     BrushStroke,
     Correction,
+    Finish,
     ForefootTwist,
+    Form,
     HeelCup,
     HeelLift,
     HeelSkive,
     InsoleDesign,
     Outline,
     Pelott,
+    Post,
     Posting,
+    RimStation,
+    Shell,
 )
 from insole_core.messages import Message
 
@@ -65,6 +72,40 @@ OUTLINE_RANGES = {
     "points_mm": _PLACE,
 }
 LAYER_RANGES = {"cover_mm": Range(0, 5), "shell_mm": Range(0, 10), "base_mm": Range(0, 10)}
+FINISH_RANGES = {
+    "expansion_mm": Range(0, 5),
+    "arch_fill_mm": Range(0, 15),
+    "skin_smoothing_mm": Range(0, 6),
+    "toe_line_mm": Range(0, 40),
+    "heel_blend_mm": Range(4, 25),
+    "arch_blend_mm": Range(4, 25),
+    "forefoot_blend_mm": Range(4, 25),
+}
+BASE_RANGES = {"contact_share": Range(0, 1, "")}
+FORM_RANGES = {
+    "length_mm": Range(80, 400),
+    "ball_width_mm": Range(30, 160),
+    "along_shares": Range(-0.5, 1.5, ""),
+    "across_shares": Range(-1, 2, ""),
+    "heights_mm": Range(-60, 60),
+}
+RIM_RANGES = {"along": Range(0, 1, ""), "height_mm": Range(-10, 45)}
+SHELL_RANGES = {
+    "body_weight_kg": Range(5, 250, "kg"),
+    "taper_mm": Range(0.5, 10),
+    "taper_length_mm": Range(5, 60),
+    "edge_radius_mm": Range(0, 5),
+    "draft_medial_deg": Range(-15, 30, "degrees"),
+    "draft_lateral_deg": Range(-15, 30, "degrees"),
+    "chamfer_mm": Range(0, 10),
+    "heel_pitch_mm": Range(0, 30),
+    "trim_mm": _PLACE,
+}
+POST_RANGES = {
+    "angle_deg": _ANGLE,
+    "length_mm": Range(15, 120),
+    "edge_radius_mm": Range(0, 10),
+}
 CORRECTION_RANGES: dict[type[Correction], dict[str, Range]] = {
     Pelott: {
         "centre_mm": _PLACE,
@@ -103,14 +144,20 @@ PELOTT_SHAPES = PAD_SHAPES
 CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
     InsoleDesign: {"bottom": ("flat", "following")},
     Outline: {"source": ("foot", "shoe_size", "drawn"), "extent": ("full", "three_quarter")},
+    Finish: {"toe_zone": ("flat", "sulcus", "crest", "as_scanned")},
+    RimStation: {"border": ("medial", "lateral"), "over": ("heel", "toes", "foot")},
+    Post: {"region": ("rearfoot", "forefoot")},
     Pelott: {"shape": PAD_SHAPES},
     Posting: {"method": ("extrinsic", "intrinsic")},
     HeelSkive: {"border": ("medial", "lateral")},
     BrushStroke: {"mode": ("push", "pull", "smooth")},
 }
-POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000)}
+POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000), "trim_mm": (2, 60)}
 """Least and greatest number of points in a list of them."""
 LEAST_DRAWN_POINTS = 4
+LEAST_STATIONS, MOST_FORM_STATIONS = 4, 400
+"""Numbers of stations of a form along and across the foot; a cubic needs four."""
+MOST_STATIONS = 40
 LEAST_ZONE = 0.05
 """Least share of the length over which a correction fades."""
 MOST_SMOOTHING = 1.0
@@ -156,6 +203,9 @@ def check_design(design: InsoleDesign) -> None:
     _check(design.outline, OUTLINE_RANGES, " of outline")
     _check(design.layers, LAYER_RANGES, " of layers")
     _check_outline(design.outline)
+    _check_base(design.base)
+    _check_finish(design.finish)
+    _check_shell(design.shell)
     for number, correction in enumerate(design.corrections):
         where = Message(" of corrections[{number}] ({type})", number=number, type=correction.type)
         _check(correction, CORRECTION_RANGES[type(correction)], where)
@@ -213,6 +263,67 @@ def _check_count(key: str, points: tuple[Any, ...] | None, where: str) -> None:
             least=least,
             most=greatest,
         )
+
+
+def _check_base(base: BaseForm | None) -> None:
+    if base is not None:
+        _check(base, BASE_RANGES, " of base")
+        check_form(base.form)
+
+
+def check_form(form: Form) -> None:
+    """Check that a form has ordered stations, a height for each, and values in range.
+
+    Raises
+    ------
+    DesignError
+        Naming the key, the value, and what is allowed.
+    """
+    _check(form, FORM_RANGES, " of form")
+    for key in ("along_shares", "across_shares"):
+        shares = getattr(form, key)
+        if not LEAST_STATIONS <= len(shares) <= MOST_FORM_STATIONS:
+            raise DesignError(
+                "{key} of form has {count} stations, and must have {least} to {most}; add or "
+                "remove some.",
+                key=key,
+                count=len(shares),
+                least=LEAST_STATIONS,
+                most=MOST_FORM_STATIONS,
+            )
+        if any(b <= a for a, b in pairwise(shares)):
+            raise DesignError("{key} of form must increase; put its stations in order.", key=key)
+    rows, columns = len(form.along_shares), len(form.across_shares)
+    if len(form.heights_mm) != rows or any(len(row) != columns for row in form.heights_mm):
+        raise DesignError(
+            "heights_mm of form must have {rows} rows of {columns} heights, one for each station.",
+            rows=rows,
+            columns=columns,
+        )
+
+
+def _check_finish(finish: Finish | None) -> None:
+    if finish is None:
+        return
+    _check(finish, FINISH_RANGES, " of finish")
+    if len(finish.rim) > MOST_STATIONS:
+        raise DesignError(
+            "rim of finish has {count} stations, and may have {most}; remove some.",
+            count=len(finish.rim),
+            most=MOST_STATIONS,
+        )
+    for number, station in enumerate(finish.rim):
+        _check(station, RIM_RANGES, Message(" of rim[{number}]", number=number))
+
+
+def _check_shell(shell: Shell | None) -> None:
+    if shell is None:
+        return
+    _check(shell, SHELL_RANGES, " of shell")
+    for number, post in enumerate(shell.posts):
+        _check(post, POST_RANGES, Message(" of posts[{number}]", number=number))
+    if len({post.region for post in shell.posts}) < len(shell.posts):
+        raise DesignError("posts of shell holds two for one region; keep one of them.")
 
 
 def _check_zone(correction: Correction, where: str) -> None:

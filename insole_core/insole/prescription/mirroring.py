@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 from insole_core.insole.prescription.corrections import Correction, Pelott, Place
 from insole_core.insole.prescription.design import InsoleDesign
 
-PLACE_KEYS = ("centre_mm", "apex_mm", "points_mm")
+PLACE_KEYS = ("centre_mm", "apex_mm", "points_mm", "trim_mm")
 """Keys that hold positions on the foot: one, a list of them, or None."""
 
 _Part = TypeVar("_Part")
@@ -24,6 +24,7 @@ def mirrored(design: InsoleDesign) -> InsoleDesign:
         side=design.side.other,
         corrections=tuple(mirrored_correction(c) for c in design.corrections),
         outline=with_places(design.outline, _reflected),
+        shell=None if design.shell is None else with_places(design.shell, _reflected),
     )
 
 

@@ -89,6 +89,7 @@ def apply_template(template: Template, side: Side, landmarks: Landmarks) -> Inso
         design,
         corrections=tuple(with_places(c, moved) for c in design.corrections),
         outline=with_places(design.outline, moved),
+        shell=None if design.shell is None else with_places(design.shell, moved),
     )
 
 

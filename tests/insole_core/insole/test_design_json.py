@@ -17,12 +17,18 @@ from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
+    BaseForm,
     BrushStroke,
+    Finish,
+    Form,
     InsoleDesign,
     Layers,
     Outline,
     Pelott,
+    Post,
     Posting,
+    RimStation,
+    Shell,
 )
 from insole_core.insole.prescription.design_json import (
     design_from_json,
@@ -30,11 +36,17 @@ from insole_core.insole.prescription.design_json import (
     read_design,
 )
 from insole_core.insole.prescription.design_limits import (
+    BASE_RANGES,
     CHOICES,
     CORRECTION_RANGES,
     DESIGN_RANGES,
+    FINISH_RANGES,
+    FORM_RANGES,
     LAYER_RANGES,
     OUTLINE_RANGES,
+    POST_RANGES,
+    RIM_RANGES,
+    SHELL_RANGES,
     Range,
 )
 
@@ -113,6 +125,47 @@ outlines = st.builds(
     points_mm=st.just(SQUARE),
     **{k: within(r) for k, r in OUTLINE_RANGES.items() if k != "points_mm"},
 )
+rim_stations = st.builds(
+    RimStation,
+    **{k: st.sampled_from(v) for k, v in CHOICES[RimStation].items()},
+    **{k: within(r) for k, r in RIM_RANGES.items()},
+)
+finishes = st.builds(
+    Finish,
+    toe_zone=st.sampled_from(CHOICES[Finish]["toe_zone"]),
+    rim=st.lists(rim_stations, max_size=4).map(tuple),
+    **{k: within(r) for k, r in FINISH_RANGES.items()},
+)
+shells = st.builds(
+    Shell,
+    material=st.text(max_size=8),
+    trim_mm=st.none() | st.lists(place(SHELL_RANGES["trim_mm"]), min_size=2, max_size=3).map(tuple),
+    posts=st.sampled_from(CHOICES[Post]["region"]).flatmap(
+        lambda region: st.tuples(
+            st.builds(
+                Post, region=st.just(region), **{k: within(r) for k, r in POST_RANGES.items()}
+            )
+        )
+    ),
+    **{k: within(r) for k, r in SHELL_RANGES.items() if k != "trim_mm"},
+)
+SHARES = st.lists(st.integers(0, 100), min_size=4, max_size=6, unique=True).map(
+    lambda shares: tuple(share / 100 for share in sorted(shares))
+)
+forms = st.tuples(SHARES, SHARES).flatmap(
+    lambda shares: st.builds(
+        Form,
+        name=st.text(max_size=8),
+        length_mm=within(FORM_RANGES["length_mm"]),
+        ball_width_mm=within(FORM_RANGES["ball_width_mm"]),
+        along_shares=st.just(shares[0]),
+        across_shares=st.just(shares[1]),
+        heights_mm=st.tuples(
+            *(st.tuples(*(within(FORM_RANGES["heights_mm"]) for _ in shares[1])),) * len(shares[0])
+        ),
+    )
+)
+bases = st.builds(BaseForm, form=forms, contact_share=within(BASE_RANGES["contact_share"]))
 designs = st.builds(
     InsoleDesign,
     side=st.sampled_from(Side),
@@ -120,6 +173,10 @@ designs = st.builds(
     outline=outlines,
     layers=st.builds(Layers, **{k: within(r) for k, r in LAYER_RANGES.items()}),
     bottom=st.sampled_from(CHOICES[InsoleDesign]["bottom"]),
+    device=st.text(max_size=8),
+    base=st.none() | bases,
+    finish=st.none() | finishes,
+    shell=st.none() | shells,
     **{key: within(limits) for key, limits in DESIGN_RANGES.items()},
 )
 
@@ -164,6 +221,12 @@ DESCRIBED = [
     (InsoleDesign, DESIGN_RANGES, SCHEMA["properties"]),
     (Outline, OUTLINE_RANGES, SCHEMA["$defs"]["outline"]["properties"]),
     (Layers, LAYER_RANGES, SCHEMA["$defs"]["layers"]["properties"]),
+    (BaseForm, BASE_RANGES, SCHEMA["$defs"]["base"]["properties"]),
+    (Form, FORM_RANGES, SCHEMA["$defs"]["form"]["properties"]),
+    (Finish, FINISH_RANGES, SCHEMA["$defs"]["finish"]["properties"]),
+    (RimStation, RIM_RANGES, SCHEMA["$defs"]["rim_station"]["properties"]),
+    (Shell, SHELL_RANGES, SCHEMA["$defs"]["shell"]["properties"]),
+    (Post, POST_RANGES, SCHEMA["$defs"]["post"]["properties"]),
     *(
         (kind, CORRECTION_RANGES[kind], SCHEMA["$defs"][name]["properties"])
         for name, kind in CORRECTION_TYPES.items()
@@ -234,6 +297,21 @@ BAD = [
         r"rearfoot_deg of corrections\[1\] \(posting\) is -16, and must be -15 to 15 degrees",
     ),
     (changed("corrections", 0, value={"type": "pelott"}), 'lacks the key "centre_mm"'),
+    (changed("finish", value=[]), "finish must be a JSON object"),
+    (changed("finish", value={"rim": {}}), "rim of finish must be a list of objects"),
+    (changed("finish", value={"rim": [7]}), r"rim of finish\[0\] must be a JSON object"),
+    (
+        changed("finish", value={"rim": [{"border": "medial", "along": 0.1}]}),
+        'lacks the key "height_mm"',
+    ),
+    (
+        changed("finish", value={"rim": [{"border": "inner", "along": 0.1, "height_mm": 9}]}),
+        r'border of rim\[0\] is "inner"',
+    ),
+    (changed("finish", value={"toe_zone": "round"}), 'toe_zone of finish is "round"'),
+    (changed("shell", value={"body_weight_kg": 700}), "body_weight_kg of shell is 700"),
+    (changed("shell", value={"posts": [{"angle_deg": 40}]}), r"angle_deg of posts\[0\] is 40"),
+    (changed("device", value=7), "device must be a text"),
 ]
 
 

@@ -40,7 +40,7 @@ class ParametersPanel(Protocol):
     """The parameters panel as its presenter sees it, with the signals it emits."""
 
     field_edited: Any
-    offer_chosen: Any
+    proposal_chosen: Any
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None: ...  # noqa: D102
 
@@ -65,7 +65,7 @@ class ParametersPresenter:
         self._pads = pads
         self._foot_offers = FootProposals(case, rules)
         panel.field_edited.connect(self.edit)
-        panel.offer_chosen.connect(self.choose)
+        panel.proposal_chosen.connect(self.choose)
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.preview_changed.connect(self.show)
