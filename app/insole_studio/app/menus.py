@@ -84,6 +84,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "wireframe",
             SEPARATOR,
             "section_follows",
+            "shoe",
             SEPARATOR,
             "next_panel",
             "previous_panel",

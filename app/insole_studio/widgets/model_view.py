@@ -147,6 +147,14 @@ class ModelView(QWidget):
         self.scene.painter.show_wireframe(shown)
         self.scene.request_render()
 
+    def show_shoe(self, lines: GuideLines | None) -> None:
+        """Draw the outline of a shoe and its heights; None removes it."""
+        painter = self.scene.painter
+        painter.show_lines("shoe", () if lines is None else lines.lines, painter.scheme.text, 1.5)
+        place, text = (None, "") if lines is None else (lines.place, lines.text)
+        painter.show_label(place, text, "shoe-text")
+        self.scene.request_render()
+
     def show_grazing_light(self, on: bool) -> None:
         """Light the surface from the side, or from ahead."""
         self.scene.painter.show_grazing_light(on)

@@ -195,6 +195,8 @@ class SectionChart(QWidget):
             painter.drawLine(at, at + QPointF(0, 4))
             words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
             painter.drawText(words, Qt.AlignmentFlag.AlignCenter, localised(s, "g"))
+        unit = QRectF(frame.right() - 30, frame.bottom() + 4, 30 + FREE_PX, BOTTOM_PX - 4)
+        painter.drawText(unit, Qt.AlignmentFlag.AlignRight, "mm")
         for z in _ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
             at = mm2px.map(QPointF(shown.left(), z))
             painter.drawLine(at, at - QPointF(4, 0))

@@ -69,7 +69,7 @@ class MockView:
         if name not in ("clear", "forget_typed") and not name.startswith("show_"):
             raise AttributeError(name)
 
-        def show(*arguments: Any) -> None:
+        def show(*arguments: Any, **_named: Any) -> None:
             self.shown[name] = arguments
 
         return show

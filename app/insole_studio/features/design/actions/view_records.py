@@ -90,6 +90,15 @@ VIEW_ACTIONS: tuple[ActionRecord[Design], ...] = (
         needs_foot=True,
     ),
     ActionRecord(
+        "shoe",
+        lambda: tr("Shoe outline"),
+        lambda: tr("Draw the outline of a usual shoe of this size, with the height of its heel"),
+        lambda design, on: design.stage.insole_presenter.show_shoe(on),
+        shortcut="Shift+O",
+        checkable=True,
+        needs_foot=True,
+    ),
+    ActionRecord(
         "section_follows",
         lambda: tr("Section follows the pointer"),
         lambda: tr("Cut the insole where the pointer is, and show the heights there"),

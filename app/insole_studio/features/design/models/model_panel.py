@@ -36,6 +36,7 @@ class ModelPanel(Protocol):
         moved: IntArray | None = None,
         coloring: Coloring | None = None,
     ) -> bool: ...
+    def show_shoe(self, lines: GuideLines | None) -> None: ...  # noqa: D102
     def show_grazing_light(self, on: bool) -> None: ...  # noqa: D102
     def show_wireframe(self, shown: bool) -> None: ...  # noqa: D102
     def show_ghost(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102

@@ -15,6 +15,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
+from insole_core.insole.outline.shoe_outline import heel_lift_mm, shoe_outline
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
@@ -32,6 +33,7 @@ from insole_studio.features.design.models.color_maps import (
 )
 from insole_studio.features.design.models.model_panel import ModelPanel
 from insole_studio.features.design.models.rear_lines import axes_of
+from insole_studio.features.design.models.shoe_lines import shoe_lines
 from insole_studio.features.design.models.side_by_side_layout import (
     NAME_ROOM_MM,
     is_right,
@@ -479,6 +481,9 @@ class InsolePresenter(ModelPresenter):
         )
         self._map = MapKind.NONE
         self._contours = True
+        self._shoe = False
+        self._shoe_of: tuple[object, ...] | None = None
+        """What the shown outline of a shoe was made of."""
         self._recent: list[ListedRow] = []
         self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
         surface.failed.connect(self.panel.show_warning)
@@ -527,6 +532,27 @@ class InsolePresenter(ModelPresenter):
         self._contours = shown
         self._show_contours()
 
+    def show_all(self) -> None:
+        """Show the insole of another foot, or in another theme."""
+        self._shoe_of = None
+        super().show_all()
+
+    def show_shoe(self, shown: bool) -> None:
+        """Show or hide the outline of a shoe around the insole."""
+        self._shoe = shown
+        self._show_shoe()
+
+    def _show_shoe(self) -> None:
+        foot, design = self._case.foot, self._case.shown.design
+        if not self._shoe or foot is None or design is None or self._surface.mesh is None:
+            self._shoe_of = None
+            self.panel.show_shoe(None)
+            return
+        made_of = foot, design.outline, design.shell, heel_lift_mm(design)
+        if made_of != self._shoe_of:  # not for every step of a pad
+            self._shoe_of = made_of
+            self.panel.show_shoe(shoe_lines(shoe_outline(foot, design)))
+
     def show_grazing_light(self, on: bool) -> None:
         """Light the insole from the side, or from ahead."""
         self.panel.show_grazing_light(on)
@@ -538,6 +564,7 @@ class InsolePresenter(ModelPresenter):
     def show_surface(self) -> None:
         """Show the current preview."""
         mesh, normals = self._surface.mesh, self._surface.normals
+        self._show_shoe()
         if mesh is None or normals is None:
             self._contoured = None, False
             self._show_why_empty()
