@@ -58,8 +58,6 @@ class Legend(QWidget):
             return
         painter = QPainter(self)
         start = self.width() - self.minimumSizeHint().width()
-        if start >= self._name_px + self._missing_px:
-            self._paint_missing(painter, start - self._name_px - self._missing_px)
         strip = QRectF(start + NUMBER_PX, 5, BAR_PX, self.height() - 10)
         gradient = QLinearGradient(strip.topLeft(), strip.topRight())
         for number, color in enumerate(self._coloring.colors):
@@ -70,8 +68,12 @@ class Legend(QWidget):
         left = QRectF(start, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())
         vertical = Qt.AlignmentFlag.AlignVCenter
-        if start >= self._name_px:
-            name = QRectF(start - self._name_px, 0, self._name_px, self.height())
+        free = start
+        if free >= self._missing_px:
+            free -= self._missing_px
+            self._paint_missing(painter, free)
+        if free >= self._name_px:
+            name = QRectF(free - self._name_px, 0, self._name_px, self.height())
             painter.drawText(name, vertical, self._coloring.title)
         painter.drawText(left, vertical | Qt.AlignmentFlag.AlignRight, low)
         painter.drawText(
