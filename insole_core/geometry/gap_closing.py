@@ -68,6 +68,12 @@ class _Zip:
         normals = smoothed_normals(mesh, _NORMAL_ROUNDS)[at].tolist() if len(at) else []
         self._normals: list[_Point] = [(x, y, z) for x, y, z in normals]
         self._width_mm: list[float] = width_mm[at].tolist()
+        edges = mesh.links.edges[0]
+        place = np.full(count, -1)
+        place[at] = np.arange(len(at))
+        near = place[edges[(place[edges] >= 0).all(axis=1)]]
+        self._edges = {(low, high) for low, high in near.tolist()}
+        """Edges between boundary vertices, lower vertex first: none gets a third triangle."""
 
     def close(self) -> IndexArray:
         """Cut off ears until none is left; return them as triangles (k, 3)."""
@@ -92,6 +98,7 @@ class _Zip:
             for vertex in (before, after):
                 self._before[vertex] = self._after[vertex] = -1
             return ()
+        self._edges.add((min(before, after), max(before, after)))
         self._after[before], self._before[after] = after, before
         return before, after
 
@@ -99,6 +106,9 @@ class _Zip:
         """Return the ear at a vertex; None where there is no narrow gap."""
         before, after = self._before[tip], self._after[tip]
         if before < 0 or after < 0 or before == after:
+            return None
+        closes = self._after[after] == before
+        if not closes and (min(before, after), max(before, after)) in self._edges:
             return None
         point, start, stop = self._points[tip], self._points[before], self._points[after]
         length_mm = _length(_minus(stop, start))
