@@ -394,7 +394,7 @@ class TestModels:
         foot = replace(make_foot(side))  # whose surface for display is not known yet
         case.open_foot(foot, NOWHERE)
         assert view.shown["show_mesh"] == (foot.mesh, None)
-        qtbot.waitUntil(lambda: display.surface is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: view.shown["show_mesh"][0] is not foot.mesh, timeout=20_000)
         assert view.shown["show_mesh"] == (foot.display_surface().mesh, None)
         assert view.shown["show_side"] == (side,)
         assert view.shown["show_directions"][0] is side
