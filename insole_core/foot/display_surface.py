@@ -18,6 +18,7 @@ from insole_core.geometry.gap_closing import gap_triangles
 from insole_core.geometry.level_cut import level_cut
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
+from insole_core.geometry.sampling import boundary_points
 
 _LOW_MM = 15.0
 """Height of the sole and the toes, which are narrower than the flanks and seen better."""
@@ -134,7 +135,9 @@ def _opened(mesh: TriangleMesh) -> FloatArray:
     of another above. It is positive everywhere where no disc fits at all.
     """
     furthest_mm = 2 * _HIGH_DISC_MM
-    rim_mm, _ = cKDTree(_rim(mesh)).query(mesh.vertices, distance_upper_bound=furthest_mm)
+    rim_mm, _ = cKDTree(boundary_points(mesh, _RIM_STEP_MM)).query(
+        mesh.vertices, distance_upper_bound=furthest_mm
+    )
     rim_mm = np.minimum(rim_mm, furthest_mm)
     low, high = (_within_discs(mesh, rim_mm, disc_mm) for disc_mm in (_LOW_DISC_MM, _HIGH_DISC_MM))
     field = np.maximum(high, np.minimum(low, _LOW_MM - mesh.vertices[:, 2]))
@@ -153,16 +156,6 @@ def _within_discs(mesh: TriangleMesh, rim_mm: FloatArray, disc_mm: float) -> Flo
     away_mm = np.zeros(len(rim_mm))
     away_mm[outer] = np.minimum(near, 2 * disc_mm)
     return disc_mm + _SLACK_MM - away_mm
-
-
-def _rim(mesh: TriangleMesh) -> FloatArray:
-    """Return points (k, 3) along the boundary, at most 1 mm apart."""
-    start, end = np.moveaxis(mesh.vertices[mesh.links.ends], 1, 0)
-    parts = np.ceil(np.linalg.norm(end - start, axis=1) / _RIM_STEP_MM).astype(np.int64)
-    edge = np.repeat(np.arange(len(start)), parts)
-    index = np.arange(len(edge)) - np.repeat(np.cumsum(parts) - parts, parts)
-    share = (index + 0.5) / parts[edge]
-    return np.asarray(start[edge] + share[:, None] * (end - start)[edge])
 
 
 def _without_scraps(mesh: TriangleMesh) -> tuple[IntArray, IndexArray, BoolArray]:

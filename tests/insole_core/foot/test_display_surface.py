@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 from insole_core.cases.case_file import read_case
 from insole_core.export.ply import write_ply
@@ -105,6 +106,16 @@ def test_a_closed_surface_is_shown_as_it_is() -> None:
     faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], dtype=np.int32)
     mesh = TriangleMesh(corners, faces)
     assert display_surface(mesh).mesh is mesh
+
+
+def test_a_surface_that_is_closed_by_filling_is_whole() -> None:
+    ball = trimesh.creation.icosphere(subdivisions=4, radius=40.0)
+    ball.apply_translation([0.0, 0.0, 40.0])
+    mesh = TriangleMesh(np.array(ball.vertices), ball.faces.astype(np.int32))
+    hole = np.linalg.norm(mesh.vertices - mesh.vertices[10], axis=1) < 1.0
+    shown = display_surface(mesh.part(~hole))
+    assert shown.mesh.is_closed
+    assert 3 <= shown.is_filled.sum() <= 4
 
 
 def test_an_even_border_stays() -> None:
