@@ -204,10 +204,6 @@
             <translation>Börjar vid</translation>
         </message>
         <message>
-            <source>Below cover</source>
-            <translation>Under överdrag</translation>
-        </message>
-        <message>
             <source>Born</source>
             <translation>Född</translation>
         </message>
