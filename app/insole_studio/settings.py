@@ -25,9 +25,10 @@ class Settings:
     """All settings of the window, with their defaults.
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
-    which sensor gives which view (``left=SERIAL``); `author`, `clinic`, `maker` and
-    `maker_address` stand on the prescription; file dialogs start in the folder of their kind. A
-    view is refused if its pose exceeds the largest residuals or displacement.
+    which sensor gives which view (``left=SERIAL``); `device` is that of new designs; `author`,
+    `clinic`, `maker` and `maker_address` stand on the prescription; file dialogs start in the
+    folder of their kind. A view is refused if its pose exceeds the largest residuals or
+    displacement.
     """
 
     theme: Theme = "system"
