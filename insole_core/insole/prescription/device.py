@@ -21,7 +21,9 @@ from insole_core.json_object import JsonObject
 FORMAT, VERSION = "insole-device", 1
 DEVICE_KEYS = ("thickness_mm", "outline", "layers", "bottom", "base", "finish", "shell")
 """Keys of a design that belong to its device."""
-_OUTLINE_KEYS = ("extent", "toe_allowance_mm", "ball_allowance_mm", "heel_allowance_mm")
+_OUTLINE_KEYS = (
+    "extent", "toe_allowance_mm", "ball_allowance_mm", "heel_allowance_mm", "width_mm",
+)  # fmt: skip
 _HEAD = {
     "format": design_json.FORMAT, "version": design_json.VERSION, "side": "left", "corrections": [],
 }  # fmt: skip
@@ -102,7 +104,8 @@ def device_of(
 def device_to_json(device: Device) -> dict[str, Any]:
     """Return a device as plain values for `json.dump`."""
     design = design_json.design_to_json(device.values)
-    design["outline"] = {key: design["outline"][key] for key in _OUTLINE_KEYS}
+    outline = design["outline"]
+    design["outline"] = {key: outline[key] for key in _OUTLINE_KEYS if key in outline}
     return {
         "format": FORMAT,
         "version": VERSION,

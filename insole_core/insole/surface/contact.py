@@ -30,6 +30,7 @@ from insole_core.insole.surface.heel_rim import RimBand, rim_band
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.inpainting import fill
 from insole_core.insole.surface.posting import posted
+from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 
@@ -94,6 +95,7 @@ def base_key(design: InsoleDesign) -> BaseKey:
     shaping = (c for c in design.active if isinstance(c, _SHAPING))
     return (
         *(replace(c, id="", author="", created_at="") for c in shaping),
+        None if design.shell is None else (design.shell.posts, design.shell.heel_pitch_mm),
         design.least_thickness_mm,
         design.grid_mm,
         design.max_height_mm,
@@ -138,7 +140,8 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         else:
             continue
         surface = replace(surface, heights_mm=heights)
-    up = design.least_thickness_mm - surface.heights_mm.min()
+    ground = last_heights_mm(design, surface.y_mm, length)[:, None]
+    up = design.least_thickness_mm - (surface.heights_mm - ground).min()
     return replace(sole, surface=replace(surface, heights_mm=surface.heights_mm + up))
 
 
