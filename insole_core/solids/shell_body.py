@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.prescription.materials import Material, read_materials
-from insole_core.insole.prescription.shell import Shell
+from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.surface.blending import smooth_step
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.shoe_last import last_heights_mm
@@ -18,10 +18,7 @@ from insole_core.solids.ball_offset import parallel_below
 from insole_core.solids.front_edge import behind_front_mm
 from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside
 from insole_core.solids.prism import Walls
-from insole_core.solids.solid_outline import OutlineDistance
-
-_LONGEST_TAPER = 0.5  # share of the length of the insole
-
+from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 @dataclass(frozen=True, eq=False)
 class Body:
@@ -76,8 +73,7 @@ def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineD
     top, bottom = made_surface(insole).heights_mm, plain_underside(insole)
     behind = behind_front_mm(outline, field)
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
-    material = material_of(shell)
-    front_mm = max(shell.taper_mm, material.least_edge_mm)
+    front_mm = max(shell.taper_mm, _material(shell).least_edge_mm)
     ground = last_heights_mm(design, field.y_mm, length_mm)[:, None]
     tapered = np.where(share < 1, front_mm + (top - bottom - front_mm) * share, top - bottom)
     if design.bottom == "flat":
@@ -90,8 +86,14 @@ def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineD
         heel = field.y_mm[:, None] - outline[:, 1].min()
         plan = PostPlan(edge.inside_mm, heel, front)
         bottom = np.minimum(bottom, ground + post_underside(post, plan, length_mm))
-    least = material.least_edge_mm + (material.least_mm - material.least_edge_mm) * share
-    return Body(np.maximum(top, bottom + least), bottom)
+    return Body(np.maximum(top, bottom + _least_mm(shell, share)), bottom)
+
+
+def least_thickness(insole: Insole, shell: Shell) -> HeightField:
+    """Return the least thickness that the shell's material allows at the nodes of the grid, mm."""
+    field, outline = insole.contact, outline_of(insole)
+    share = smooth_step(behind_front_mm(outline, field), 0.0, taper_length_mm(shell, outline))
+    return replace(field, heights_mm=_least_mm(shell, share))
 
 
 def shell_walls(shell: Shell, medial_sign: float, edge: OutlineDistance) -> Walls:
@@ -103,12 +105,17 @@ def shell_walls(shell: Shell, medial_sign: float, edge: OutlineDistance) -> Wall
 
 def taper_length_mm(shell: Shell, outline: FloatArray) -> float:
     """Return the length of the taper: at most half of the insole's."""
-    return min(shell.taper_length_mm, _LONGEST_TAPER * float(np.ptp(outline[:, 1])))
+    return min(shell.taper_length_mm, LONGEST_TAPER * float(np.ptp(outline[:, 1])))
 
 
-def material_of(shell: Shell) -> Material:
-    """Return the material of a shell, in the product's table."""
+def _material(shell: Shell) -> Material:
     return read_materials().material(shell.material)
+
+
+def _least_mm(shell: Shell, share: FloatArray) -> FloatArray:
+    """Return the least thickness where a share of the taper from the front edge is reached."""
+    material = _material(shell)
+    return material.least_edge_mm + (material.least_mm - material.least_edge_mm) * share
 
 
 def _cut_mm(radius_mm: float, chamfer_mm: float, inside_mm: FloatArray) -> FloatArray:
