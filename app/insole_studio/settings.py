@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Literal, get_type_hints
 
-from insole_core.export.atomic import make_folder_of, replacing_file
+from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import Complain, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
@@ -25,9 +25,10 @@ class Settings:
     """All settings of the window, with their defaults.
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
-    which sensor gives which view (``left=SERIAL``); `author`, `clinic`, `maker` and
-    `maker_address` stand on the prescription; file dialogs start in the folder of their kind. A
-    view is refused if its pose exceeds the largest residuals or displacement.
+    which sensor gives which view (``left=SERIAL``); `device` is that of new designs; `author`,
+    `clinic`, `maker` and `maker_address` stand on the prescription; file dialogs start in the
+    folder of their kind. A view is refused if its pose exceeds the largest residuals or
+    displacement.
     """
 
     theme: Theme = "system"
@@ -83,6 +84,6 @@ def save_settings(settings: Settings, path: Path) -> None:
     OutputError
         When the file cannot be written.
     """
-    make_folder_of(path)
+    make_output_folder(path.parent)
     with replacing_file(path) as beside:
         beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")

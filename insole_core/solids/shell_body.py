@@ -20,6 +20,7 @@ from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside
 from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
+
 @dataclass(frozen=True, eq=False)
 class Body:
     """Upper side and underside of an insole at the nodes of its grid, (ny, nx), mm."""

@@ -6,6 +6,8 @@ are data (resources/pads/library.json); shapes are code, so that a prescription 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
@@ -16,9 +18,12 @@ from insole_core.memo import Memo
 
 PAD_SHAPES = (
     "egg", "outline", "drop", "bar", "arch_support", "horseshoe", "cut_out", "mortons_extension",
+    "oval", "flat_outline",
 )  # fmt: skip
-DOMED = ("egg", "drop", "arch_support", "outline")
+DOMED = ("egg", "drop", "arch_support", "outline", "oval")
 """Shapes with a single peak; the others have a flat top."""
+FREE = ("outline", "flat_outline")
+"""Shapes that are drawn or made by landmarks, and hold the corners of their outline."""
 
 _DROP_RATIO = 0.9
 _SUPPORT_FLAT, _SUPPORT_ROUND = 0.35, 0.65  # shares of the width on both sides of the apex
@@ -35,6 +40,23 @@ def local_outline(pad: Pelott) -> FloatArray:
     ratio = {"egg": pad.egg_ratio, "drop": _DROP_RATIO}.get(pad.shape, 0.0)
     key = pad.shape, pad.length_mm, pad.width_mm, ratio, pad.outline_mm
     return _outlines.get("outline", key, lambda: _outline(*key))
+
+
+def pad_size(pad: Pelott) -> tuple[float, float]:
+    """Return length and width of the outline before it is turned, mm."""
+    if pad.outline_mm is None:
+        return pad.length_mm, pad.width_mm
+    width, length = np.ptp(local_outline(pad), axis=0)
+    return float(length), float(width)
+
+
+def resized(pad: Pelott, length_mm: float, width_mm: float) -> Pelott:
+    """Return the pad with another length and width; a free outline is stretched about its apex."""
+    if pad.outline_mm is None:
+        return replace(pad, length_mm=length_mm, width_mm=width_mm)
+    length, width = pad_size(pad)
+    along, across = length_mm / length, width_mm / width
+    return replace(pad, outline_mm=tuple((x * across, y * along) for x, y in pad.outline_mm))
 
 
 def pad2insole(pad: Pelott) -> FloatArray:
@@ -80,6 +102,7 @@ def _superellipse(shape: str, length_mm: float, width_mm: float) -> FloatArray:
         "bar": ((0.5, 5.0), (0.5, 5.0)),
         "mortons_extension": ((0.5, 4.0), (0.5, 4.0)),
         "cut_out": ((0.5, 2.0), (0.5, 2.0)),
+        "oval": ((0.5, 2.0), (0.5, 2.0)),
         "arch_support": ((_SUPPORT_FLAT, 4.0), (_SUPPORT_ROUND, 2.0)),
     }[shape]
     angle = (np.arange(_POINTS) + 0.5) / _POINTS * 2 * np.pi

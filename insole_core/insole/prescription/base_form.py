@@ -27,6 +27,8 @@ class Form:
         Shares of the width, increasing: 0 at the medial, 1 at the lateral border.
     heights_mm : m rows of n
         Over the lowest place of the form; between the stations the surface is a cubic spline.
+    source
+        Where the heights come from.
     """
 
     name: str
@@ -35,6 +37,7 @@ class Form:
     along_shares: tuple[float, ...]
     across_shares: tuple[float, ...]
     heights_mm: tuple[tuple[float, ...], ...]
+    source: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

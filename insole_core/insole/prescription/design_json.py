@@ -25,8 +25,9 @@ from insole_core.insole.prescription.design import (
     RimStation,
     Shell,
 )
-from insole_core.insole.prescription.design_limits import CHOICES, check_design
+from insole_core.insole.prescription.design_limits import CHOICES, check_design, check_form
 from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.insole.prescription.item_name import checked_name
 from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES, load_strictly
 
@@ -37,9 +38,9 @@ _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
 _PLACE_LISTS = ("outline_mm", "points_mm", "trim_mm")
 _LISTS: dict[str, type[Any]] = {"rim": RimStation, "posts": Post}
 _NUMBER_LISTS = ("along_shares", "across_shares")
-_TEXTS = {"id", "name", "author", "created_at", "device", "material"} | {
-    key for words in CHOICES.values() for key in words
-}
+_TEXTS = {"id", "kind", "name", "author", "created_at", "device", "material"}.union(
+    *CHOICES.values()
+)
 _PARTS: dict[str, type[Any]] = {
     "outline": Outline, "layers": Layers, "base": BaseForm, "finish": Finish, "shell": Shell,
 }  # fmt: skip
@@ -115,6 +116,25 @@ def design_from_json(content: Any) -> InsoleDesign:
     )
     check_design(design)
     return design
+
+
+def form_to_json(form: Form) -> dict[str, Any]:
+    """Return a form as plain values for `json.dump`."""
+    return _to_json(form)
+
+
+def form_from_json(content: Any) -> Form:
+    """Build a form from the result of `json.load`.
+
+    Raises
+    ------
+    DesignError
+        One sentence that names the key.
+    """
+    form = _form(content, "the form")
+    check_form(form)
+    checked_name(form.name)
+    return form
 
 
 def _to_json(value: Any) -> dict[str, Any]:

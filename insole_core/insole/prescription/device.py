@@ -7,7 +7,7 @@ docs/formats/device.md. It has no side: every value in it is the same for left a
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -16,18 +16,17 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription import design_json
 from insole_core.insole.prescription.corrections import Outline
 from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.prescription.item_name import checked_name, key_of
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-device", 1
 DEVICE_KEYS = ("thickness_mm", "outline", "layers", "bottom", "base", "finish", "shell")
 """Keys of a design that belong to its device."""
-_OUTLINE_KEYS = (
-    "extent", "toe_allowance_mm", "ball_allowance_mm", "heel_allowance_mm", "width_mm",
-)  # fmt: skip
+_OF_ONE_FOOT = {"source", "shoe_size_eu", "points_mm"}
+_OUTLINE_KEYS = tuple(f.name for f in fields(Outline) if f.name not in _OF_ONE_FOOT)
 _HEAD = {
     "format": design_json.FORMAT, "version": design_json.VERSION, "side": "left", "corrections": [],
 }  # fmt: skip
-_MOST_NAME = 80
 
 
 @dataclass(frozen=True)
@@ -57,12 +56,6 @@ class Device:
         return key_of(self.name)
 
 
-def key_of(name: str) -> str:
-    """Return a name as one word: ``"EVA, full length"`` becomes ``"eva-full-length"``."""
-    letters = "".join(c if c.isalnum() else " " for c in name.casefold())
-    return "-".join(letters.split())
-
-
 def apply_device(device: Device, design: InsoleDesign) -> InsoleDesign:
     """Make a design one of a device.
 
@@ -89,23 +82,17 @@ def device_of(
     DesignError
         If the name is empty or too long.
     """
-    name = name.strip()
-    if not key_of(name) or len(name) > _MOST_NAME:
-        raise DesignError(
-            "A device needs a name of 1 to {most} characters; type one.", most=_MOST_NAME
-        )
     values = {key: getattr(design, key) for key in DEVICE_KEYS}
     values["outline"] = Outline(**{key: getattr(design.outline, key) for key in _OUTLINE_KEYS})
     if design.shell is not None:
         values["shell"] = replace(design.shell, trim_mm=None, body_weight_kg=None)
-    return Device(name, InsoleDesign(Side.LEFT, **values), keywords, source)
+    return Device(checked_name(name), InsoleDesign(Side.LEFT, **values), keywords, source)
 
 
 def device_to_json(device: Device) -> dict[str, Any]:
     """Return a device as plain values for `json.dump`."""
     design = design_json.design_to_json(device.values)
-    outline = design["outline"]
-    design["outline"] = {key: outline[key] for key in _OUTLINE_KEYS if key in outline}
+    design["outline"] = {k: v for k, v in design["outline"].items() if k in _OUTLINE_KEYS}
     return {
         "format": FORMAT,
         "version": VERSION,

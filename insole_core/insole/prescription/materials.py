@@ -51,6 +51,10 @@ class Material:
     steps: tuple[ThicknessStep, ...] = ()
     source: str = ""
 
+    def usual_mm(self, weight_kg: float) -> float | None:
+        """Return the usual thickness for a body weight; None if the table has none."""
+        return next((s.thickness_mm for s in self.steps if weight_kg <= s.up_to_kg), None)
+
 
 ANY_MATERIAL = Material("", least_mm=2.0, least_edge_mm=1.0)
 """What holds for a material that the table does not know."""
@@ -111,14 +115,6 @@ def proposed_thickness(
         raise DesignError(
             "No thickness can be proposed without a material; choose one of {names}.", names=names
         )
-    known = table.known(material)
-    if known is None:
-        raise DesignError(
-            "No thickness is known for the material {material}; choose one of {names}, or put in "
-            "the thickness yourself.",
-            material=material,
-            names=names,
-        )
     if weight_kg is None:
         raise DesignError(
             "No thickness can be proposed without the body weight; put in the weight, or the "
@@ -131,7 +127,15 @@ def proposed_thickness(
             weight_kg=weight_kg,
             range=str(_WEIGHT),
         )
-    return next(step.thickness_mm for step in known.steps if weight_kg <= step.up_to_kg)
+    usual_mm = table.material(material).usual_mm(weight_kg)
+    if usual_mm is None:
+        raise DesignError(
+            "No thickness is known for the material {material}; choose one of {names}, or put in "
+            "the thickness yourself.",
+            material=material,
+            names=names,
+        )
+    return usual_mm
 
 
 @cache

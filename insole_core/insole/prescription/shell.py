@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from insole_core.insole.prescription.corrections import Place
 
-
 LONGEST_TAPER = 0.5
 """Greatest share of an insole's length over which it tapers."""
 

@@ -12,15 +12,15 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.outline.trim_line import TrimLine, trim_points
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place, Shell
+from insole_core.insole.pads.pad_kinds import pad_name
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Shell
+from insole_core.insole.prescription.design_warning import DesignWarning
 from insole_core.insole.prescription.materials import Material, MaterialTable
 from insole_core.insole.prescription.shell import LONGEST_TAPER
 from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.messages import Message, joined
-
-ShellWarning = tuple[Message, str, Place | None]
-"""A sentence, the id of the correction that causes it, and the place to look at."""
 
 _CUT_SHARE = 0.03  # of the points on a pad's outline that lie ahead of the trim line
 _SHOWN_MM = 0.05  # half of the step in which thicknesses are printed
@@ -28,7 +28,7 @@ _SHOWN_MM = 0.05  # half of the step in which thicknesses are printed
 
 def shell_warnings(
     insole: Insole, landmarks: Landmarks, table: MaterialTable
-) -> Iterator[ShellWarning]:
+) -> Iterator[DesignWarning]:
     """Yield the warnings about the shell of an insole; none if it has no shell."""
     design, shell = insole.design, insole.design.shell
     if shell is None:
@@ -41,44 +41,39 @@ def shell_warnings(
     yield from _of_edges(design, shell, outline)
     yield from _of_least_thickness(insole, outline, table.material(shell.material))
     if design.outline.extent == "three_quarter" and design.outline.source != "drawn":
-        yield from _of_trim_line(design, outline)
+        yield from _of_trim_line(design, shell, landmarks)
 
 
 def _of_material(
     design: InsoleDesign, shell: Shell, table: MaterialTable
-) -> Iterator[ShellWarning]:
+) -> Iterator[DesignWarning]:
     known = table.known(shell.material)
     if known is None:
         any_kind = table.material(shell.material)
-        yield (
+        yield DesignWarning(
             Message(
-                "Nothing is known of the material “{material}”: it is made at least {least_mm:g} mm "
-                "thick, {edge_mm:g} mm at the front edge; choose one of {names} to have its own "
-                "limits.",
+                "Nothing is known of the material “{material}”: the insole is made at least "
+                "{least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.",
                 material=shell.material,
                 least_mm=any_kind.least_mm,
                 edge_mm=any_kind.least_edge_mm,
                 names=joined(table.names),
-            ),
-            "",
-            None,
+            )
         )
         return
     if shell.taper_mm < known.least_edge_mm - _SHOWN_MM:
-        yield (
+        yield DesignWarning(
             Message(
                 "The front edge is to taper to {taper_mm:g} mm, and {material} needs {least_mm:g} "
                 "mm there; it is made {least_mm:g} mm thick.",
                 taper_mm=shell.taper_mm,
                 material=known.name,
                 least_mm=known.least_edge_mm,
-            ),
-            "",
-            None,
+            )
         )
     usual_mm = None if shell.body_weight_kg is None else known.usual_mm(shell.body_weight_kg)
     if usual_mm is not None and design.made_thickness_mm < usual_mm - _SHOWN_MM:
-        yield (
+        yield DesignWarning(
             Message(
                 "For {weight_kg:g} kg of body weight, {material} is usually {usual_mm:g} mm thick, "
                 "and this insole is {thickness_mm:g} mm.",
@@ -86,28 +81,24 @@ def _of_material(
                 material=known.name,
                 usual_mm=usual_mm,
                 thickness_mm=design.made_thickness_mm,
-            ),
-            "",
-            None,
+            )
         )
 
 
-def _of_edges(design: InsoleDesign, shell: Shell, outline: FloatArray) -> Iterator[ShellWarning]:
+def _of_edges(design: InsoleDesign, shell: Shell, outline: FloatArray) -> Iterator[DesignWarning]:
     length_mm = float(np.ptp(outline[:, 1]))
     if shell.taper_length_mm > LONGEST_TAPER * length_mm:
-        yield (
+        yield DesignWarning(
             Message(
                 "A taper over {taper_mm:g} mm is too long for an insole of {length_mm:.0f} mm; it "
                 "tapers over half of its length. Shorten the taper.",
                 taper_mm=shell.taper_length_mm,
                 length_mm=length_mm,
-            ),
-            "",
-            None,
+            )
         )
     half_mm = design.made_thickness_mm / 2
     if shell.edge_radius_mm > half_mm:
-        yield (
+        yield DesignWarning(
             Message(
                 "An edge radius of {radius_mm:g} mm is more than half of the thickness; where the "
                 "insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are rounded. "
@@ -115,28 +106,24 @@ def _of_edges(design: InsoleDesign, shell: Shell, outline: FloatArray) -> Iterat
                 radius_mm=shell.edge_radius_mm,
                 thickness_mm=design.made_thickness_mm,
                 half_mm=half_mm,
-            ),
-            "",
-            None,
+            )
         )
     if shell.chamfer_mm > half_mm:
-        yield (
+        yield DesignWarning(
             Message(
                 "A chamfer of {chamfer_mm:g} mm is more than half of the thickness; where the "
-                "insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are bevelled. "
-                "Make the chamfer smaller.",
+                "insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are "
+                "bevelled. Make the chamfer smaller.",
                 chamfer_mm=shell.chamfer_mm,
                 thickness_mm=design.made_thickness_mm,
                 half_mm=half_mm,
-            ),
-            "",
-            None,
+            )
         )
 
 
 def _of_least_thickness(
     insole: Insole, outline: FloatArray, material: Material
-) -> Iterator[ShellWarning]:
+) -> Iterator[DesignWarning]:
     """Warn where the upper side has to be raised for want of material."""
     field, design = insole.contact, insole.design
     ground = last_heights_mm(design, field.y_mm, insole.foot.length_mm)[:, None]
@@ -148,7 +135,7 @@ def _of_least_thickness(
         return
     worst = thin[left.ravel()[thin].argmin()]
     x, y = (float(value) for value in field.nodes[worst, :2])
-    yield (
+    yield DesignWarning(
         Message(
             "Only {left_mm:.1f} mm of material would be left at x = {x_mm:.0f} mm, y = {y_mm:.0f} "
             "mm, and {least_mm:g} mm are needed; the surface is raised there. Raise the thickness, "
@@ -158,32 +145,35 @@ def _of_least_thickness(
             y_mm=y,
             least_mm=material.least_mm,
         ),
-        "",
-        (x, y),
+        place_mm=(x, y),
     )
 
 
-def _of_trim_line(design: InsoleDesign, outline: FloatArray) -> Iterator[ShellWarning]:
+def _of_trim_line(
+    design: InsoleDesign, shell: Shell, landmarks: Landmarks
+) -> Iterator[DesignWarning]:
     """Warn of pads that the shell does not hold wholly, for its front edge runs through them."""
+    sign = design.side.medial_sign
+    line = TrimLine(np.array(trim_points(shell, design.side, landmarks)) * [sign, 1.0])
     for pad in (c for c in design.active if isinstance(c, Pelott)):
-        edge = pad_outline(pad, 180)
-        beyond = ~inside_curve(outline, edge) & (edge[:, 1] > _front_mm(outline, edge[:, 0]))
-        if beyond.all():
-            yield (
+        x, y = pad_outline(pad, 180).T
+        ahead = y > line.y_mm(sign * x)
+        if ahead.all():
+            yield DesignWarning(
                 Message(
                     "The {pad} lies ahead of the trim line and is not made; move the line ahead of "
                     "it, or choose the full length.",
-                    pad=pad_words(pad.shape),
+                    pad=pad_name(pad),
                 ),
                 pad.id,
                 pad.centre_mm,
             )
-        elif beyond.mean() > _CUT_SHARE:
-            yield (
+        elif ahead.mean() > _CUT_SHARE:
+            yield DesignWarning(
                 Message(
                     "The trim line runs through the {pad}; move the line ahead of it, or the pad "
                     "behind the line.",
-                    pad=pad_words(pad.shape),
+                    pad=pad_name(pad),
                 ),
                 pad.id,
                 pad.centre_mm,

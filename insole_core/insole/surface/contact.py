@@ -15,6 +15,8 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
+from insole_core.insole.finishing.finished import FinishedSurface, finished
+from insole_core.insole.forms.form_surface import base_surface, finish_on_base
 from insole_core.insole.outline.insole_outline import outline_reach
 from insole_core.insole.prescription.design import (
     ForefootTwist,
@@ -60,6 +62,8 @@ class ContactBase:
         Nodes where the foot was measured; the others continue it smoothly.
     arch_apex_mm
         Position (x, y) of the apex of the foot's own medial arch, insole frame.
+    finished
+        How the surface was finished; None of a design without a finish.
     shapes
         Cache of what corrections add on this grid, so that only the dragged one is recomputed.
     """
@@ -67,6 +71,7 @@ class ContactBase:
     surface: HeightField
     measured: BoolArray
     arch_apex_mm: Place
+    finished: FinishedSurface | None = None
     shapes: Memo = field(default_factory=lambda: Memo(_KEPT_SHAPES), repr=False)
 
 
@@ -101,6 +106,8 @@ def base_key(design: InsoleDesign) -> BaseKey:
         design.max_height_mm,
         design.margin_mm,
         design.outline,
+        design.base,
+        design.finish,
     )
 
 
@@ -108,7 +115,8 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     """Compute the plantar surface on the design's grid, corrected and raised to its thickness.
 
     The corrections that shape the whole surface are applied in a fixed order, whatever their order
-    in the design: posting, then skive, then lift, and last the heel cup.
+    in the design: posting, then skive, then lift, and last the heel cup or the finish, which then
+    makes the cup.
 
     Parameters
     ----------
@@ -128,6 +136,9 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     sole = sole_surface(foot, design, progress.part(0.0, 0.8))
     progress.step(0.8, "Turning the foot and shaping the heel")
     surface, length = sole.surface, foot.length_mm
+    if design.base is not None:
+        surface = base_surface(foot, surface, design.base)
+    level = surface
     surface = replace(surface, heights_mm=posted(surface, sole.measured, design, length))
     shaping = [c for c in design.active if isinstance(c, _SHAPING)]
     for c in sorted(shaping, key=lambda c: _SHAPING.index(type(c))):
@@ -135,14 +146,49 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
             heights = skived(surface, sole.measured, c, foot.side, length)
         elif isinstance(c, HeelLift):
             heights = lifted(surface, c, length)
-        elif isinstance(c, HeelCup):
+        elif isinstance(c, HeelCup) and design.finish is None:
             heights = cupped(surface, _rim_band(foot, design, sole, c), c, length)
         else:
             continue
         surface = replace(surface, heights_mm=heights)
-    ground = last_heights_mm(design, surface.y_mm, length)[:, None]
+    finish = None
+    if design.finish is not None:
+        progress.step(0.85, "Finishing rim and toe zone")
+        finish = finished(
+            foot,
+            design,
+            finish_on_base(design.finish, design.base),
+            sole=level,
+            contact=surface,
+            measured=sole.measured,
+            arch_apex_mm=sole.arch_apex_mm,
+        )
+        surface = finish.surface
+    return replace(sole, surface=_raised(surface, design, length), finished=finish)
+
+
+def with_rim(base: ContactBase, design: InsoleDesign, length_mm: float) -> ContactBase:
+    """Return the base of a design that differs from that of `base` in its rim's stations only.
+
+    It is much faster than `contact_base`, for a drag. The transitions to the rim keep their widths,
+    so that a wall may get steeper than `contact_base` makes it.
+
+    Raises
+    ------
+    DesignError
+        If stations of the rim contradict each other.
+    """
+    if base.finished is None or design.finish is None:
+        return base
+    moved = base.finished.with_rim(design.finish.rim)
+    return replace(base, surface=_raised(moved.surface, design, length_mm), finished=moved)
+
+
+def _raised(surface: HeightField, design: InsoleDesign, length_mm: float) -> HeightField:
+    """Raise a surface until its lowest place over the ground has the design's least thickness."""
+    ground = last_heights_mm(design, surface.y_mm, length_mm)[:, None]
     up = design.least_thickness_mm - (surface.heights_mm - ground).min()
-    return replace(sole, surface=replace(surface, heights_mm=surface.heights_mm + up))
+    return replace(surface, heights_mm=surface.heights_mm + up)
 
 
 def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:

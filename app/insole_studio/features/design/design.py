@@ -55,14 +55,16 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
         Whether to use the dark theme.
     """
     section, preview = SectionModel(), InsolePreview(case, jobs)
+    pads, rules = load_pads(), load_rules()
+    tools = make_tools(section, pads, rules)
     return DesignStage(
         case=case,
         surface=preview,
         section=section,
         counterpart=SideBySide(case, jobs, preview.builder),
-        tool_controller=ToolController(case, make_tools(section)),
-        pads=load_pads(),
-        rules=load_rules(),
+        tool_controller=ToolController(case, tools),
+        pads=pads,
+        rules=rules,
         dark=dark,
     )
 

@@ -16,15 +16,16 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.insole.prescription.design_limits import Range
-from insole_core.workflows.pad_library import LibraryPad
+from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of, pad_text
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.parameters.foot_proposals import FootProposals
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.brush_tool import BrushTool
+from insole_studio.features.design.tools.editable_pads import selected_pelott
 from insole_studio.features.design.tools.outline_tool import with_source
-from insole_studio.features.design.tools.pelott_tool import PelottTool, selected_pelott
+from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
 from insole_studio.features.design.tools.tool import with_number
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -40,7 +41,7 @@ class ParametersPanel(Protocol):
     """The parameters panel as its presenter sees it, with the signals it emits."""
 
     field_edited: Any
-    offer_chosen: Any
+    proposal_chosen: Any
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None: ...  # noqa: D102
 
@@ -63,9 +64,9 @@ class ParametersPresenter:
         self._case = case
         self._tool_controller = tool_controller
         self._pads = pads
-        self._foot_offers = FootProposals(case, rules)
+        self._foot_offers = FootProposals(case, rules, default_pelott(pads))
         panel.field_edited.connect(self.edit)
-        panel.offer_chosen.connect(self.choose)
+        panel.proposal_chosen.connect(self.choose)
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.preview_changed.connect(self.show)
@@ -169,13 +170,14 @@ class ParametersPresenter:
         return FieldGroup(title, fields, offers, caption=_size_caption(offers))
 
     def _size_offers(self, correction: Correction) -> tuple[Proposal, ...]:
-        """Return the other sizes of the same shape in the library."""
+        """Return the sizes in the library of what the pad is prescribed as."""
         if not isinstance(correction, Pelott):
             return ()
+        kind = correction.kind, correction.shape
         return tuple(
             Proposal(f"size.{number}", pad.size, pad_text(pad))
             for number, pad in enumerate(self._pads)
-            if pad.template.shape == correction.shape
+            if pad.size and (pad.template.kind, pad.template.shape) == kind
         )
 
     def _take_size(self, size: Pelott) -> None:

@@ -35,7 +35,7 @@ class ParametersView(QScrollArea):
     """Groups of fields side by side, wrapped at the width of the panel."""
 
     field_edited = Signal(str, object)
-    offer_chosen = Signal(str)
+    proposal_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -167,7 +167,7 @@ class ParametersView(QScrollArea):
         self.field_edited.emit(self.sender().property("key"), value)
 
     def _choose(self) -> None:
-        self.offer_chosen.emit(self.sender().property("offer"))
+        self.proposal_chosen.emit(self.sender().property("offer"))
 
 
 def _heading(group: FieldGroup) -> QHBoxLayout:
