@@ -42,7 +42,7 @@ class Shell:
     material, body_weight_kg
         From which the thickness was proposed; the weight is None if unknown.
     taper_mm, taper_length_mm
-        Thickness at the front edge, and the length over which it is reached, at most `LONGEST_TAPER`.
+        Thickness at the front edge, and the length over which it is reached.
     edge_radius_mm
         Rounding of the upper edge; the wall keeps at least half of its height.
     draft_medial_deg, draft_lateral_deg
