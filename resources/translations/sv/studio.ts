@@ -1416,8 +1416,8 @@
             <translation>Avlastning, femte tån</translation>
         </message>
         <message>
-            <source>Relief, base of the 5th metatarsal</source>
-            <translation>Avlastning, femte metatarsalbenets bas</translation>
+            <source>Relief, base of the 5th</source>
+            <translation>Avlastning, femte metatarsalbasen</translation>
         </message>
         <message>
             <source>Remove</source>
@@ -2009,7 +2009,7 @@
         </message>
         <message>
             <source>{depth} mm deep</source>
-            <translation>{depth} mm djup</translation>
+            <translation>djup {depth} mm</translation>
         </message>
         <message>
             <source>{fps:.0f} frames/s, {lost} lost</source>
