@@ -22,6 +22,7 @@ from insole_core.insole.prescription.design import (
     Outline,
     Pelott,
     Posting,
+    Rocker,
 )
 from insole_core.insole.prescription.design_limits import (
     CHOICES,
@@ -240,6 +241,18 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             "fade_end",
             lambda: tr("Ends at"),
             lambda: tr("Share of the foot's length at which the cup ends"),
+        ),
+    ),
+    Rocker: (
+        Editable(
+            "behind_heads_mm",
+            lambda: tr("Behind the heads"),
+            lambda: tr("Distance of the line behind heads 1 and 5; < 0 is ahead of them"),
+        ),
+        Editable(
+            "slope_deg",
+            lambda: tr("Slope"),
+            lambda: tr("Slope of the underside ahead of the line"),
         ),
     ),
     BrushStroke: (
