@@ -31,9 +31,11 @@ LABELS: dict[str, str] = {
     "toe_allowance_mm": "Ahead of the toes",
     "ball_allowance_mm": "Beside the ball",
     "heel_allowance_mm": "Around the heel",
+    "width_mm": "Medial border, from the 1st metatarsal's bisection",
     "shoe_size_eu": "Shoe size",
     "points_mm": "Drawn outline",
     "cover_mm": "Cover",
+    "cover_is_taken_off": "Cover glued on later",
     "shell_mm": "Shell layer",
     "base_mm": "Base layer",
     "cup_mm": "Heel cup",
@@ -187,6 +189,8 @@ def _wording(key: str, value: Any) -> Message:
         return _ABSENT.get(key, _NONE)
     if value in ((), ""):
         return _NONE
+    if isinstance(value, bool):
+        return Message("yes") if value else Message("no")
     if isinstance(value, str):
         return Message(WORDS.get(value, value))
     if isinstance(value, tuple):

@@ -1748,6 +1748,10 @@
             <translation>har två fötter av samma sida</translation>
         </message>
         <message>
+            <source>has {count} letters, but may have {most}</source>
+            <translation>har {count} bokstäver, men får ha {most}</translation>
+        </message>
+        <message>
             <source>has {count} markers, but a reference system has at most {most}</source>
             <translation>har {count} markörer, men ett referenssystem har högst {most}</translation>
         </message>

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWidget
 
 from insole_core.foot.landmarks import HEADS
 from insole_core.insole.pads.pad_heights import pad_heights
+from insole_core.insole.pads.pad_shapes import pad_size
 from insole_core.insole.prescription.design import ArchRaise, Correction, Pelott
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.pad_library import load_pads
@@ -135,6 +136,18 @@ def test_a_reverse_mortons_extension_is_chosen_beside_the_tool_and_its_corner_dr
     assert stretched.outline_mm != pad.outline_mm
     assert stretched.kind == "reverse_mortons_extension"
     assert len(opened.case.history) == 2
+    (handle,) = (h for h in foot.handles if h.name == "length")
+    start = pixel(foot, *handle.position_mm)
+    drag(foot, start, start + QPoint(0, -12))
+    (longer,) = corrections(opened)
+    assert isinstance(longer, Pelott)
+    (length, width), (before, same) = pad_size(longer), pad_size(stretched)
+    assert length > before + 3
+    assert width == pytest.approx(same)
+    type_into(field(opened, "correction.width_mm"), "60")
+    (wide,) = corrections(opened)
+    assert isinstance(wide, Pelott)
+    assert pad_size(wide) == pytest.approx((length, 60.0))
 
 
 def test_an_arch_is_prescribed_to_a_height_and_dragged(
