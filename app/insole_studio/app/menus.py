@@ -24,6 +24,7 @@ TOOL_KEYS = (
     "tool_free_hand",
     "tool_posting",
     "tool_outline",
+    "tool_rim",
     "tool_brush",
     "tool_plane",
     "tool_section",

@@ -10,6 +10,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import check_design_for
+from insole_core.insole.finishing.rim_curve import Rim
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase
 from insole_core.insole.surface.height_field import HeightField
@@ -60,6 +61,11 @@ class InsolePreview(QObject):
     def base(self) -> ContactBase | None:
         """Return the contact surface before pads and strokes."""
         return None if self._insole is None else self._insole.bare.base
+
+    @property
+    def rim(self) -> Rim | None:
+        """Return what the stations of the rim refer to; None as scanned."""
+        return None if self._insole is None else self._insole.bare.base.rim
 
     @property
     def contact(self) -> HeightField | None:

@@ -112,7 +112,7 @@ class RimChart(QWidget):
         self._drag: _Drag | None = None
         self._range_mm = (0.0, LEAST_HIGH_MM)
         self._pointer_px: QPointF | None = None
-        self.grab_px = GRAB_PX
+        self._grab_px = GRAB_PX
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(320, 112)
@@ -137,6 +137,10 @@ class RimChart(QWidget):
         self.setAccessibleDescription("" if station is None else station.text)
         self.update()
 
+    def set_touch(self, touch: bool) -> None:
+        """Set the size at which stations are grabbed, for touch or for a mouse."""
+        self._grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
+
     def pixel_of(self, s_mm: float, height_mm: float) -> QPointF:
         """Return where a place of the graph is painted."""
         return self._mm2px().map(QPointF(s_mm, height_mm))
@@ -149,7 +153,7 @@ class RimChart(QWidget):
         gaps = [(self._station_px(i) - place_px).toTuple() for i in range(len(graph.stations))]
         distances = [float(np.hypot(*gap)) for gap in gaps]
         nearest = int(np.argmin(distances))
-        return nearest if distances[nearest] <= self.grab_px else None
+        return nearest if distances[nearest] <= self._grab_px else None
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw grid, flank, rim, stations and the height at the pointer."""

@@ -54,13 +54,26 @@ WORDS: dict[str, Callable[[], str]] = {
     "three_quarter": lambda: tr("Three-quarter"),
 }
 """Translated names of the values of choices in a prescription."""
-
+_OWN_WORDS: dict[tuple[str, str], Callable[[], str]] = {
+    ("over", "heel"): lambda: tr("Heel"),
+    ("over", "toes"): lambda: tr("Toe zone"),
+    ("over", "foot"): lambda: tr("The foot itself"),
+    ("toe_zone", "sulcus"): lambda: tr("Sulcus"),
+    ("toe_zone", "crest"): lambda: tr("Toe crest"),
+    ("toe_zone", "as_scanned"): lambda: tr("As scanned"),
+}
+"""Those of values that mean something else, or nothing, for another choice, by its name."""
 
 KIND_NAMES: dict[str, Callable[[], str]] = {
     "pelott": PAD_NAMES["egg"],
     "first_ray_cut_out": lambda: tr("1st-ray cut-out"),
     **PAD_NAMES,
 }
+
+
+def word_of(choice: str, word: str) -> str:
+    """Return the name of a value of a choice."""
+    return _OWN_WORDS.get((choice, word), WORDS.get(word, lambda: word))()
 
 
 def pad_text(pad: LibraryPad) -> str:

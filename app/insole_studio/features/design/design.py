@@ -8,6 +8,7 @@ from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import SideBySide
 from insole_studio.features.design.actions.edit_actions import EditActions
@@ -55,12 +56,14 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
         Whether to use the dark theme.
     """
     section, preview = SectionModel(), InsolePreview(case, jobs)
+    rim = RimModel(case, preview)
     return DesignStage(
         case=case,
         surface=preview,
         section=section,
+        rim=rim,
         counterpart=SideBySide(case, jobs, preview.builder),
-        tool_controller=ToolController(case, make_tools(section)),
+        tool_controller=ToolController(case, make_tools(section, rim)),
         pads=load_pads(),
         rules=load_rules(),
         dark=dark,

@@ -12,6 +12,7 @@ from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.features.design.models.model_presenter import (
@@ -20,6 +21,7 @@ from insole_studio.features.design.models.model_presenter import (
     ModelPresenter,
 )
 from insole_studio.features.design.models.rear_lines import rear_lines
+from insole_studio.features.design.models.rim_presenter import RimPresenter
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
@@ -34,6 +36,7 @@ from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
 from insole_studio.texts import localised, tr
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.notice_bar import NoticeBar
+from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.widgets.typed_text import is_typing
@@ -48,6 +51,8 @@ class DesignStage(QObject):
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
     """Whether to show the section panel: a section exists, or its tool is chosen."""
+    rim_wanted = Signal(bool)
+    """Whether to show the graph of the rim: its tool is chosen."""
 
     def __init__(
         self,
@@ -55,6 +60,7 @@ class DesignStage(QObject):
         case: Case,
         surface: InsolePreview,
         section: SectionModel,
+        rim: RimModel,
         counterpart: SideBySide,
         tool_controller: ToolController,
         pads: Sequence[LibraryPad],
@@ -69,6 +75,7 @@ class DesignStage(QObject):
         self.pads = pads
         self.rules = rules
         self._cut = section
+        self.rim_model = rim
         self.linked = True
         self.steps = StepStrip()
         self.patient = PatientView()
@@ -77,6 +84,7 @@ class DesignStage(QObject):
         self.notices = NoticeBar()
         self.parameters = ParametersView()
         self.section = SectionChart()
+        self.rim = RimChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
         self.foot_presenter = FootPresenter(
@@ -114,6 +122,7 @@ class DesignStage(QObject):
             tool_controller,
             pads,
             rules,
+            rim=rim,
             request_action=self.offer_chosen.emit,
         )
         self._section_presenter = SectionPresenter(
@@ -122,6 +131,9 @@ class DesignStage(QObject):
             surface=surface,
             section=section,
             tool_controller=tool_controller,
+        )
+        self._rim_presenter = RimPresenter(
+            self.rim, case=case, rim=rim, tool_controller=tool_controller
         )
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
@@ -149,6 +161,7 @@ class DesignStage(QObject):
         section.changed.connect(self._show_hint)
         section.changed.connect(self._ask_for_section)
         tool_controller.tool_changed.connect(self._ask_for_section)
+        tool_controller.tool_changed.connect(self._ask_for_rim)
 
     @property
     def panels(self) -> tuple[QWidget, ...]:
@@ -160,6 +173,7 @@ class DesignStage(QObject):
             self.insole,
             self.foot,
             self.parameters,
+            self.rim,
             self.section,
         )
 
@@ -224,6 +238,7 @@ class DesignStage(QObject):
         """Set the size at which handles are grabbed, for touch or for a mouse."""
         for view, _ in self._presenters.values():
             view.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
+        self.rim.set_touch(touch)
 
     def set_dark(self, dark: bool) -> None:
         """Change the colour scheme of the scenes."""
@@ -341,6 +356,9 @@ class DesignStage(QObject):
     def _ask_for_section(self) -> None:
         wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
         self.section_wanted.emit(wanted)
+
+    def _ask_for_rim(self) -> None:
+        self.rim_wanted.emit(self._tool_controller.tool.key == "rim")
 
     def _show_hint(self) -> None:
         hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.features.design.tools.brush_tool import BrushTool
 from insole_studio.features.design.tools.free_hand_tool import FreeHandTool
@@ -11,12 +12,13 @@ from insole_studio.features.design.tools.outline_tool import OutlineTool
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.plane_tool import PlaneTool
 from insole_studio.features.design.tools.posting_tool import PostingTool
+from insole_studio.features.design.tools.rim_tool import RimTool
 from insole_studio.features.design.tools.section_tool import SectionTool
 from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.turn_tool import TurnTool
 
 
-def make_tools(section: SectionModel) -> tuple[Tool, ...]:
+def make_tools(section: SectionModel, rim: RimModel) -> tuple[Tool, ...]:
     """Construct one instance of every tool."""
     return (
         OrbitTool(),
@@ -26,6 +28,7 @@ def make_tools(section: SectionModel) -> tuple[Tool, ...]:
         FreeHandTool(),
         PostingTool(),
         OutlineTool(),
+        RimTool(rim),
         BrushTool(),
         PlaneTool(),
         SectionTool(section),

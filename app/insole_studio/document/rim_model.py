@@ -1,0 +1,96 @@
+"""The designed rim of the shown insole, and which of its stations is selected."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from insole_core.errors import DesignError
+from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
+from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+
+
+class RimModel(QObject):
+    """The rim as graph, views and fields share it."""
+
+    changed = Signal()
+    """Rim, stations or selection have changed."""
+    selection_changed = Signal()
+
+    def __init__(self, case: Case, surface: InsolePreview, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._case = case
+        self._surface = surface
+        self._selected: int | None = None
+        self._curve: RimCurve | None = None
+        self._curve_of: tuple[object, ...] = ()
+        """Rim and stations of the curve, which is computed once for each."""
+        case.foot_changed.connect(self._forget)
+        case.changed.connect(self.changed)
+        case.preview_changed.connect(self.changed)
+        surface.changed.connect(self.changed)
+
+    @property
+    def finish(self) -> Finish | None:
+        """The finish of the shown design."""
+        design = self._case.shown.design
+        return None if design is None else design.finish
+
+    @property
+    def rim(self) -> Rim | None:
+        """What the stations refer to; None while no finished insole is built."""
+        return None if self.finish is None else self._surface.rim
+
+    @property
+    def curve(self) -> RimCurve | None:
+        """The rim through the stations of the shown design; None if two of them collide."""
+        rim, finish = self.rim, self.finish
+        if rim is None or finish is None:
+            return None
+        if self._curve_of != (rim, finish.rim):
+            self._curve_of = rim, finish.rim
+            try:
+                self._curve = rim.curve(finish.rim)
+            except DesignError:  # the preview says why, and how to get out of it
+                self._curve = None
+        return self._curve
+
+    @property
+    def placed(self) -> dict[int, PlacedStation]:
+        """The stations on their places, by their number in the finish."""
+        curve = self.curve
+        return {} if curve is None else {placed.number: placed for placed in curve.stations}
+
+    @property
+    def selected(self) -> int | None:
+        """Number of the selected station in the finish."""
+        finish, number = self.finish, self._selected
+        if finish is None or number is None or number >= len(finish.rim):
+            return None
+        return number
+
+    @property
+    def station(self) -> RimStation | None:
+        """The selected station."""
+        finish, number = self.finish, self.selected
+        return None if finish is None or number is None else finish.rim[number]
+
+    def select(self, number: int | None) -> None:
+        """Select a station, or none."""
+        if number != self._selected:
+            self._selected = number
+            self.selection_changed.emit()
+            self.changed.emit()
+
+    def _forget(self) -> None:
+        self._selected, self._curve, self._curve_of = None, None, ()
+        self.changed.emit()
+
+
+def with_stations(design: InsoleDesign, stations: tuple[RimStation, ...]) -> InsoleDesign:
+    """Return a finished design with another rim."""
+    assert design.finish is not None, "a design as scanned has no rim of its own"
+    return replace(design, finish=replace(design.finish, rim=stations))
