@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.corrections import (
     CORRECTION_TYPES,
     ArchRaise,
@@ -28,9 +29,9 @@ from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.shell import Post, Shell
 
 __all__ = [
-    "CORRECTION_TYPES", "ArchRaise", "BrushStroke", "Correction", "Finish", "ForefootTwist",
-    "HeelCup", "HeelLift", "HeelSkive", "InsoleDesign", "Layers", "Outline", "Pelott", "Place",
-    "Post", "Posting", "RimStation", "Shell",
+    "CORRECTION_TYPES", "ArchRaise", "BaseForm", "BrushStroke", "Correction", "Finish",
+    "ForefootTwist", "Form", "HeelCup", "HeelLift", "HeelSkive", "InsoleDesign", "Layers",
+    "Outline", "Pelott", "Place", "Post", "Posting", "RimStation", "Shell",
 ]  # fmt: skip
 
 
@@ -56,6 +57,8 @@ class InsoleDesign:
         "flat" on the ground, or "following" the contact surface at the least thickness.
     device
         Name of the device that the design started from; empty if none.
+    base
+        None: the foot's own sole.
     finish
         None: as scanned, the way of thesis 3.3.
     shell
@@ -72,6 +75,7 @@ class InsoleDesign:
     layers: Layers = field(default_factory=Layers)
     bottom: str = "flat"
     device: str = ""
+    base: BaseForm | None = None
     finish: Finish | None = None
     shell: Shell | None = None
 

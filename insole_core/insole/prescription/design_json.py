@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import MISSING, Field, fields, is_dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -12,8 +14,10 @@ from insole_core.geometry.side import Side
 from insole_core.given_file import read_given
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
+    BaseForm,
     Correction,
     Finish,
+    Form,
     InsoleDesign,
     Layers,
     Outline,
@@ -21,8 +25,9 @@ from insole_core.insole.prescription.design import (
     RimStation,
     Shell,
 )
-from insole_core.insole.prescription.design_limits import CHOICES, check_design
+from insole_core.insole.prescription.design_limits import CHOICES, check_design, check_form
 from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.insole.prescription.item_name import checked_name
 from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES, load_strictly
 
@@ -32,11 +37,12 @@ _MOST_STORED = 1000  # more than can be built, so that whatever was edited can b
 _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
 _PLACE_LISTS = ("outline_mm", "points_mm", "trim_mm")
 _LISTS: dict[str, type[Any]] = {"rim": RimStation, "posts": Post}
-_TEXTS = {"id", "author", "created_at", "device", "material"} | {
+_NUMBER_LISTS = ("along_shares", "across_shares")
+_TEXTS = {"id", "name", "author", "created_at", "device", "material"} | {
     key for words in CHOICES.values() for key in words
 }
 _PARTS: dict[str, type[Any]] = {
-    "outline": Outline, "layers": Layers, "finish": Finish, "shell": Shell,
+    "outline": Outline, "layers": Layers, "base": BaseForm, "finish": Finish, "shell": Shell,
 }  # fmt: skip
 
 
@@ -112,6 +118,25 @@ def design_from_json(content: Any) -> InsoleDesign:
     return design
 
 
+def form_to_json(form: Form) -> dict[str, Any]:
+    """Return a form as plain values for `json.dump`."""
+    return _to_json(form)
+
+
+def form_from_json(content: Any) -> Form:
+    """Build a form from the result of `json.load`.
+
+    Raises
+    ------
+    DesignError
+        One sentence that names the key.
+    """
+    form = _form(content, "the form")
+    check_form(form)
+    checked_name(form.name)
+    return form
+
+
 def _to_json(value: Any) -> dict[str, Any]:
     """Return the fields of a value, without those that are None."""
     values = {f.name: getattr(value, f.name) for f in fields(value)}
@@ -150,25 +175,31 @@ def _read(kind: type[Any], given: dict[str, Any], where: str) -> Any:
 
 
 def _value(key: str, value: Any, where: str) -> Any:
-    if key in _TEXTS:
-        if not isinstance(value, str):
-            raise DesignError("{where} must be a text; write it in quotation marks.", where=where)
-        return value
-    if key == "enabled":
-        if not isinstance(value, bool):
-            raise DesignError("{where} must be true or false.", where=where)
-        return value
-    if key in _PLACES:
-        return _place(value, where)
-    if key in _PLACE_LISTS:
-        if not isinstance(value, list):
-            raise DesignError(
-                "{where} must be a list of places, each two numbers in [ ].", where=where
-            )
-        return tuple(_place(place, where) for place in value)
-    if key in _LISTS:
-        return _list(_LISTS[key], value, where)
-    return _number(value, where)
+    read: Callable[[Any, str], Any] = _READERS.get(key, _number)
+    return read(value, where)
+
+
+def _text(value: Any, where: str) -> str:
+    if not isinstance(value, str):
+        raise DesignError("{where} must be a text; write it in quotation marks.", where=where)
+    return value
+
+
+def _flag(value: Any, where: str) -> bool:
+    if not isinstance(value, bool):
+        raise DesignError("{where} must be true or false.", where=where)
+    return value
+
+
+def _places(value: Any, where: str) -> tuple[tuple[float, float], ...]:
+    if not isinstance(value, list):
+        raise DesignError("{where} must be a list of places, each two numbers in [ ].", where=where)
+    return tuple(_place(place, where) for place in value)
+
+
+def _form(value: Any, where: str) -> Form:
+    form: Form = _read(Form, dict(_object(value, where)), where)
+    return form
 
 
 def _list(kind: type[Any], value: Any, where: str) -> tuple[Any, ...]:
@@ -179,6 +210,20 @@ def _list(kind: type[Any], value: Any, where: str) -> tuple[Any, ...]:
         _read(kind, dict(_object(item, place)), place)
         for item, place in zip(value, places, strict=True)
     )
+
+
+def _rows(value: Any, where: str) -> tuple[tuple[float, ...], ...]:
+    return tuple(_numbers(row, where) for row in _items(value, where))
+
+
+def _numbers(value: Any, where: str) -> tuple[float, ...]:
+    return tuple(_number(number, where) for number in _items(value, where))
+
+
+def _items(value: Any, where: str) -> list[Any]:
+    if not isinstance(value, list):
+        raise DesignError("{where} must be a list of numbers; put them in [ ].", where=where)
+    return value
 
 
 def _place(value: Any, where: str) -> tuple[float, float]:
@@ -252,3 +297,16 @@ def _check_keys(given: dict[str, Any], kind: type[Any], where: str) -> None:
 
 def _refuse_constant(name: str) -> NoReturn:
     raise DesignError("{name} is no number a design can hold; put in a usual one.", name=name)
+
+
+_READERS: dict[str, Callable[[Any, str], Any]] = {
+    **dict.fromkeys(_TEXTS, _text),
+    **dict.fromkeys(_PLACES, _place),
+    **dict.fromkeys(_PLACE_LISTS, _places),
+    **dict.fromkeys(_NUMBER_LISTS, _numbers),
+    **{key: partial(_list, kind) for key, kind in _LISTS.items()},
+    "enabled": _flag,
+    "form": _form,
+    "heights_mm": _rows,
+}
+"""How the value of a key is read; those of the other keys are numbers."""

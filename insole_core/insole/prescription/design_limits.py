@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields, replace
+from itertools import pairwise
 from typing import Any
 
 from insole_core.errors import DesignError
@@ -15,10 +16,12 @@ from insole_core.insole.outline.outline_curve import closed_curve, crosses_itsel
 from insole_core.insole.pads.pad_shapes import PAD_SHAPES, encloses_centre
 from insole_core.insole.prescription.design import (
     ArchRaise,
+    BaseForm,
     BrushStroke,
     Correction,
     Finish,
     ForefootTwist,
+    Form,
     HeelCup,
     HeelLift,
     HeelSkive,
@@ -77,6 +80,14 @@ FINISH_RANGES = {
     "heel_blend_mm": Range(4, 25),
     "arch_blend_mm": Range(4, 25),
     "forefoot_blend_mm": Range(4, 25),
+}
+BASE_RANGES = {"contact_share": Range(0, 1, "")}
+FORM_RANGES = {
+    "length_mm": Range(80, 400),
+    "ball_width_mm": Range(30, 160),
+    "along_shares": Range(-0.5, 1.5, ""),
+    "across_shares": Range(-1, 2, ""),
+    "heights_mm": Range(-60, 60),
 }
 RIM_RANGES = {"along": Range(0, 1, ""), "height_mm": Range(-10, 45)}
 SHELL_RANGES = {
@@ -144,6 +155,8 @@ CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
 POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000), "trim_mm": (2, 60)}
 """Least and greatest number of points in a list of them."""
 LEAST_DRAWN_POINTS = 4
+LEAST_STATIONS, MOST_FORM_STATIONS = 4, 400
+"""Numbers of stations of a form along and across the foot; a cubic needs four."""
 MOST_STATIONS = 40
 LEAST_ZONE = 0.05
 """Least share of the length over which a correction fades."""
@@ -190,6 +203,7 @@ def check_design(design: InsoleDesign) -> None:
     _check(design.outline, OUTLINE_RANGES, " of outline")
     _check(design.layers, LAYER_RANGES, " of layers")
     _check_outline(design.outline)
+    _check_base(design.base)
     _check_finish(design.finish)
     _check_shell(design.shell)
     for number, correction in enumerate(design.corrections):
@@ -248,6 +262,43 @@ def _check_count(key: str, points: tuple[Any, ...] | None, where: str) -> None:
             count=len(points),
             least=least,
             most=greatest,
+        )
+
+
+def _check_base(base: BaseForm | None) -> None:
+    if base is not None:
+        _check(base, BASE_RANGES, " of base")
+        check_form(base.form)
+
+
+def check_form(form: Form) -> None:
+    """Check that a form has ordered stations, a height for each, and values in range.
+
+    Raises
+    ------
+    DesignError
+        Naming the key, the value, and what is allowed.
+    """
+    _check(form, FORM_RANGES, " of form")
+    for key in ("along_shares", "across_shares"):
+        shares = getattr(form, key)
+        if not LEAST_STATIONS <= len(shares) <= MOST_FORM_STATIONS:
+            raise DesignError(
+                "{key} of form has {count} stations, and must have {least} to {most}; add or "
+                "remove some.",
+                key=key,
+                count=len(shares),
+                least=LEAST_STATIONS,
+                most=MOST_FORM_STATIONS,
+            )
+        if any(b <= a for a, b in pairwise(shares)):
+            raise DesignError("{key} of form must increase; put its stations in order.", key=key)
+    rows, columns = len(form.along_shares), len(form.across_shares)
+    if len(form.heights_mm) != rows or any(len(row) != columns for row in form.heights_mm):
+        raise DesignError(
+            "heights_mm of form must have {rows} rows of {columns} heights, one for each station.",
+            rows=rows,
+            columns=columns,
         )
 
 

@@ -17,8 +17,10 @@ from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
+    BaseForm,
     BrushStroke,
     Finish,
+    Form,
     InsoleDesign,
     Layers,
     Outline,
@@ -34,10 +36,12 @@ from insole_core.insole.prescription.design_json import (
     read_design,
 )
 from insole_core.insole.prescription.design_limits import (
+    BASE_RANGES,
     CHOICES,
     CORRECTION_RANGES,
     DESIGN_RANGES,
     FINISH_RANGES,
+    FORM_RANGES,
     LAYER_RANGES,
     OUTLINE_RANGES,
     POST_RANGES,
@@ -145,6 +149,23 @@ shells = st.builds(
     ),
     **{k: within(r) for k, r in SHELL_RANGES.items() if k != "trim_mm"},
 )
+SHARES = st.lists(st.integers(0, 100), min_size=4, max_size=6, unique=True).map(
+    lambda shares: tuple(share / 100 for share in sorted(shares))
+)
+forms = st.tuples(SHARES, SHARES).flatmap(
+    lambda shares: st.builds(
+        Form,
+        name=st.text(max_size=8),
+        length_mm=within(FORM_RANGES["length_mm"]),
+        ball_width_mm=within(FORM_RANGES["ball_width_mm"]),
+        along_shares=st.just(shares[0]),
+        across_shares=st.just(shares[1]),
+        heights_mm=st.tuples(
+            *(st.tuples(*(within(FORM_RANGES["heights_mm"]) for _ in shares[1])),) * len(shares[0])
+        ),
+    )
+)
+bases = st.builds(BaseForm, form=forms, contact_share=within(BASE_RANGES["contact_share"]))
 designs = st.builds(
     InsoleDesign,
     side=st.sampled_from(Side),
@@ -153,6 +174,7 @@ designs = st.builds(
     layers=st.builds(Layers, **{k: within(r) for k, r in LAYER_RANGES.items()}),
     bottom=st.sampled_from(CHOICES[InsoleDesign]["bottom"]),
     device=st.text(max_size=8),
+    base=st.none() | bases,
     finish=st.none() | finishes,
     shell=st.none() | shells,
     **{key: within(limits) for key, limits in DESIGN_RANGES.items()},
@@ -199,6 +221,8 @@ DESCRIBED = [
     (InsoleDesign, DESIGN_RANGES, SCHEMA["properties"]),
     (Outline, OUTLINE_RANGES, SCHEMA["$defs"]["outline"]["properties"]),
     (Layers, LAYER_RANGES, SCHEMA["$defs"]["layers"]["properties"]),
+    (BaseForm, BASE_RANGES, SCHEMA["$defs"]["base"]["properties"]),
+    (Form, FORM_RANGES, SCHEMA["$defs"]["form"]["properties"]),
     (Finish, FINISH_RANGES, SCHEMA["$defs"]["finish"]["properties"]),
     (RimStation, RIM_RANGES, SCHEMA["$defs"]["rim_station"]["properties"]),
     (Shell, SHELL_RANGES, SCHEMA["$defs"]["shell"]["properties"]),

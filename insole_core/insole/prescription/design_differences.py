@@ -1,0 +1,257 @@
+"""What changes from one design to another, a line each in a clinician's words.
+
+Shown before a device or a finding is applied; the texts are translated as all of the core's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, replace
+from typing import Any
+
+from insole_core.insole.prescription.base_form import BaseForm
+from insole_core.insole.prescription.corrections import Correction, Pelott
+from insole_core.insole.prescription.design import Finish, InsoleDesign
+from insole_core.insole.prescription.shell import Post
+from insole_core.messages import Message, joined
+
+LABELS: dict[str, str] = {
+    "device": "Device",
+    "base": "Base",
+    "thickness_mm": "Thickness",
+    "bottom": "Underside",
+    "grid_mm": "Grid",
+    "max_height_mm": "Greatest height",
+    "margin_mm": "Margin",
+    "source": "Outline",
+    "extent": "Length",
+    "toe_allowance_mm": "Ahead of the toes",
+    "ball_allowance_mm": "Beside the ball",
+    "heel_allowance_mm": "Around the heel",
+    "shoe_size_eu": "Shoe size",
+    "points_mm": "Drawn outline",
+    "cover_mm": "Cover",
+    "shell_mm": "Shell layer",
+    "base_mm": "Base layer",
+    "expansion_mm": "Soft tissue expansion",
+    "arch_fill_mm": "Arch fill",
+    "skin_smoothing_mm": "Smoothing of skin folds",
+    "toe_zone": "Toe zone",
+    "toe_line_mm": "Toe line",
+    "heel_blend_mm": "Blend at the heel",
+    "arch_blend_mm": "Blend at the arch",
+    "forefoot_blend_mm": "Blend at the forefoot",
+    "rim": "Rim",
+    "material": "Material",
+    "body_weight_kg": "Body weight",
+    "taper_mm": "Thickness at the front edge",
+    "taper_length_mm": "Length of the taper",
+    "edge_radius_mm": "Edge radius",
+    "draft_medial_deg": "Medial draft",
+    "draft_lateral_deg": "Lateral draft",
+    "chamfer_mm": "Chamfer",
+    "heel_pitch_mm": "Heel pitch",
+    "trim_mm": "Trim line",
+    "rearfoot": "Rearfoot post",
+    "forefoot": "Forefoot post",
+}
+"""What each value of a design is called, in the order of the lines."""
+_WORDS = {
+    "flat": "flat",
+    "following": "cupped",
+    "full": "full length",
+    "three_quarter": "three-quarter",
+    "sulcus": "sulcus",
+    "crest": "crest",
+    "as_scanned": "as scanned",
+    "foot": "from the foot",
+    "shoe_size": "from the shoe size",
+    "drawn": "drawn",
+    "medial": "medial",
+    "lateral": "lateral",
+    "push": "push",
+    "pull": "pull",
+    "smooth": "smooth",
+}
+_CORRECTIONS = {
+    "posting": "Posting",
+    "forefoot_twist": "Forefoot twist",
+    "heel_skive": "Heel skive",
+    "heel_lift": "Heel lift",
+    "arch_raise": "Arch raise",
+    "heel_cup": "Heel cup",
+    "brush": "Stroke",
+    "egg": "Pelott",
+    "drop": "Drop",
+    "bar": "Metatarsal bar",
+    "arch_support": "Arch support",
+    "horseshoe": "Horseshoe",
+    "cut_out": "Recess",
+    "mortons_extension": "Morton's extension",
+    "outline": "Free-hand pad",
+}
+_PARTS = ("outline", "layers", "finish", "shell")
+_UNITS = {"_mm": "mm", "_deg": "°", "_kg": "kg"}
+_MAIN = {
+    "border": "",
+    "mode": "",
+    "rearfoot_deg": "{value} at the rearfoot",
+    "forefoot_deg": "{value} at the forefoot",
+    "angle_deg": "",
+    "depth_mm": "",
+    "height_mm": "",
+    "target_mm": "{value} over the floor",
+    "length_mm": "{value} long",
+    "strength": "",
+}
+"""By which values of a correction a clinician knows it, and how each is said."""
+_NONE = Message("none")
+_ABSENT = {
+    "base": Message("from the foot"),
+    **{field.name: Message("as scanned") for field in fields(Finish)},
+}
+"""How the lack of a value is said, where it is not "none"."""
+
+
+def design_differences(old: InsoleDesign, new: InsoleDesign) -> tuple[Message, ...]:
+    """Say what changes from one design to another.
+
+    Returns
+    -------
+    tuple of Message
+        A line for each value that differs, in a fixed order: device and base, then those of
+        `LABELS`, then corrections that are added, changed and removed. Empty for equal designs.
+    """
+    before, after = _values(old), _values(new)
+    order = {key: number for number, key in enumerate(LABELS)}
+    keys = sorted(before.keys() | after.keys(), key=lambda key: order.get(key, len(order)))
+    return (
+        *(
+            Message(
+                "{what}: {before} → {after}",
+                what=_label(key),
+                before=_wording(key, before.get(key)),
+                after=_wording(key, after.get(key)),
+            )
+            for key in keys
+            if before.get(key) != after.get(key) and not _is_nothing(key, before, after)
+        ),
+        *_corrections(old, new),
+    )
+
+
+def _values(design: InsoleDesign) -> dict[str, Any]:
+    """Return every value that is neither a part nor a correction; none of a part that is None."""
+    values = {
+        field.name: getattr(design, field.name)
+        for field in fields(design)
+        if field.name not in (*_PARTS, "side", "corrections")
+    }
+    for name in _PARTS:
+        part = getattr(design, name)
+        if part is not None:
+            values |= {field.name: getattr(part, field.name) for field in fields(part)}
+    for post in values.pop("posts", ()):
+        values[post.region] = post
+    return values
+
+
+def _is_nothing(key: str, *designs: dict[str, Any]) -> bool:
+    """Return whether a value of a part that one design lacks changes nothing in the other."""
+    return all(values.get(key) in (None, 0, ()) for values in designs)
+
+
+def _post(post: Post) -> Message:
+    parts = [_number(post.angle_deg, "°")]
+    if post.length_mm is not None:
+        parts.append(Message("{value} long", value=_number(post.length_mm, "mm")))
+    parts.append(Message("edge {value}", value=_number(post.edge_radius_mm, "mm")))
+    return joined(parts)
+
+
+def _wording(key: str, value: Any) -> Message:
+    """Return a value in words, with its unit; None is that of a part that a design lacks."""
+    if value is None or value == ():
+        return _ABSENT.get(key, _NONE) if value is None else _NONE
+    if isinstance(value, BaseForm):
+        return _base(value)
+    if isinstance(value, Post):
+        return _post(value)
+    if isinstance(value, str):
+        return Message(_WORDS.get(value, value)) if value else _NONE
+    if isinstance(value, tuple):
+        return Message("{count:g} places", count=len(value))
+    return _number(value, next((u for suffix, u in _UNITS.items() if key.endswith(suffix)), ""))
+
+
+def _base(base: BaseForm) -> Message:
+    if base.contact_share == 0:
+        return Message("the form {form}", form=base.form.name)
+    return Message(
+        "the form {form}, {percent:g} % from the foot",
+        form=base.form.name,
+        percent=round(100 * base.contact_share, 1),
+    )
+
+
+def _number(value: float, unit: str) -> Message:
+    if not unit:
+        return Message("{value:g}", value=round(value, 2))
+    if unit == "°":
+        return Message("{value:g}°", value=round(value, 2))
+    return Message("{value:g} {unit}", value=round(value, 2), unit=unit)
+
+
+def _label(key: str) -> str:
+    return LABELS.get(key, _as_words(key))
+
+
+def _corrections(old: InsoleDesign, new: InsoleDesign) -> Iterator[Message]:
+    before, after = ({c.id: c for c in design.corrections} for design in (old, new))
+    for c in new.corrections:
+        if c.id not in before:
+            yield Message("{correction}: added, {values}", correction=_name(c), values=_main(c))
+    for c in new.corrections:
+        if c.id in before and _unsigned(before[c.id]) != _unsigned(c):
+            yield _change(before[c.id], c)
+    for c in old.corrections:
+        if c.id not in after:
+            yield Message("{correction}: removed", correction=_name(c))
+
+
+def _change(old: Correction, new: Correction) -> Message:
+    if _main(old) == _main(new):
+        return Message("{correction}: moved or reshaped", correction=_name(new))
+    return Message(
+        "{what}: {before} → {after}", what=_name(new), before=_main(old), after=_main(new)
+    )
+
+
+def _unsigned(correction: Correction) -> Correction:
+    return replace(correction, author="", created_at="")
+
+
+def _name(correction: Correction) -> Message:
+    kind = correction.shape if isinstance(correction, Pelott) else correction.type
+    return Message(_CORRECTIONS.get(kind, _as_words(kind)))
+
+
+def _main(correction: Correction) -> Message:
+    """Return the values that a clinician knows a correction by."""
+    values = [
+        _with_place(key, _wording(key, getattr(correction, key)))
+        for key in _MAIN
+        if getattr(correction, key, None) is not None
+    ]
+    return joined(values if correction.enabled else [*values, Message("switched off")])
+
+
+def _with_place(key: str, value: Message) -> Message:
+    template = _MAIN[key]
+    return Message(template, value=value) if template else value
+
+
+def _as_words(key: str) -> str:
+    for unit in _UNITS:
+        key = key.removesuffix(unit)
+    return key.replace("_", " ").capitalize()

@@ -1,0 +1,64 @@
+"""The devices and forms to choose from: the product's, and the clinic's own beside the settings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from insole_core.errors import InputError
+from insole_core.insole.forms.form_file import read_form, write_form
+from insole_core.insole.prescription.base_form import Form
+from insole_core.insole.prescription.device import Device, read_device, write_device
+from insole_core.insole.prescription.item_name import key_of
+from insole_core.resources import resource_path
+from insole_core.workflows.named_files import NamedFiles
+
+DEFAULT_DEVICE = "EVA, full length"
+"""The device of new designs, while a clinic has chosen no other."""
+AS_SCANNED = "As scanned"
+"""The device that leaves the contact surface as it is, thesis 3.3."""
+
+
+def clinic_devices(folder: Path) -> NamedFiles[Device]:
+    """Return the storage of devices.
+
+    Parameters
+    ----------
+    folder
+        Of the clinic's settings.
+    """
+    return NamedFiles(resource_path("devices"), folder / "devices", read_device, write_device)
+
+
+def clinic_forms(folder: Path) -> NamedFiles[Form]:
+    """Return the storage of base forms.
+
+    Parameters
+    ----------
+    folder
+        Of the clinic's settings.
+    """
+    return NamedFiles(resource_path("forms"), folder / "forms", read_form, write_form)
+
+
+def find_device(devices: Mapping[str, Device], name: str) -> Device:
+    """Return the device of a name, in whatever case and punctuation.
+
+    Parameters
+    ----------
+    devices
+        As `clinic_devices(folder).load().items`.
+
+    Raises
+    ------
+    InputError
+        Naming the devices that there are.
+    """
+    device = devices.get(key_of(name))
+    if device is None:
+        raise InputError(
+            'There is no device "{name}"; choose one of {known}.',
+            name=name,
+            known=", ".join(devices),
+        )
+    return device
