@@ -2,28 +2,37 @@
 
 A journal lists the moves before the first one is made. Whoever finds the journal of a process that
 no longer runs makes the moves that are missing, or, where that is impossible, takes all of them
-back.
+back. Once all are made, the journal only says what is still to be removed.
 """
 
 from __future__ import annotations
 
 import errno
+import filecmp
 import json
 import logging
 import os
+import shutil
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from itertools import count
 from pathlib import Path
+from typing import Any, Self
 
 import platformdirs
 
-from insole_core.export.file_mode import PRIVATE_FOLDER
+from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
 from insole_core.export.sync import sync
 from insole_core.export.temporary import is_left, make_file, release, remove, temporary_name
 
 log = logging.getLogger(__name__)
 
 SUFFIX = ".journal"
+"""Of a journal whose moves may be made in part."""
+MADE_SUFFIX = ".made"
+"""Of a journal whose moves are all made; what they replaced may still be there."""
+_FAT_NS = 2_000_000_000
+"""Times of files on FAT, once read from the disk, are rounded down to multiples of this."""
 
 
 @dataclass(frozen=True)
@@ -38,12 +47,27 @@ class Move:
         Where what it replaces is kept until all moves of its journal are made.
     replaces
         Whether there is something to replace.
+    modified_ns
+        When the result was last written, by which it is told from what somebody else puts in its
+        place later; None if that is unknown.
     """
 
     beside: Path
     path: Path
     old: Path
     replaces: bool
+    modified_ns: int | None = None
+
+    @classmethod
+    def from_json(cls, values: dict[str, Any]) -> Self:
+        """Read a move from a journal."""
+        return cls(
+            Path(values["beside"]),
+            Path(values["path"]),
+            Path(values["old"]),
+            values["replaces"],
+            values.get("modified_ns"),
+        )
 
     def make(self) -> None:
         """Put the result in its place; a move that is made already stays so.
@@ -53,19 +77,34 @@ class Move:
         OSError
             When the place cannot be taken.
         """
-        if not os.path.lexists(self.beside) and os.path.lexists(self.path):
-            if os.path.lexists(self.old) and self._is_old():  # the result is lost
-                raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(self.beside))
+        if self._is_made():
             return
         if self.replaces and not os.path.lexists(self.old):
-            _set_aside(self.path, self.old)
+            _keep(self.path, self.old)
         if os.path.lexists(self.path) and not self._is_old():
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(self.path))
         self.beside.replace(self.path)
 
+    def _is_made(self) -> bool:
+        if os.path.lexists(self.beside) or not os.path.lexists(self.path):
+            return False
+        return not self._is_old() or self._holds_result()
+
     def _is_old(self) -> bool:
         """Return whether the place still holds what is to be replaced, and nothing newer."""
-        return self.replaces and self.path.samefile(self.old)
+        if not self.replaces or not os.path.lexists(self.old):
+            return False
+        if self.path.samefile(self.old):
+            return True
+        both_files = self.path.is_file() and self.old.is_file()
+        return both_files and filecmp.cmp(self.path, self.old, shallow=False)
+
+    def _holds_result(self) -> bool:
+        """Return whether the place is known to hold the result, and nothing newer."""
+        if self.modified_ns is None:
+            return False
+        on_fat_ns = self.modified_ns - self.modified_ns % _FAT_NS
+        return self.path.lstat().st_mtime_ns in (self.modified_ns, on_fat_ns)
 
     def make_at_once(self) -> None:
         """Put a single file, or a folder where there is none, in its place: no half of it exists.
@@ -79,45 +118,104 @@ class Move:
         sync(self.path.parent)
 
     def take_back(self) -> None:
-        """Put back what was replaced."""
+        """Put back what was replaced; what somebody else has put there meanwhile stays.
+
+        Raises
+        ------
+        OSError
+            When the place cannot be taken. The move may be taken back or made again.
+        """
         if self.replaces and not os.path.lexists(self.old):
             return
-        if not os.path.lexists(self.beside) and os.path.lexists(self.path):
+        is_moved = not os.path.lexists(self.beside) and os.path.lexists(self.path)
+        if is_moved and (self.modified_ns is None or self._holds_result()):
             self.path.replace(self.beside)
-        if self.replaces and os.path.lexists(self.path):
-            self.old.unlink()  # a second name of the file that is still there
-        elif self.replaces:
+        if not self.replaces:
+            return
+        if not os.path.lexists(self.path):
             self.old.replace(self.path)
+        elif self.old.is_dir() and not self.old.is_symlink():  # the only copy
+            self.old.rename(_free_name(self.path))
+        else:
+            self.old.unlink()  # a second name or a copy of what somebody replaced
 
 
-class NotTakenBack(OSError):  # noqa: N818 - the error it comes from is what is said
-    """The moves were neither all made nor all taken back; their journal stays."""
+class Journal:
+    """The moves of one transaction, on the disk until all are made or all are taken back.
+
+    Attributes
+    ----------
+    is_open
+        Whether only some of the moves may be made: what they need must stay for the next start.
+    """
+
+    def __init__(self, moves: Sequence[Move]) -> None:
+        self._moves = moves
+        self._path: Path | None = None
+        self.is_open = False
+
+    def make_moves(self) -> None:
+        """Make all moves or none, also if the process is killed: the next start settles it.
+
+        Raises
+        ------
+        OSError
+            When a place cannot be taken. Every place is as it was before, unless the journal is
+            still open.
+        """
+        self.is_open = True
+        try:
+            self._write()
+            _make_all(self._moves)
+            self._path = _marked_as_made(self._path)
+        except BaseException as error:
+            self._take_back(error)
+            raise
+        self.is_open = False
+        _drop_old(self._moves, self._path)
+
+    def release(self) -> None:
+        """Let the next start settle the journal, if it is still there."""
+        if self._path is not None:
+            release(self._path)
+
+    def _write(self) -> None:
+        """Write the journal where every start looks, if this user has such a place."""
+        text = json.dumps([asdict(move) for move in self._moves], default=str)
+        folder = journals_folder_of_user()
+        try:
+            folder.mkdir(mode=PRIVATE_FOLDER, parents=True, exist_ok=True)
+            unfinished = make_file(folder, folder)
+            try:
+                unfinished.write_text(text, encoding="utf-8")
+                sync(unfinished)
+                self._path = folder / temporary_name(folder, SUFFIX)
+                unfinished.replace(self._path)
+            finally:
+                unfinished.unlink(missing_ok=True)
+                release(unfinished)
+            sync(folder)
+        except OSError as error:
+            log.warning("Without a journal, a kill may leave some of the results: %s", error)
+            _forget(self._path)
+            self._path = None
+
+    def _take_back(self, error: BaseException) -> None:
+        """Take the moves back after an error, and close the journal if that succeeds."""
+        try:
+            interruption = _take_back_to_the_end(self._moves)
+        except OSError as resistance:  # the first error is the one to be told
+            log.warning("The next start completes or takes back what is left: %s", resistance)
+            return
+        _forget(self._path)
+        self.is_open = False
+        if interruption is not None:
+            raise interruption from error
 
 
 def journals_folder_of_user() -> Path:
     """Return the folder for the journals of this user."""
     return platformdirs.user_state_path("insole-studio", appauthor=False)
-
-
-def make_moves(moves: Sequence[Move]) -> None:
-    """Make all moves or none, also if the process is killed: the next start settles it.
-
-    Raises
-    ------
-    OSError
-        When a place cannot be taken; every place is as it was before.
-    """
-    journal = _written(moves)
-    try:
-        _make_all(moves)
-    except NotTakenBack:
-        if journal is not None:
-            release(journal)
-        raise
-    except BaseException:
-        _forget(journal)
-        raise
-    _drop_old(moves, journal)
 
 
 def settle_interrupted(folder: Path) -> None:
@@ -127,11 +225,11 @@ def settle_interrupted(folder: Path) -> None:
     """
     for left in _paths_in(folder):
         try:
-            if is_left(left.name) and left.suffix == SUFFIX:
+            if is_left(left.name) and left.suffix in (SUFFIX, MADE_SUFFIX):
                 _settle(left)
             elif is_left(left.name):
                 left.unlink()  # written by half: no move was made
-        except (OSError, ValueError, LookupError, TypeError) as error:
+        except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
             log.warning("%s cannot be settled: %s", left, error)
 
 
@@ -146,18 +244,10 @@ def _paths_in(folder: Path) -> list[Path]:
 
 
 def _settle(left: Path) -> None:
-    journal = left.with_name(temporary_name(left, SUFFIX))
+    journal = left.with_name(temporary_name(left, left.suffix))
     try:
         left.replace(journal)  # of several processes that try, one succeeds
-        moves = [
-            Move(
-                Path(values["beside"]),
-                Path(values["path"]),
-                Path(values["old"]),
-                values["replaces"],
-            )
-            for values in json.loads(journal.read_text(encoding="utf-8"))
-        ]
+        moves = [Move.from_json(move) for move in json.loads(journal.read_text(encoding="utf-8"))]
         if all(move.path.parent.is_dir() for move in moves):
             _settle_moves(moves, journal)
     finally:
@@ -165,53 +255,90 @@ def _settle(left: Path) -> None:
 
 
 def _settle_moves(moves: Sequence[Move], journal: Path) -> None:
+    if journal.suffix == MADE_SUFFIX:
+        _drop_old(moves, journal)
+        return
     try:
         _make_all(moves)
-    except NotTakenBack:
-        raise
     except OSError as error:
+        _take_back(moves)
         log.warning("An interrupted export was taken back: %s", error)
         _forget(journal)
     else:
-        _drop_old(moves, journal)
+        _drop_old(moves, _marked_as_made(journal))
 
 
 def _make_all(moves: Sequence[Move]) -> None:
-    try:
-        for move in moves:
-            move.make()
-        _sync_folders(moves)
-    except BaseException:
-        _take_back(moves)
-        raise
+    for move in moves:
+        move.make()
+    _sync_folders(moves)
 
 
 def _take_back(moves: Sequence[Move]) -> None:
+    for move in reversed(moves):
+        move.take_back()
+    _sync_folders(moves)
+
+
+def _take_back_to_the_end(moves: Sequence[Move]) -> BaseException | None:
+    """Take all moves back, also if somebody interrupts that; return the interruption."""
     try:
-        for move in reversed(moves):
-            move.take_back()
-        _sync_folders(moves)
-    except OSError as error:
-        raise NotTakenBack(
-            error.errno, error.strerror, error.filename, None, error.filename2
-        ) from error
+        _take_back(moves)
+    except Exception:
+        raise
+    except BaseException as interruption:  # noqa: BLE001 - raised again when all is as it was
+        _take_back(moves)
+        return interruption
+    return None
 
 
 def _drop_old(moves: Sequence[Move], journal: Path | None) -> None:
-    """Remove what was replaced; what resists now is removed at the next start."""
+    """Remove what was replaced; what resists now is removed at the next start.
+
+    The results are in their places: nothing that fails here is an error of theirs.
+    """
     try:
-        for move in moves:
-            remove(move.old)
+        kept = [move.old for move in moves if not _is_removed(move.old)]
+        if not kept:
+            _forget(journal)
+    finally:
+        if journal is not None:
+            release(journal)
+
+
+def _marked_as_made(journal: Path | None) -> Path | None:
+    """Rename a journal, so that nobody takes back what its user knows as done."""
+    if journal is None:
+        return None
+    made = journal.with_name(temporary_name(journal, MADE_SUFFIX))
+    try:
+        journal.replace(made)
     except OSError as error:
-        log.info("What was replaced is removed later: %s", error)
-    else:
-        _forget(journal)
+        log.warning("%s cannot be renamed: %s", journal, error)
+        release(made)
+        return journal
+    release(journal)
+    return made
+
+
+def _is_removed(old: Path) -> bool:
+    try:
+        remove(old)
+    except OSError as error:
+        log.warning("%s, which was replaced, cannot be removed yet: %s", old, error)
+        return False
+    return True
 
 
 def _forget(journal: Path | None) -> None:
-    if journal is not None:
-        journal.unlink()
-        release(journal)
+    """Remove a journal that has nothing more to say; one that resists does no harm."""
+    if journal is None:
+        return
+    try:
+        journal.unlink(missing_ok=True)
+    except OSError as error:
+        log.warning("%s cannot be removed: %s", journal, error)
+    release(journal)
 
 
 def _sync_folders(moves: Sequence[Move]) -> None:
@@ -219,33 +346,21 @@ def _sync_folders(moves: Sequence[Move]) -> None:
         sync(folder)
 
 
-def _set_aside(path: Path, old: Path) -> None:
-    try:
-        os.link(path, old)  # so that the place is never empty
-    except OSError:  # a folder, or a disk whose files have one name each
+def _keep(path: Path, old: Path) -> None:
+    """Keep what is replaced under a second name; the place of a file is never empty."""
+    if path.is_dir():
         path.rename(old)
-
-
-def _written(moves: Sequence[Move]) -> Path | None:
-    """Write the journal where every start looks; None where this user has no such place."""
-    text = json.dumps([asdict(move) for move in moves], default=str)
-    folder = journals_folder_of_user()
+        return
     try:
-        folder.mkdir(mode=PRIVATE_FOLDER, parents=True, exist_ok=True)
-        return _written_in(folder, text)
-    except OSError as error:
-        log.warning("Without a journal, a kill may leave some of the results: %s", error)
-        return None
+        os.link(path, old)
+    except OSError:  # a disk whose files have one name each
+        os.close(os.open(old, os.O_CREAT | os.O_EXCL | os.O_WRONLY, PRIVATE_FILE))
+        shutil.copyfile(path, old)
+        shutil.copystat(path, old)
+        sync(old)
 
 
-def _written_in(folder: Path, text: str) -> Path:
-    unfinished = make_file(folder, folder)
-    try:
-        unfinished.write_text(text, encoding="utf-8")
-        sync(unfinished)
-        journal = unfinished.replace(folder / temporary_name(folder, SUFFIX))
-        sync(folder)
-    finally:
-        unfinished.unlink(missing_ok=True)
-        release(unfinished)
-    return journal
+def _free_name(path: Path) -> Path:
+    """Return a visible name beside a path that nothing has yet."""
+    names = (path.with_name(f"{path.name} ({number})") for number in count(2))
+    return next(name for name in names if not os.path.lexists(name))

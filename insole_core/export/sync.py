@@ -14,6 +14,8 @@ _NOT_SYNCED = (errno.EINVAL, errno.ENOTSUP)
 def sync(path: Path) -> None:
     """Wait until the content of a file, or the names in a folder, are on the disk.
 
+    Folders that may not be read cannot be synced, nor those of some networks.
+
     Raises
     ------
     OSError
@@ -21,7 +23,12 @@ def sync(path: Path) -> None:
     """
     if _IS_WINDOWS and path.is_dir():  # its names are written with the files
         return
-    handle = os.open(path, os.O_RDWR if _IS_WINDOWS else os.O_RDONLY)
+    try:
+        handle = os.open(path, os.O_RDWR if _IS_WINDOWS else os.O_RDONLY)
+    except PermissionError:
+        if path.is_dir():  # its names may be written, but not read: the disk writes them in time
+            return
+        handle = os.open(path, os.O_WRONLY)
     try:
         os.fsync(handle)
     except OSError as error:

@@ -56,7 +56,7 @@ def named_path(path: Path) -> Path:
     return next((_IN_USE[part] for part in path.parts if part in _IN_USE), path)
 
 
-def set_aside_name() -> str:
+def replaced_name() -> str:
     """Return a new hidden name for what is replaced; only a journal says when it is removed."""
     return f"{_STEM}old-{secrets.token_hex(6)}"
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import errno
+import logging
+import math
 import os
 import shutil
 import stat
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -15,10 +18,9 @@ from typing import Self, TypeAlias
 from insole_core.errors import InputError, InsoleError, OutputError, UsageError
 from insole_core.export.file_mode import take_mode
 from insole_core.export.journal import (
+    Journal,
     Move,
-    NotTakenBack,
     journals_folder_of_user,
-    make_moves,
     settle_interrupted,
 )
 from insole_core.export.sync import sync_tree
@@ -29,10 +31,12 @@ from insole_core.export.temporary import (
     named_path,
     release,
     remove,
-    set_aside_name,
+    replaced_name,
     sweep,
 )
 from insole_core.export.write_errors import FULL, describe, output_errors
+
+log = logging.getLogger(__name__)
 
 FindForeign: TypeAlias = Callable[[Path], str | None]
 """Returns the name of a file in a folder that is no earlier output of the same kind; None if there
@@ -72,8 +76,9 @@ class _Output:
 
     def move(self) -> Move:
         """Return the move to the final place."""
-        old = self.path.with_name(set_aside_name())
-        return Move(self.beside, self.path, old, os.path.lexists(self.path))
+        old = self.path.with_name(replaced_name())
+        modified_ns = self.beside.lstat().st_mtime_ns
+        return Move(self.beside, self.path, old, os.path.lexists(self.path), modified_ns)
 
 
 class Transaction:
@@ -85,6 +90,7 @@ class Transaction:
 
     def __init__(self) -> None:
         self._outputs: list[_Output] = []
+        self._journal = Journal([])
 
     def file(self, path: Path) -> Path:
         """Return a path beside `path` to write to.
@@ -148,9 +154,19 @@ class Transaction:
             elif isinstance(error, OSError) and (explained := self._explained(error)) is not None:
                 raise explained from error
         finally:
+            self._clean_up()
+
+    def _clean_up(self) -> None:
+        """Remove the temporary files, unless the next start needs them to settle the journal.
+
+        What cannot be removed now is swept later: that is no error of the results.
+        """
+        with ExitStack() as steps:  # each is taken, also if one of them is interrupted
+            steps.callback(self._journal.release)
             for output in self._outputs:
-                remove(output.beside)
-                release(output.beside)
+                steps.callback(release, output.beside)
+                if not self._journal.is_open:
+                    steps.callback(_try_to_remove, output.beside)
 
     def _publish(self) -> None:
         try:
@@ -160,18 +176,10 @@ class Transaction:
             if len(moves) == 1 and (not moves[0].replaces or moves[0].beside.is_file()):
                 moves[0].make_at_once()
             elif moves:
-                make_moves(moves)
+                self._journal = Journal(moves)
+                self._journal.make_moves()
         except OSError as error:
-            place = self._place_of(error)
-            if isinstance(error, NotTakenBack):
-                self._leave()
-            raise OutputError(describe(place, error)) from error
-
-    def _leave(self) -> None:
-        """Leave the temporary files to the next start, which needs them to settle the journal."""
-        for output in self._outputs:
-            release(output.beside)
-        self._outputs.clear()
+            raise OutputError(describe(self._place_of(error), error)) from error
 
     def _explained(self, error: OSError) -> InsoleError | None:
         """Return the sentence about an error of the work; None if it says nothing of a file."""
@@ -197,7 +205,22 @@ class Transaction:
 
     def _fullest(self) -> _Output:
         """Return the result on the disk with the least room."""
-        return min(self._outputs, key=lambda output: shutil.disk_usage(output.path.parent).free)
+        return min(self._outputs, key=lambda output: _room(output.path.parent))
+
+
+def _room(folder: Path) -> float:
+    """Return the free bytes on the disk of a folder; many for one that is gone meanwhile."""
+    try:
+        return shutil.disk_usage(folder).free
+    except OSError:
+        return math.inf
+
+
+def _try_to_remove(path: Path) -> None:
+    try:
+        remove(path)
+    except OSError as error:
+        log.warning("%s cannot be removed yet: %s", path, error)
 
 
 def _paths_of(error: OSError) -> list[Path]:

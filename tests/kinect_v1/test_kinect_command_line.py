@@ -144,13 +144,45 @@ def test_a_stopped_recording_says_what_was_discarded(
             time.sleep(0.02)
         process.send_signal(getattr(signal, name))
         _out, said = process.communicate(timeout=60)
-    assert process.returncode == 130
+    assert process.returncode == 128 + getattr(signal, name)
     assert re.fullmatch(
         rf"Stopped on request; \d+ of 100000 depth frames had come and are discarded, and "
         rf"{re.escape(str(target))} was not written\.\n",
         said,
     )
     assert [path.name for path in tmp_path.iterdir()] == ["played"]
+
+
+@pytest.mark.parametrize(
+    ("name", "code"), [("SIGINT", 0), ("SIGTERM", 128 + 15), ("SIGHUP", 128 + 1)]
+)
+def test_only_ctrl_c_is_the_usual_end_of_a_view(
+    name: str, code: int, bus: UsbBus, tmp_path: Path
+) -> None:
+    played = tmp_path / "played"
+    main(["record", str(played), "--serial", SERIALS[0], "--frames", "2"], lambda: bus)
+    command = [sys.executable, "-c", AS_IN_A_TERMINAL, "--emulate", str(played), "view"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        assert process.stdout is not None
+        process.stdout.read(1)
+        process.send_signal(getattr(signal, name))
+        process.communicate(timeout=60)
+    assert process.returncode == code
+
+
+def test_nohup_is_heeded(bus: UsbBus, tmp_path: Path) -> None:
+    played, target = tmp_path / "played", tmp_path / "taken"
+    main(["record", str(played), "--serial", SERIALS[0], "--frames", "2"], lambda: bus)
+    program = [sys.executable, "-m", "kinect_v1", "--emulate", str(played)]
+    command = ["nohup", *program, "record", str(target), "--frames", "60"]
+    with subprocess.Popen(
+        command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=tmp_path
+    ) as process:
+        while process.poll() is None and not list(tmp_path.glob(".taken.*/d-*")):
+            time.sleep(0.02)
+        process.send_signal(signal.SIGHUP)
+        assert process.wait(timeout=60) == 0
+    assert target.is_dir()
 
 
 def test_a_wrong_call_is_exit_code_two(bus: UsbBus, tmp_path: Path) -> None:

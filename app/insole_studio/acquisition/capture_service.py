@@ -18,6 +18,8 @@ from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.live_sensors import LiveSensors
 from insole_studio.acquisition.messages import (
+    ALIVE_PERIOD_S,
+    Alive,
     Cancel,
     Command,
     Event,
@@ -82,6 +84,7 @@ class _Service:
         self._waiting: deque[Command] = deque()
         self._quitting = False
         self._last: CaptureStatus | None = None
+        self._sent_s = 0.0
 
     def run(self) -> None:
         """Stream and carry out commands until told to quit."""
@@ -108,14 +111,21 @@ class _Service:
         self._connection.close()
 
     def _receive(self) -> None:
-        """Read the waiting commands; a closed connection counts as `Quit`."""
+        """Read the waiting commands; a closed connection counts as `Quit`.
+
+        Every loop comes by here, also while a capture runs or waits for the user, so this is where
+        the service shows that it does not hang.
+        """
+        if time.monotonic() - self._sent_s >= ALIVE_PERIOD_S:
+            self._send(Alive())
         try:
             while self._connection.poll():
                 self._waiting.append(self._connection.recv())
         except (EOFError, OSError):
             self._quitting = True
 
-    def _send(self, event: Event) -> None:
+    def _send(self, event: Event | Alive) -> None:
+        self._sent_s = time.monotonic()
         try:
             self._connection.send(event)
         except OSError:  # the window has gone

@@ -134,5 +134,13 @@ class Sensors:
     problem: str | None = None
 
 
+@dataclass(frozen=True)
+class Alive:
+    """The service still runs; sent where it has had nothing to say for `ALIVE_PERIOD_S`."""
+
+
+ALIVE_PERIOD_S = 1.0
+
+
 Event = Sensors | CaptureStatus | Message
 """A `Message` says why a command could not be carried out."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from itertools import chain, count
 from pathlib import Path
@@ -150,10 +150,12 @@ def hold_unfinished(folder: Path) -> tuple[HeldDraft, UnfinishedCapture]:
         When its place cannot be written.
     """
     held = hold_draft(folder)
-    left = read_unfinished(folder)
-    if left is None:
-        held.release()
-        raise InputError(_GONE, folder=folder)
+    with ExitStack() as on_failure:
+        on_failure.callback(held.release)
+        left = read_unfinished(folder)
+        if left is None:
+            raise InputError(_GONE, folder=folder)
+        on_failure.pop_all()
     return held, left
 
 

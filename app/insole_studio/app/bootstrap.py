@@ -91,13 +91,14 @@ class Application:
         return self.features.design.stage
 
     def close(self) -> None:
-        """Stop the threads, free the renderers, save the settings."""
+        """Keep unsaved work, stop the threads, free the renderers, save the settings."""
         commit_typed_text()
+        self.autosave.keep_now()  # sensors and threads may take longer than a shutdown waits
         self.events.close()
         self.features.close_windows()
         self.jobs.close()
         self.autosave.close()
-        self.features.case_files.guard.release()
+        self.features.case_files.close()
         self.stage.close()
         self.services.save_settings()
         self.window.close_for_good()
@@ -140,6 +141,8 @@ def build_application(
         paths=paths,
     )
     autosave = Autosave(case, jobs, paths.autosave_folder)
+    # The end of the session, of which systems without signals tell in this way.
+    application.commitDataRequest.connect(autosave.keep_now, Qt.ConnectionType.DirectConnection)
     source = SensorSource(SensorStore(paths.sensors_folder), emulate)
     features = make_features(services, stage, autosave, source)
     main = WindowFeature(

@@ -63,31 +63,29 @@ def run(arguments: list[str]) -> int:
         print(f"Stopped on request; {stopped.outcome}", file=sys.stderr)
         return stopped.exit_code
     except OSError as error:
-        print(_reason(error), file=sys.stderr)
-        return 1
+        return _report(error, _reason(error))
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
-        return _report_fault(error)
+        return _report(error, f"An error in the program itself ({error}); please report it")
     return 0
 
 
 def _reason(error: OSError) -> str:
+    """Say what may be wrong with a file, a disk or the network: no reader or writer expected it."""
     if error.filename is None:
         return (
-            f"The computer failed to read or write ({error}); check the disk and the network, and "
-            "try again."
+            f"The computer failed to read or write ({error}); check the disk and the network, try "
+            "again, and if that does not help, report it"
         )
     return (
-        f"{error.filename} cannot be used: {error.strerror}; check the name, and that you may "
-        "read and write there."
+        f"{error.filename} cannot be used: {error.strerror}; check that it is there, and that you "
+        "may read and write there, and if that does not help, report it"
     )
 
 
-def _report_fault(error: Exception) -> int:
-    traceback.print_exc()
-    print(
-        f"An error in the program itself ({error}); please report it with the lines above.",
-        file=sys.stderr,
-    )
+def _report(error: Exception, request: str) -> int:
+    """Print where an unexpected error comes from, and ask the user to report it."""
+    traceback.print_exception(error)
+    print(f"{request} with the lines above.", file=sys.stderr)
     return 1
 
 

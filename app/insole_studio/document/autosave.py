@@ -1,7 +1,7 @@
 """An autosaved copy of the open case, and its recovery after a crash.
 
 Every running window holds a lock file beside its copy. A copy whose lock is free was left by a
-program that crashed: it is offered at the next start.
+program that crashed: it is offered at the next start, by a window that holds its lock from then on.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ DELAY_MS = 800
 
 @dataclass(frozen=True, eq=False)
 class Recovered:
-    """A case left behind by a crashed program.
+    """A case left behind by a crashed program, which no other window is offered meanwhile.
 
     Parameters
     ----------
@@ -44,6 +44,8 @@ class Recovered:
         The file it was opened from; None for a case never saved.
     copies
         The files to remove once the case is safe.
+    lock
+        Keeps other windows from the copies until it is released.
     digest
         SHA-256 of that file when it was last read or written; empty where that is unknown.
     """
@@ -51,11 +53,17 @@ class Recovered:
     record: CaseRecord
     path: Path | None
     copies: tuple[Path, ...]
+    lock: QLockFile
     digest: str = ""
 
     def discard(self) -> None:
         """Remove the copies."""
         _remove(self.copies)
+        self.release()
+
+    def release(self) -> None:
+        """Leave the copies, if they are still there, to the next window that starts."""
+        self.lock.unlock()
 
 
 @dataclass(frozen=True)
@@ -105,6 +113,15 @@ class Autosave(QObject):
         if self._case.has_unsaved_changes:
             _write_copy(self._stem, self._case.record, self._origin())
 
+    def keep_now(self) -> None:
+        """Write at once what may be lost, because the program may be ended at any moment."""
+        if not self._wanted:
+            return
+        try:
+            self.write_now()
+        except InsoleError as error:
+            log.warning("unsaved work cannot be kept: %s", error)
+
     def forget(self) -> None:
         """Remove the copy permanently: the user has saved the case, or does not want it."""
         self._timer.stop()
@@ -117,10 +134,7 @@ class Autosave(QObject):
         self._case.changed.disconnect(self._timer.start)
         self._case.opened.disconnect(self._timer.start)
         if self._wanted and self._case.has_unsaved_changes:
-            try:
-                self.write_now()
-            except InsoleError as error:
-                log.warning("unsaved work is lost: %s", error)
+            self.keep_now()
         else:
             self._remove_copies()
         self._timer.stop()
@@ -161,7 +175,7 @@ class Autosave(QObject):
 
 
 def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recovered]:
-    """Return the cases left by programs that no longer run, newest first.
+    """Return the cases left by programs that no longer run, newest first, each of them held.
 
     Parameters
     ----------
@@ -171,11 +185,13 @@ def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recov
     found = []
     for copy in _copies_in(folder):
         stem = copy.with_suffix("")
-        if _is_held(stem):
+        lock = _lock(stem)
+        if _is_held_elsewhere(lock):
             continue
         try:
-            found.append(_recover(stem))
+            found.append(_recover(stem, lock))
         except InsoleError as error:
+            lock.unlock()
             log.warning("%s cannot be recovered: %s", copy, error)
             complain(
                 Message(
@@ -197,21 +213,20 @@ def _copies_in(folder: Path) -> list[Path]:
     return [copy for _time, copy in sorted(copies, reverse=True)]
 
 
-def _is_held(stem: Path) -> bool:
-    """Return whether a running program holds a copy; not if the folder takes no lock at all."""
-    lock = _lock(stem)
-    if lock.tryLock(0):
-        lock.unlock()
-        return False
-    return lock.error() is QLockFile.LockError.LockFailedError
+def _is_held_elsewhere(lock: QLockFile) -> bool:
+    """Take a lock if it is free; return whether a running program has it.
+
+    It does not count as held if the folder takes no lock at all.
+    """
+    return not lock.tryLock(0) and lock.error() is QLockFile.LockError.LockFailedError
 
 
-def _recover(stem: Path) -> Recovered:
+def _recover(stem: Path, lock: QLockFile) -> Recovered:
     record_copy, origin_copy = _copies(stem)
     record = read_case(record_copy)
     origin = _read_origin(origin_copy)
     path = Path(origin.path) if origin.path else None
-    return Recovered(record, path, (record_copy, origin_copy), origin.digest)
+    return Recovered(record, path, (record_copy, origin_copy), lock, origin.digest)
 
 
 def _read_origin(path: Path) -> _Origin:

@@ -31,9 +31,26 @@ VIDEO_MODES: dict[str, StreamMode | None] = {
     "none": None,
 }
 _STATUS_LINES = 2
-INTERRUPTED = 130
-"""Exit code after Ctrl+C, as shells give it: 128 and the number of the signal."""
+_STOP_SIGNALS = tuple(
+    getattr(signal, name)
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+    if hasattr(signal, name)
+)
 _PATIENT = CameraSettings(watchdog_s=3.0)
+
+
+class Stopped(KeyboardInterrupt):
+    """The user or the system asked the command to stop.
+
+    Attributes
+    ----------
+    number
+        Of the signal.
+    """
+
+    def __init__(self, number: int, outcome: str = "nothing was written") -> None:
+        super().__init__(f"Stopped on request; {outcome}.")
+        self.number = number
 
 
 def main(arguments: list[str] | None = None, find_bus: Callable[[], UsbBus] = system_bus) -> int:
@@ -57,8 +74,8 @@ def main(arguments: list[str] | None = None, find_bus: Callable[[], UsbBus] = sy
         print(error, file=sys.stderr)
         return 1
     except KeyboardInterrupt as stop:
-        print(str(stop) or "Stopped on request; nothing was written.", file=sys.stderr)
-        return INTERRUPTED
+        print(stop if isinstance(stop, Stopped) else Stopped(signal.SIGINT), file=sys.stderr)
+        return 128 + _number_of(stop)  # as shells count it
     return 0
 
 
@@ -126,8 +143,8 @@ def _start(camera: KinectCamera, options: argparse.Namespace) -> tuple[Stream, S
 def _view(options: argparse.Namespace, bus: UsbBus) -> None:
     try:
         _show(options, bus)
-    except KeyboardInterrupt:
-        if options.frames is not None:  # without a number it is how the view ends
+    except KeyboardInterrupt as stop:  # without a number, Ctrl+C is how the view ends
+        if options.frames is not None or _number_of(stop) != signal.SIGINT:
             raise
 
 
@@ -179,10 +196,11 @@ def _record(options: argparse.Namespace, bus: UsbBus) -> None:
                 writer.add(video.read())
             counts = depth.counts
             writer.finish(camera.serial, camera.model.value, camera.calibration)
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(
-            f"Stopped on request; {taken} of {wanted} depth frames had come and are discarded, "
-            f"and {options.folder} was not written."
+    except KeyboardInterrupt as stop:
+        raise Stopped(
+            _number_of(stop),
+            f"{taken} of {wanted} depth frames had come and are discarded, "
+            f"and {options.folder} was not written",
         ) from None
     print(
         f"{options.folder}: {wanted} depth frames; left out: {counts.discarded} damaged, "
@@ -190,13 +208,27 @@ def _record(options: argparse.Namespace, bus: UsbBus) -> None:
     )
 
 
-def _interrupt(_signal: int, _frame: object) -> NoReturn:
-    """Stop as on Ctrl+C, so that emitters go dark and nothing half-written stays."""
-    raise KeyboardInterrupt
+def _number_of(stop: KeyboardInterrupt) -> int:
+    return stop.number if isinstance(stop, Stopped) else signal.SIGINT
+
+
+def stop_on_signals() -> None:
+    """Raise `Stopped` at the first signal, so that emitters go dark and nothing half-written stays.
+
+    Those that follow do not disturb that. A signal that the caller had switched off, like `nohup`,
+    stays off.
+    """
+    for number in _STOP_SIGNALS:
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, _stop)
+
+
+def _stop(number: int, _frame: object) -> NoReturn:
+    for other in _STOP_SIGNALS:
+        signal.signal(other, signal.SIG_IGN)
+    raise Stopped(number)
 
 
 if __name__ == "__main__":
-    for name in ("SIGTERM", "SIGHUP"):  # Windows has no SIGHUP
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), _interrupt)
+    stop_on_signals()
     sys.exit(main())

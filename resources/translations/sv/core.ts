@@ -796,6 +796,10 @@
             <translation>Programmet som läser sensorerna har avslutats; sök efter sensorer igen.</translation>
         </message>
         <message>
+            <source>The program that reads the sensors has not answered for {seconds:.0f} s and was stopped; complete views are kept. Look for sensors again.</source>
+            <translation>Programmet som läser sensorerna har inte svarat på {seconds:.0f} s och avslutades; färdiga vyer är sparade. Sök efter sensorer igen.</translation>
+        </message>
+        <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
             <translation>Bakfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
         </message>

@@ -288,6 +288,14 @@
             <translation>Typsnittet saknar bokstäverna {letters}; en liknande eller ”?” står i stället.</translation>
         </message>
         <message>
+            <source>The order of the case before has been written.</source>
+            <translation>Beställningen för det förra fallet är skriven.</translation>
+        </message>
+        <message>
+            <source>The order of the case before is still being written.</source>
+            <translation>Beställningen för det förra fallet skrivs fortfarande.</translation>
+        </message>
+        <message>
             <source>The prescription states who prescribes the insole and who makes it, as Annex XIII of the EU regulation on medical devices asks for. The shop does not get it.</source>
             <translation>Ordinationen anger vem som ordinerar inlägget och vem som tillverkar det, som bilaga XIII till EU:s förordning om medicintekniska produkter kräver. Verkstaden får den inte.</translation>
         </message>
@@ -314,6 +322,10 @@
         <message>
             <source>Who stands on the prescription</source>
             <translation>Vilka som står på ordinationen</translation>
+        </message>
+        <message>
+            <source>Writing the order of the case before was stopped.</source>
+            <translation>Skrivningen av det förra fallets beställning avbröts.</translation>
         </message>
         <message>
             <source>blocks</source>

@@ -6,6 +6,7 @@ after the next start.
 
 from __future__ import annotations
 
+import errno
 import itertools
 import json
 import os
@@ -73,6 +74,11 @@ def killed_after(steps: int, work: Callable[[], None]) -> int:
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
+def refuse_links(*_arguments: object) -> None:
+    """Answer like a disk whose files have one name each."""
+    raise OSError(errno.EPERM, os.strerror(errno.EPERM))
+
+
 def main(place: Path) -> None:
     """Kill the transaction at every step, then the start that settles it, then start again."""
     for steps in itertools.count():
@@ -87,4 +93,6 @@ def main(place: Path) -> None:
 
 
 if __name__ == "__main__":
+    if "--without-links" in sys.argv:
+        os.link = refuse_links
     main(Path(sys.argv[1]))

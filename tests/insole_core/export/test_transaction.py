@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import errno
+import itertools
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -54,9 +57,12 @@ def visible(contents: dict[str, str]) -> dict[str, str]:
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
-def test_killed_at_any_step_all_is_old_or_all_is_new_after_the_next_start(tmp_path: Path) -> None:
+@pytest.mark.parametrize("disk", [(), ("--without-links",)], ids=["links", "no links"])
+def test_killed_at_any_step_all_is_old_or_all_is_new_after_the_next_start(
+    tmp_path: Path, disk: tuple[str, ...]
+) -> None:
     done = subprocess.run(
-        [sys.executable, str(killed_transaction.__file__), str(tmp_path / "exports")],
+        [sys.executable, str(killed_transaction.__file__), str(tmp_path / "exports"), *disk],
         capture_output=True, text=True, check=True,
         env={**os.environ, "XDG_STATE_HOME": str(tmp_path / "state")},
     )  # fmt: skip
@@ -154,13 +160,23 @@ def test_what_cannot_be_taken_back_is_settled_by_the_next_start(
     assert killed_transaction.contents(place) == NEW
 
 
-def test_a_journal_waits_for_a_disk_that_is_not_there(
-    place: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.fixture
+def not_begun(place: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where a transaction could neither make its moves nor take them back."""
+
+    def refuse(_move: journal.Move) -> None:
+        raise PermissionError(errno.EACCES, "no")
+
     with monkeypatch.context() as patch:
-        patch.setattr(journal, "_make_all", refuse_all)
+        patch.setattr(journal.Move, "make", refuse)
+        patch.setattr(journal.Move, "take_back", refuse)
         with pytest.raises(OutputError):
             killed_transaction.write(place)
+    return place
+
+
+def test_a_journal_waits_for_a_disk_that_is_not_there(not_begun: Path) -> None:
+    place = not_begun
     away = (place / "other disk").rename(place.parent / "away")
     settle_interrupted(journals_folder_of_user())
     assert visible(killed_transaction.contents(place)) == {
@@ -171,21 +187,276 @@ def test_a_journal_waits_for_a_disk_that_is_not_there(
     assert killed_transaction.contents(place) == NEW
 
 
-def refuse_all(_moves: object) -> None:
-    raise journal.NotTakenBack(errno.EACCES, "no")
+def test_what_took_a_place_after_the_kill_is_kept(not_begun: Path) -> None:
+    (not_begun / "checks.json").write_text("newer")
+    settle_interrupted(journals_folder_of_user())
+    assert visible(killed_transaction.contents(not_begun)) == {**OLD, "checks.json": "newer"}
+    assert list(journals_folder_of_user().iterdir()) == []
 
 
-def test_what_took_a_place_after_the_kill_is_kept(
+@pytest.mark.parametrize("interruption", [KeyboardInterrupt, SystemExit])
+def test_taking_back_is_completed_before_an_interruption_ends_the_work(
+    place: Path, interruption: type[BaseException], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ended = 0
+    for number in itertools.count(1):
+        killed_transaction.prepare(place)
+        with monkeypatch.context() as patch:
+            count = interrupted_while_taking_back(number, interruption(), patch)
+            with pytest.raises((interruption, OutputError)) as told:
+                killed_transaction.write(place)
+        ended += told.type is interruption
+        assert visible(killed_transaction.contents(place)) == OLD
+        settle_interrupted(journals_folder_of_user())
+        assert visible(killed_transaction.contents(place)) in (OLD, NEW)
+        assert list(journals_folder_of_user().iterdir()) == []
+        if count() < number:
+            break
+    assert ended >= 8
+
+
+def interrupted_while_taking_back(
+    number: int, interruption: BaseException, monkeypatch: pytest.MonkeyPatch
+) -> Callable[[], int]:
+    """Let the last move fail, and interrupt the n-th step after that; return their number."""
+    calls = 0
+    failed = False
+
+    def noted(real: Callable[..., Any]) -> Callable[..., Any]:
+        def call(*arguments: Any, **more: Any) -> Any:
+            nonlocal calls, failed
+            if not failed and real is replace and Path(arguments[-1]).name == "checks.json":
+                failed = True
+                raise PermissionError(errno.EACCES, "no")
+            calls += failed
+            if calls == number and failed:
+                calls += 1
+                raise interruption
+            return real(*arguments, **more)
+
+        return call
+
+    replace = os.replace
+    for name in ("replace", "rename", "unlink", "fsync"):
+        monkeypatch.setattr(os, name, noted(getattr(os, name)))
+    return lambda: calls
+
+
+def test_work_that_is_interrupted_again_and_again_is_settled_by_the_next_start(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = journal.Move.take_back
+
+    def interrupted(move: journal.Move) -> None:
+        real(move)
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(journal, "_sync_folders", interrupt)
+        patch.setattr(journal.Move, "take_back", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            killed_transaction.write(place)
+    assert visible(killed_transaction.contents(place)) not in (OLD, NEW)
+    settle_interrupted(journals_folder_of_user())
+    assert killed_transaction.contents(place) == NEW
+
+
+def interrupt(_moves: object) -> None:
+    raise KeyboardInterrupt
+
+
+def writing_before(
+    name: str, target: Path, real: Callable[..., Any], write: Callable[[], None]
+) -> Callable[..., Any]:
+    """Let somebody else write once, just before the result takes its place."""
+    waiting = [write]
+
+    def call(source: Any, destination: Any, **more: Any) -> Any:
+        if Path(destination) == target and waiting:
+            waiting.pop()()
+        return real(source, destination, **more)
+
+    call.__name__ = name
+    return call
+
+
+@pytest.fixture
+def no_links(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "link", killed_transaction.refuse_links)
+
+
+@pytest.mark.usefixtures("no_links")
+def test_without_links_the_place_of_a_file_is_never_empty(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen = []
+
+    def look() -> None:
+        seen.append((place / "insole.stl").read_text())
+
+    monkeypatch.setattr(
+        os, "replace", writing_before("replace", place / "insole.stl", os.replace, look)
+    )
+    killed_transaction.write(place)
+    assert seen == ["old"]
+    assert killed_transaction.contents(place) == NEW
+
+
+@pytest.mark.usefixtures("no_links")
+def test_without_links_what_is_replaced_and_what_came_meanwhile_both_stay(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = journal.sync
+
+    def write_after_the_copy(path: Path) -> None:
+        real(path)
+        if path.name.startswith(".insole-studio-old-"):
+            (place / "insole.stl").write_text("newer")
+
+    monkeypatch.setattr(journal, "sync", write_after_the_copy)
+    with pytest.raises(OutputError):
+        killed_transaction.write(place)
+    assert killed_transaction.contents(place) == {**OLD, "insole.stl": "newer"}
+
+
+def test_a_folder_that_came_meanwhile_stays_beside_the_one_it_replaced(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def write() -> None:
+        (place / "session").mkdir()
+        (place / "session" / "notes.txt").write_text("newer")
+
+    monkeypatch.setattr(
+        os, "replace", writing_before("replace", place / "session", os.replace, write)
+    )
+    with pytest.raises(OutputError):
+        killed_transaction.write(place)
+    assert killed_transaction.contents(place) == {
+        "insole.stl": "old",
+        "other disk/sheet.pdf": "old",
+        "session/notes.txt": "newer",
+        "session (2)/manifest.json": "old",
+    }
+    assert list(journals_folder_of_user().iterdir()) == []
+
+
+def test_what_was_written_over_a_result_is_not_taken_back_with_it(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def write_and_fail() -> None:
+        (place / "insole.stl").write_text("newer")
+        os.utime(place / "insole.stl", (1, 1))
+        raise PermissionError(errno.EACCES, "no")
+
+    monkeypatch.setattr(
+        os, "replace", writing_before("replace", place / "checks.json", os.replace, write_and_fail)
+    )
+    with pytest.raises(OutputError):
+        killed_transaction.write(place)
+    assert killed_transaction.contents(place) == {**OLD, "insole.stl": "newer"}
+
+
+def refusing(real: Callable[..., Any], is_refused: Callable[[str], bool]) -> Callable[..., Any]:
+    def call(path: Any, *more: Any, **named: Any) -> Any:
+        if is_refused(Path(path).name):
+            raise PermissionError(errno.EACCES, "Permission denied", str(path))
+        return real(path, *more, **named)
+
+    return call
+
+
+def test_what_was_replaced_and_resists_does_not_fail_the_results(
     place: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with monkeypatch.context() as patch:
-        patch.setattr(journal, "_make_all", refuse_all)
-        with pytest.raises(OutputError):
-            killed_transaction.write(place)
-    (place / "checks.json").write_text("newer")
+        patch.setattr(os, "unlink", refusing(os.unlink, lambda name: "-old-" in name))
+        killed_transaction.write(place)
+    left = killed_transaction.contents(place)
+    assert visible(left) == NEW
+    assert sum("-old-" in name for name in left) == 2
+    (place / "checks.json").unlink()  # by its user, who knows it as done
     settle_interrupted(journals_folder_of_user())
-    assert visible(killed_transaction.contents(place)) == {**OLD, "checks.json": "newer"}
+    assert killed_transaction.contents(place) == {n: t for n, t in NEW.items() if n[0] != "c"}
     assert list(journals_folder_of_user().iterdir()) == []
+
+
+def test_a_journal_that_cannot_be_removed_does_not_fail_the_results(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        is_journal = lambda name: name.endswith((".journal", ".made"))  # noqa: E731
+        patch.setattr(os, "unlink", refusing(os.unlink, is_journal))
+        killed_transaction.write(place)
+    assert killed_transaction.contents(place) == NEW
+    settle_interrupted(journals_folder_of_user())
+    assert killed_transaction.contents(place) == NEW
+    assert list(journals_folder_of_user().iterdir()) == []
+
+
+def test_the_first_error_is_told_and_all_is_cleaned_up_that_can_be(
+    place: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    opened: list[Path] = []
+
+    def work() -> None:
+        with Transaction() as outputs:
+            opened.extend(outputs.file(place / f"{number}.stl") for number in range(3))
+            raise ZeroDivisionError
+
+    with monkeypatch.context() as patch:
+        is_second = lambda name: name == opened[1].name  # noqa: E731
+        patch.setattr(os, "unlink", refusing(os.unlink, is_second))
+        with pytest.raises(ZeroDivisionError):
+            work()
+    assert [path.exists() for path in opened] == [False, True, False]
+    assert not any(map(temporary.is_unfinished, opened))
+    assert opened[1].name in caplog.text
+
+
+def test_a_full_disk_is_told_though_its_folder_is_gone(place: Path) -> None:
+    def work() -> None:
+        with Transaction() as outputs:
+            outputs.file(place / "session" / "insole.stl")
+            shutil.rmtree(place / "session")
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    with pytest.raises(OutputError, match="the disk is full"):
+        work()
+
+
+@pytest.fixture
+def other_user() -> Iterator[None]:
+    """The user of the tests, but never root, who may read everything."""
+    if os.geteuid() != 0:
+        yield
+        return
+    os.seteuid(65534)
+    try:
+        yield
+    finally:
+        os.seteuid(0)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="this system has no modes of files")
+@pytest.mark.usefixtures("other_user")
+def test_a_folder_that_may_be_written_but_not_read_takes_results() -> None:
+    with tempfile.TemporaryDirectory() as name:  # of pytest's, other users enter none
+        folder = Path(name, "inbox")
+        folder.mkdir()
+        (folder / "sheet.pdf").write_text("old")
+        (folder / "sheet.pdf").chmod(0o200)
+        folder.chmod(0o300)
+        try:
+            with Transaction() as outputs:
+                outputs.file(folder / "insole.stl").write_text("new")
+                outputs.file(folder / "sheet.pdf").write_text("new")
+            write_text("new", folder / "checks.json")
+        finally:
+            folder.chmod(0o700)
+        (folder / "sheet.pdf").chmod(0o600)
+        assert killed_transaction.contents(folder) == {
+            "checks.json": "new", "insole.stl": "new", "sheet.pdf": "new",
+        }  # fmt: skip
 
 
 def test_without_a_place_for_the_journal_the_work_is_done(

@@ -200,3 +200,18 @@ def test_a_draft_is_held_by_one(tmp_path: Path) -> None:
         hold_draft(tmp_path / "gone")
     assert drafts.begin("today-left").folder.name == "today-left-3"
     second.release()
+
+
+@pytest.mark.parametrize("error", [OSError(5, "Input/output error"), KeyboardInterrupt()], ids=repr)
+def test_a_draft_that_cannot_be_read_is_not_held(
+    tmp_path: Path, error: BaseException, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(_folder: Path) -> None:
+        raise error
+
+    (tmp_path / "today-left").mkdir()
+    with monkeypatch.context() as patch:
+        patch.setattr("insole_studio.acquisition.unfinished_captures.read_session", broken)
+        with pytest.raises(type(error)):
+            hold_unfinished(tmp_path / "today-left")
+    hold_draft(tmp_path / "today-left").release()

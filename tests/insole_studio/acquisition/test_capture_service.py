@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -19,6 +21,7 @@ from insole_studio.acquisition.messages import (
     Cancel,
     Command,
     Event,
+    Find,
     Identify,
     Placed,
     Sensors,
@@ -26,7 +29,7 @@ from insole_studio.acquisition.messages import (
     Tilt,
 )
 from insole_studio.acquisition.sensor_source import SensorSource
-from insole_studio.acquisition.service_client import CaptureService
+from insole_studio.acquisition.service_client import SILENCE_LIMIT_S, CaptureService
 
 PATIENCE_S = 30.0
 
@@ -34,8 +37,8 @@ PATIENCE_S = 30.0
 class Window:
     """Stands in for the window: keeps the news, and waits for what must come."""
 
-    def __init__(self, source: SensorSource) -> None:
-        self.service = CaptureService(source)
+    def __init__(self, source: SensorSource, silence_limit_s: float = SILENCE_LIMIT_S) -> None:
+        self.service = CaptureService(source, silence_limit_s)
         self.events: list[Event] = []
 
     def wait_for(self, wanted: Callable[[Event], bool]) -> Event:
@@ -165,3 +168,50 @@ def test_a_service_that_died_is_told(window: Window) -> None:
     window.service._process.kill()
     event = window.wait_for(lambda e: isinstance(e, Sensors) and e.problem is not None)
     assert "has ended" in str(event)
+
+
+@pytest.mark.slow
+def test_a_service_that_hangs_in_mid_capture_is_stopped_and_told(
+    small_session: Path, tmp_path: Path
+) -> None:
+    window = Window(SensorSource(NothingStored(), small_session), silence_limit_s=3.0)
+    window.wait_for_sensors()
+    draft = tmp_path / "draft"
+    window.service.send(order(small_session, draft, _long_plan(small_session)))
+    window.wait_for(
+        lambda e: isinstance(e, CaptureStatus) and any(view.finished for view in e.views)
+    )
+    os.kill(window.service._process.pid, signal.SIGSTOP)
+    ended = window.wait_for_end()
+    assert ended.phase is CapturePhase.FAILED
+    assert "has not answered for 3 s and was stopped; complete views are kept" in ended.sentence
+    assert read_session(draft).manifest.views == ("left",)
+
+    window.service.send(Find())
+    window.wait_for_sensors()
+    window.service.close()
+
+
+@pytest.mark.slow
+def test_a_service_that_waits_for_the_user_does_not_hang(
+    small_session: Path, tmp_path: Path
+) -> None:
+    window = Window(SensorSource(NothingStored(), small_session), silence_limit_s=3.0)
+    window.wait_for_sensors()
+    serial = read_session(small_session).views[0].sensor.serial
+    plan = make_plan([("left", serial), ("right", serial)], frames=2)
+    window.service.send(order(small_session, tmp_path / "a", plan))
+    window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is CapturePhase.MOVING)
+    limit_s = time.monotonic() + 2 * 3.0
+    while time.monotonic() < limit_s:
+        assert window.service.news() == []
+        time.sleep(0.05)
+    window.service.send(Placed())
+    assert window.wait_for_end().phase is CapturePhase.DONE
+    window.service.close()
+
+
+def _long_plan(session: Path) -> CapturePlan:
+    """A plan of which there is time to interrupt the second view."""
+    views = [(view.name, view.sensor.serial) for view in read_session(session).views]
+    return make_plan(views, frames=60)

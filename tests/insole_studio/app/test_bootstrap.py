@@ -1,6 +1,10 @@
 from __future__ import annotations
 
+import signal
+import subprocess
 import sys
+import textwrap
+import time
 from pathlib import Path
 
 import pytest
@@ -11,10 +15,11 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.geometry.side import Side
-from insole_studio.app.bootstrap import run_application
+from insole_core.progress import Progress
+from insole_studio.app.bootstrap import Application, build_application, run_application
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.scripted import ScriptedWindow
-from insole_studio.document.autosave import Autosave
+from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
 from insole_studio.services.questions import Answer
@@ -98,6 +103,77 @@ def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, paths: 
     run_application([], paths)
     sys.excepthook = hook
     assert seen[0].startswith("Anna B.")
+
+
+def copies(app: Application) -> list[str]:
+    """The patients of which there are copies of unsaved work."""
+    folder = app.services.paths.autosave_folder
+    return [read_case(path).patient.name for path in folder.glob("[!.]*.insole")]
+
+
+def test_unsaved_work_is_kept_before_anything_that_takes_its_time(
+    qapp: QApplication, paths: UserPaths
+) -> None:
+    app = build_application(qapp, paths)
+    app.case.apply(Patient(name="Anna B."), "Edit")
+    seen: list[str] = []
+
+    def compute_deaf_to_cancelling(_progress: Progress) -> None:
+        limit_s = time.monotonic() + 10.0
+        while time.monotonic() < limit_s and not seen:
+            seen.extend(copies(app))
+            time.sleep(0.01)
+
+    app.jobs.start("slow", compute_deaf_to_cancelling, lambda _none: None, str)
+    app.close()
+    assert seen == ["Anna B."]
+
+
+def test_unsaved_work_is_kept_when_the_session_ends(app: Application, qapp: QApplication) -> None:
+    app.case.apply(Patient(name="Anna B."), "Edit")
+    assert copies(app) == []
+    qapp.commitDataRequest.emit(None)
+    assert copies(app) == ["Anna B."]
+
+
+STOPPED = """
+    import os, signal, sys
+    from pathlib import Path
+    from PySide6.QtCore import QTimer
+    from insole_core.cases.case_record import Patient
+    from insole_studio.app import bootstrap
+    from insole_studio.user_paths import UserPaths
+
+    settings, autosave, state = sys.argv[1:]
+    build = bootstrap.build_application
+
+    def build_and_use(*arguments):
+        app = build(*arguments)
+        app.settings.tour_seen = True
+
+        def use():
+            QTimer.singleShot(500, lambda: os.kill(os.getpid(), signal.SIGTERM))
+            app.case.apply(Patient(name="Anna B."), "Edit")
+            if state == "asking":
+                app.window.close()
+
+        QTimer.singleShot(0, use)
+        return app
+
+    bootstrap.build_application = build_and_use
+    sys.exit(bootstrap.run_application([], UserPaths(Path(settings), Path(autosave))))
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("state", ["idle", "asking"])
+def test_a_stopped_window_asks_nothing_and_keeps_unsaved_work(tmp_path: Path, state: str) -> None:
+    paths = [str(tmp_path / "settings.json"), str(tmp_path / "autosave")]
+    call = [sys.executable, "-c", textwrap.dedent(STOPPED), *paths, state]
+    ended = subprocess.run(call, timeout=60, check=False, capture_output=True)
+    assert ended.returncode == 128 + signal.SIGTERM, ended.stderr.decode()
+    (recovered,) = find_recovered(tmp_path / "autosave")
+    assert recovered.record.patient.name == "Anna B."
 
 
 @pytest.mark.parametrize("dark", [False, True])

@@ -218,8 +218,24 @@ def test_a_disk_that_fails_is_not_an_error_in_the_program(
 ) -> None:
     monkeypatch.setattr("insole_core.workflows.make_foot.open_session", broken)
     assert run(["reconstruct", str(SMALL_SESSION), "--out", str(tmp_path / "f.ply")]) == 1
-    assert "failed to read or write ([Errno 5] Input/output error)" in last_line(capsys)
+    said = capsys.readouterr().err
+    assert "failed to read or write ([Errno 5] Input/output error)" in said.splitlines()[-1]
+    assert "in broken" in said  # where it comes from, for whoever is asked
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_of_the_program_that_is_missing_leaves_a_trace(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def missing(*_arguments: object) -> None:
+        (tmp_path / "weights.npz").read_bytes()
+
+    monkeypatch.setattr("insole_studio.cli.sensors.run", missing)
+    assert run(["sensors"]) == 1
+    *trace, last = capsys.readouterr().err.splitlines()
+    assert "in missing" in "\n".join(trace)
+    assert "weights.npz cannot be used: No such file or directory" in last
+    assert last.endswith("report it with the lines above.")
 
 
 def broken(*_arguments: object) -> None:

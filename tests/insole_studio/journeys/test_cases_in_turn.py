@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import threading
 import zipfile
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -10,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -21,6 +23,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPlainTextEdit,
     QProgressBar,
+    QPushButton,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
@@ -30,9 +33,12 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanS
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Pelott
+from insole_core.progress import Progress
 from insole_core.resources import resource_path
+from insole_core.workflows.make_order import write_order
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.document.section_plane import SectionPlane
+from insole_studio.features.export.stage import ExportStage
 from insole_studio.scene.view_camera import Preset
 from insole_studio.services.questions import SameSide
 from insole_studio.user_paths import UserPaths
@@ -335,7 +341,8 @@ def test_the_second_foot_of_a_visit_does_not_come_into_the_next_case(
     assert [foot.side for foot in app.case.record.feet] == [Side.RIGHT]
 
 
-def test_what_is_being_exported_is_still_written_when_another_case_is_opened(
+@pytest.fixture
+def leave_while_writing(
     app: Application,
     settle: Callable[[], None],
     qtbot: QtBot,
@@ -343,7 +350,17 @@ def test_what_is_being_exported_is_still_written_when_another_case_is_opened(
     pair: Path,
     one_foot: Path,
     tmp_path: Path,
-) -> None:
+    monkeypatch: pytest.MonkeyPatch,
+) -> Iterator[threading.Event]:
+    """Open another case while an order is written; it goes on when the event is set."""
+    go_on = threading.Event()
+
+    def write_slowly(*arguments, progress: Progress, **values) -> tuple[Path, ...]:
+        while not go_on.wait(0.01):
+            progress.step(0.0, "Writing")
+        return write_order(*arguments, progress=progress, **values)
+
+    monkeypatch.setattr("insole_studio.features.export.presenter.write_order", write_slowly)
     app.features.case_files.opener.open_path(one_foot)
     settle()
     app.controller.run_action("export", False)
@@ -351,12 +368,67 @@ def test_what_is_being_exported_is_still_written_when_another_case_is_opened(
     qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=PATIENCE_MS)
     questions.path = tmp_path / "one.stl"
     stage.view.export.click()
-    assert stage.jobs.is_running("write")
     app.features.case_files.opener.open_path(pair)
-    qtbot.waitUntil(lambda: app.features.export.stage is None, timeout=PATIENCE_MS)
     settle()
-    assert (tmp_path / "one-right.stl").exists() or (tmp_path / "one.stl").exists()
+    yield go_on
+    go_on.set()
+
+
+def written(folder: Path) -> bool:
+    return (folder / "one-right.stl").exists() or (folder / "one.stl").exists()
+
+
+def notice_button(app: Application, text: str) -> QPushButton:
+    QTest.qWait(20)
+    buttons = app.stage.notices.findChildren(QPushButton)
+    return next(b for b in buttons if b.text() == text and b.isVisible())
+
+
+def notices(app: Application) -> list[str]:
+    return [notice.text for notice in app.services.notices.notices]
+
+
+STILL_WRITING = "The order of the case before is still being written."
+
+
+def test_what_is_being_exported_is_written_out_of_sight_of_the_next_case(
+    app: Application,
+    leave_while_writing: threading.Event,
+    qtbot: QtBot,
+    pair: Path,
+    tmp_path: Path,
+) -> None:
     assert app.case.path == pair
+    assert [w for w in QApplication.topLevelWidgets() if isinstance(w, ExportStage)] != []
+    assert not any(
+        w.isVisible() for w in QApplication.topLevelWidgets() if isinstance(w, ExportStage)
+    )
+    assert STILL_WRITING in notices(app)
+    app.controller.run_action("export", False)
+    assert "Anna Berg" in "".join(shown(app))
+    assert "Bo Ek" not in "".join(shown(app))
+    record = app.case.record
+    leave_while_writing.set()
+    qtbot.waitUntil(lambda: STILL_WRITING not in notices(app), timeout=PATIENCE_MS)
+    assert written(tmp_path)
+    said = app.window.statusBar().currentMessage()
+    assert said == "The order of the case before has been written."
+    assert app.features.export.stage is not None
+    assert app.case.record is record
+    assert app.features.export.exported is not record
+
+
+def test_what_is_being_exported_of_the_case_before_can_be_cancelled(
+    app: Application, leave_while_writing: threading.Event, qtbot: QtBot, tmp_path: Path
+) -> None:
+    QTest.mouseClick(notice_button(app, "Cancel"), Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(
+        lambda: not any(isinstance(w, ExportStage) for w in QApplication.topLevelWidgets()),
+        timeout=PATIENCE_MS,
+    )
+    assert STILL_WRITING not in notices(app)
+    assert not written(tmp_path)
+    assert "was stopped" in app.window.statusBar().currentMessage()
 
 
 def test_whatever_fails_with_the_next_case_the_foot_before_is_not_shown(

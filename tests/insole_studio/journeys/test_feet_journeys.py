@@ -23,7 +23,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_studio.app.bootstrap import Application
-from insole_studio.document.autosave import Recovered
+from insole_studio.document.autosave import find_recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.services.questions import SameSide
@@ -487,7 +487,9 @@ def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, paths: UserP
     record = read_case(copy)
     assert [foot.side for foot in record.feet] == [Side.LEFT, Side.RIGHT]
     assert record.feet[1].chosen == "B"
-    crashed = Recovered(record, None, (copy,))
+    gone = copy.with_stem("of-a-window-that-is-gone")
+    gone.write_bytes(copy.read_bytes())
+    (crashed,) = find_recovered(paths.autosave_folder)
     two_feet.features.case_files.recovery.offer([crashed])
     assert two_feet.case.record.feet[1].chosen == "B"
     assert two_feet.case.has_unsaved_changes

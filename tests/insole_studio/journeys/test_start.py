@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
@@ -12,7 +13,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case, write_case
@@ -21,8 +22,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.resources import resource_path
-from insole_studio.app.bootstrap import Application
-from insole_studio.document.autosave import Recovered, find_recovered
+from insole_studio.app.bootstrap import Application, build_application
+from insole_studio.document.autosave import find_recovered
 from insole_studio.services.questions import Answer
 
 KILLED = """
@@ -169,20 +170,55 @@ def test_what_several_killed_programs_left_is_offered_one_by_one(
     assert told(app) == []
 
 
-def test_what_another_window_has_recovered_meanwhile_opens_all_the_same(
-    app: Application, tmp_path: Path, settle: Callable[[], None], questions
+@pytest.fixture
+def left_behind(app: Application) -> list[str]:
+    """The names in two copies that lie where those of windows that are gone do, newest first."""
+    folder, names = app.services.paths.autosave_folder, ["Cia Alm", "Bo Ek"]
+    for age_s, name in enumerate(names):
+        copy = folder / f"{name}.insole"
+        write_case(CaseRecord(Patient(name=name)), copy)
+        moment_s = copy.stat().st_mtime - age_s
+        os.utime(copy, (moment_s, moment_s))
+    return names
+
+
+def test_what_one_window_offers_a_second_one_does_not(
+    app: Application, left_behind: list[str], qapp: QApplication, settle: Callable[[], None]
 ) -> None:
-    found = []
-    for name in ("Cia Alm", "Bo Ek"):
-        record, copy = CaseRecord(Patient(name=name)), tmp_path / f"{name}.insole"
-        write_case(record, copy)
-        found.append(Recovered(record, None, (copy,)))
-    app.features.case_files.recovery.offer(found)
+    start(app)
     settle()
-    found[1].discard()
+    second = build_application(qapp, app.services.paths)
+    start(second)
+    assert second.case.is_empty
+    assert told(second) == []
+    second.close()
     press(app, "Open it")
     settle()
-    assert app.case.record.patient.name == "Bo Ek"
+    assert app.case.record.patient.name == left_behind[1]
+
+
+def test_what_a_window_offered_is_offered_again_once_it_is_closed(
+    app: Application, left_behind: list[str], qapp: QApplication
+) -> None:
+    second = build_application(qapp, app.services.paths)
+    start(second)
+    second.autosave.forget()
+    second.close()
+    start(app)
+    assert app.case.record.patient.name == left_behind[1]
+    assert list(app.services.paths.autosave_folder.glob("Bo Ek.*")) == []
+
+
+def test_copies_that_another_program_removed_meanwhile_open_all_the_same(
+    app: Application, left_behind: list[str], settle: Callable[[], None]
+) -> None:
+    start(app)
+    settle()
+    for copy in app.services.paths.autosave_folder.glob("Bo Ek.insole"):
+        copy.unlink()
+    press(app, "Open it")
+    settle()
+    assert app.case.record.patient.name == left_behind[1]
     assert app.services.messages.dialogs == []
 
 

@@ -24,6 +24,11 @@ class CaseFiles:
     recovery: Recovery
     guard: CaseGuard
 
+    def close(self) -> None:
+        """Leave the open case, and recovered ones, to other windows."""
+        self.guard.release()
+        self.recovery.close()
+
 
 def make_case_files(
     services: AppServices, autosave: Autosave, reconstruct: Callable[[Path], None]

@@ -38,17 +38,26 @@ class Recovery:
         self._guard = guard
         self._autosave = autosave
         self._reopen = reopen
+        self._offered: list[Recovered] = []
+        """The cases that no other window is offered while this one is open."""
         self._case.saved_changed.connect(self._drop_when_saved)
 
     def offer(self, found: Sequence[Recovered]) -> None:
         """Open the first of the recovered cases, unsaved; the others are offered beside it."""
+        self._offered += found
         for number, other in enumerate(found[1:]):
             self._offer_other(f"{NOTICE}-{number}", other, _changed_at(other))
         if found:
             self._open(found[0], _changed_at(found[0]))
 
+    def close(self) -> None:
+        """Leave what was not decided on to the next window that starts."""
+        for recovered in self._offered:
+            recovered.release()
+        self._offered.clear()
+
     def _open(self, recovered: Recovered, changed: str) -> None:
-        """Open a recovered case, also if another window has opened and removed its copy."""
+        """Open a recovered case, and remove its copy once this window has one of its own."""
         path = self._locked(recovered.path)
         self._case.open(recovered.record, path, unsaved=True, digest=recovered.digest)
         self._tell(changed)

@@ -25,6 +25,7 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.services.stage_window import StageWindow
+from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr
 from insole_studio.widgets.fields_dialog import Field
 
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from insole_studio.features.export.stage import ExportStage
 
 CHANNEL = "export"
+LEFT_NOTICE = "order"
 
 
 class ExportActions(StageWindow["ExportStage"]):
@@ -45,6 +47,8 @@ class ExportActions(StageWindow["ExportStage"]):
         self._services = services
         self._case = services.case
         self._messages = services.messages
+        self._left: list[ExportStage] = []
+        """Stages of cases that were left, hidden while they still write."""
         self.exported: CaseRecord | None = None
         """What was exported last of the open case."""
         self._case.opened.connect(self._forget_exported)
@@ -70,11 +74,49 @@ class ExportActions(StageWindow["ExportStage"]):
         stage.exported.connect(self._note)
 
     def leave_case(self) -> None:
-        """Close the stage of the case that is left, once nothing is being written."""
-        if self.stage is not None and self.stage.is_writing:
-            self.stage.jobs.ended.connect(self.leave_case, Qt.ConnectionType.QueuedConnection)
-        else:
-            self.close()
+        """Close the stage of the case that is left; what it is writing is finished, and told."""
+        stage = self.stage
+        if stage is None or not stage.is_writing:
+            super().close()
+            return
+        stage.closed.disconnect(self._forget)
+        stage.exported.disconnect(self._note)
+        stage.exported.connect(self._tell_of_left)
+        stage.jobs.ended.connect(self._close_left, Qt.ConnectionType.QueuedConnection)
+        stage.hide_until_written()
+        self._left.append(stage)
+        self.stage = None
+        self._services.notices.put(
+            LEFT_NOTICE,
+            tr("The order of the case before is still being written."),
+            (tr("Cancel"), self._cancel_left),
+            stays=True,
+        )
+
+    def close(self) -> None:
+        """Close the stage, and cancel what is still being written of cases that were left."""
+        for stage in self._left:
+            stage.presenter.cancel()
+        self._close_left()
+        super().close()
+
+    def _cancel_left(self) -> None:
+        for stage in self._left:
+            stage.presenter.cancel()
+        self._messages.say(tr("Writing the order of the case before was stopped."), LONG_MS)
+
+    def _tell_of_left(self) -> None:
+        self._messages.say(tr("The order of the case before has been written."), LONG_MS)
+
+    def _close_left(self) -> None:
+        """Close the stages of cases that were left and whose files are written."""
+        written = [stage for stage in self._left if not stage.is_writing]
+        self._left = [stage for stage in self._left if stage.is_writing]
+        for stage in written:
+            stage.close()
+            stage.deleteLater()
+        if not self._left:
+            self._services.notices.drop(LEFT_NOTICE)
 
     def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
         """Let the user choose a file for the workshop, which never gets the patient's name."""

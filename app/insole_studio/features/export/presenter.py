@@ -138,6 +138,7 @@ class ExportPresenter:
         self._chosen: CheckName | None = None
         self._reason = ""
         self._problem = ""
+        self._is_case_left = False
         self._complaint = ""
         """Why the clinic's rules could not be read."""
         panel.choice_edited.connect(self.edit_choice)
@@ -164,7 +165,10 @@ class ExportPresenter:
         self.remake()
 
     def close(self) -> None:
-        """Stop observing the case."""
+        """Stop observing the case; what is being written is finished. May be called again."""
+        if self._is_case_left:
+            return
+        self._is_case_left = True
         self._case.opened.disconnect(self._begin_order)
         self._case.changed.disconnect(self._follow)
         self._case.foot_changed.disconnect(self.remake)
@@ -281,7 +285,6 @@ class ExportPresenter:
         """Write the file and its documents in the background."""
         record, pieces, choice = self._record, self.pieces, self._order
         override, responsible = self._override(), self._asker.responsible()
-        number = self._number
 
         def write(progress: Progress) -> tuple[Path, ...]:
             files = files_of(pieces, choice, path, override is not None)
@@ -296,7 +299,7 @@ class ExportPresenter:
             names = ", ".join(written.name for written in paths)
             self._panel.show_summary(tr("Exported {name}").format(name=names))
             self._remember(choice)
-            is_left = number != self._number  # another case has been opened meanwhile
+            is_left = self._is_case_left
             exported = record if is_left else self._noted(record, choice.pseudonym)
             self._exported(exported, paths)
 

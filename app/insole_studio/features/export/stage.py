@@ -82,6 +82,11 @@ class ExportStage(StageFrame):
         """Whether files are being written."""
         return self.jobs.is_running(WRITING)
 
+    def hide_until_written(self) -> None:
+        """Show nothing more of the case, which is left; the files are written all the same."""
+        self.presenter.close()
+        self.hide()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Cancel the running job and free the renderer."""
         self.presenter.close()
