@@ -7,20 +7,9 @@ the design has none of their kind yet.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import dataclass
 
-from insole_core.errors import InputError
-from insole_core.foot.landmarks import Landmarks
-from insole_core.insole.pads.pad_places import placed_pad
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import Correction, HeelSkive, InsoleDesign, Pelott
-from insole_core.insole.prescription.device import Device
-from insole_core.insole.prescription.item_name import key_of
-from insole_core.json_object import JsonObject
-from insole_core.resources import resource_path
-from insole_core.workflows.pad_library import LibraryPad
+from insole_core.insole.prescription.design import Correction
 
 FORMAT, VERSION = "insole-findings", 1
 

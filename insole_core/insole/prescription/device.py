@@ -7,7 +7,7 @@ docs/formats/device.md. It has no side: every value in it is the same for left a
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,8 @@ from insole_core.json_object import JsonObject
 FORMAT, VERSION = "insole-device", 1
 DEVICE_KEYS = ("thickness_mm", "outline", "layers", "bottom", "base", "finish", "shell")
 """Keys of a design that belong to its device."""
-_OUTLINE_KEYS = ("extent", "toe_allowance_mm", "ball_allowance_mm", "heel_allowance_mm")
+_OF_ONE_FOOT = {"source", "shoe_size_eu", "points_mm"}
+_OUTLINE_KEYS = tuple(f.name for f in fields(Outline) if f.name not in _OF_ONE_FOOT)
 _HEAD = {
     "format": design_json.FORMAT, "version": design_json.VERSION, "side": "left", "corrections": [],
 }  # fmt: skip
@@ -91,7 +92,7 @@ def device_of(
 def device_to_json(device: Device) -> dict[str, Any]:
     """Return a device as plain values for `json.dump`."""
     design = design_json.design_to_json(device.values)
-    design["outline"] = {key: design["outline"][key] for key in _OUTLINE_KEYS}
+    design["outline"] = {k: v for k, v in design["outline"].items() if k in _OUTLINE_KEYS}
     return {
         "format": FORMAT,
         "version": VERSION,

@@ -15,6 +15,7 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
+from insole_core.insole.forms.form_surface import base_surface
 from insole_core.insole.outline.insole_outline import outline_reach
 from insole_core.insole.prescription.design import (
     ForefootTwist,
@@ -99,6 +100,7 @@ def base_key(design: InsoleDesign) -> BaseKey:
         design.max_height_mm,
         design.margin_mm,
         design.outline,
+        design.base,
     )
 
 
@@ -126,6 +128,8 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     sole = sole_surface(foot, design, progress.part(0.0, 0.8))
     progress.step(0.8, "Turning the foot and shaping the heel")
     surface, length = sole.surface, foot.length_mm
+    if design.base is not None:
+        surface = base_surface(foot, surface, design.base)
     surface = replace(surface, heights_mm=posted(surface, sole.measured, design, length))
     shaping = [c for c in design.active if isinstance(c, _SHAPING)]
     for c in sorted(shaping, key=lambda c: _SHAPING.index(type(c))):
