@@ -100,6 +100,9 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     (
         lambda: tr("&Prescribe"),
         (
+            "choose_device",
+            "toggle_as_scanned",
+            SEPARATOR,
             "add_posting",
             "add_forefoot_twist",
             "add_heel_skive",

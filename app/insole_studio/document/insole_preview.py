@@ -9,7 +9,7 @@ from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.build import check_design_for
+from insole_core.insole.build import Insole, check_design_for
 from insole_core.insole.finishing.rim_curve import Rim
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase
@@ -65,7 +65,18 @@ class InsolePreview(QObject):
     @property
     def rim(self) -> Rim | None:
         """Return what the stations of the rim refer to; None as scanned."""
-        return None if self._insole is None else self._insole.bare.base.rim
+        base = self.base
+        return None if base is None or base.finished is None else base.finished.rim
+
+    @property
+    def insole(self) -> Insole | None:
+        """Return the finished insole; None while the shown one does not match its design."""
+        design, foot, base = self._case.record.design, self._case.foot, self.base
+        if design is None or foot is None or base is None or self._insole is None:
+            return None
+        if not self.is_current or self._case.shown.design is not design:
+            return None
+        return Insole(design, foot, self._insole.contact, base.measured)
 
     @property
     def contact(self) -> HeightField | None:

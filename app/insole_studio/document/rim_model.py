@@ -4,13 +4,21 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
+from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
+from insole_core.geometry.arrays import BoolArray
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
+from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
+
+BESIDE_MM = 2.5
+"""The edge of a full-length insole, this far from that of a short one, is part of it."""
 
 
 class RimModel(QObject):
@@ -28,6 +36,8 @@ class RimModel(QObject):
         self._curve: RimCurve | None = None
         self._curve_of: tuple[object, ...] = ()
         """Rim and stations of the curve, which is computed once for each."""
+        self._reached = np.zeros(0, dtype=bool)
+        self._reached_of: tuple[object, ...] = ()
         case.foot_changed.connect(self._forget)
         case.changed.connect(self.changed)
         case.preview_changed.connect(self.changed)
@@ -64,6 +74,27 @@ class RimModel(QObject):
         curve = self.curve
         return {} if curve is None else {placed.number: placed for placed in curve.stations}
 
+    def is_reached(self, placed: PlacedStation) -> bool:
+        """Return whether the insole reaches a station."""
+        curve = self.curve
+        assert curve is not None, "a station is placed on a curve"
+        nearest = round(placed.arc_mm / curve.edge.step_mm) % len(self.reached)
+        return bool(self.reached[nearest])
+
+    @property
+    def reached(self) -> BoolArray:
+        """(n,) whether the insole reaches each point of the edge; a short one ends before."""
+        curve, record = self.curve, self._case.shown
+        if curve is None or record.foot is None or record.design is None:
+            return np.zeros(0, dtype=bool)
+        design, edge = record.design, curve.edge
+        key = edge, design.outline, None if design.shell is None else design.shell.trim_mm
+        if self._reached_of != key:
+            outline = insole_outline(record.foot, design, landmarks_of(record))
+            away, _ = KDTree(outline).query(edge.points_mm)
+            self._reached_of, self._reached = key, away < BESIDE_MM
+        return self._reached
+
     @property
     def selected(self) -> int | None:
         """Number of the selected station in the finish."""
@@ -86,7 +117,7 @@ class RimModel(QObject):
             self.changed.emit()
 
     def _forget(self) -> None:
-        self._selected, self._curve, self._curve_of = None, None, ()
+        self._selected, self._curve, self._curve_of, self._reached_of = None, None, (), ()
         self.changed.emit()
 
 

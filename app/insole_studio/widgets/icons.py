@@ -20,6 +20,7 @@ _NAMES = {
     "pelott": "mdi6.egg-outline",
     "outline": "mdi6.vector-curve",
     "rim": "mdi6.bowl-outline",
+    "device": "mdi6.shoe-print",
     "copy": "mdi6.content-copy",
     "free_hand": "mdi6.lasso",
     "brush": "mdi6.brush-outline",

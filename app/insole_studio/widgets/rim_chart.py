@@ -27,8 +27,8 @@ from insole_studio.texts import localised, tr
 from insole_studio.widgets.chart_ticks import chart_ticks
 
 LEFT_PX, RIGHT_PX, TOP_PX, BOTTOM_PX = 40.0, 12.0, 20.0, 22.0
-LEAST_HIGH_MM, ABOVE_MM = 16.0, 3.0
-"""Least height that is shown, and room above the highest station."""
+LEAST_HIGH_MM, ABOVE_MM, ABOVE_FLANK_MM = 16.0, 3.0, 8.0
+"""Least height that is shown, and room above the highest station; more for a flank above it."""
 GRAB_PX, TOUCH_GRAB_PX = 12.0, 26.0
 STATION_PX, SELECTED_PX = 5.0, 7.0
 ALONG_PX = 6.0
@@ -69,6 +69,8 @@ class RimGraph:
         In the order of the prescription.
     zones
         The anatomical parts of the edge.
+    cut_off
+        Parts of the way, from one place to another, that a short insole does not reach.
     """
 
     s_mm: FloatArray
@@ -76,6 +78,7 @@ class RimGraph:
     flank_mm: FloatArray
     stations: tuple[ChartStation, ...]
     zones: tuple[ChartZone, ...]
+    cut_off: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -168,6 +171,7 @@ class RimChart(QWidget):
             self._paint_grid(painter, self._graph, mm2px)
             self._paint_flank(painter, self._graph, mm2px)
             self._paint_rim(painter, self._graph, mm2px)
+            self._paint_cut_off(painter, self._graph, mm2px)
             self._paint_pointer(painter, self._graph, mm2px)
             self._paint_stations(painter, self._graph)
             self._paint_legend(painter)
@@ -349,9 +353,10 @@ class RimChart(QWidget):
 
     def _paint_grid(self, painter: QPainter, graph: RimGraph, mm2px: QTransform) -> None:
         frame, text = self._frame(), self.palette().windowText().color()
-        line = QPen(self.palette().mid().color(), 1)
-        faint = QColor(line.color())
-        faint.setAlpha(110)
+        strong, faint = QColor(text), QColor(text)
+        strong.setAlpha(110)
+        faint.setAlpha(40)
+        line = QPen(strong, 1)
         for z in chart_ticks(*self._range_mm, -mm2px.m22(), 18.0):
             y = mm2px.map(QPointF(0.0, z)).y()
             painter.setPen(line if z == 0 else QPen(faint, 1))
@@ -398,6 +403,15 @@ class RimChart(QWidget):
         painter.setPen(QPen(self.palette().highlight().color(), 2))
         painter.drawPolyline(mm2px.map(_line(graph.s_mm, graph.rim_mm)))
         painter.restore()
+
+    def _paint_cut_off(self, painter: QPainter, graph: RimGraph, mm2px: QTransform) -> None:
+        """Veil what lies ahead of a short insole's front edge."""
+        veil = QColor(self.palette().window().color())
+        veil.setAlpha(190)
+        frame = self._frame()
+        for start, end in graph.cut_off:
+            left, right = (mm2px.map(QPointF(s, 0.0)).x() for s in (start, end))
+            painter.fillRect(QRectF(left, frame.top(), right - left, frame.height()), veil)
 
     def _paint_stations(self, painter: QPainter, graph: RimGraph) -> None:
         accent, base = self.palette().highlight().color(), self.palette().base().color()
@@ -469,7 +483,8 @@ def _range_of(graph: RimGraph) -> tuple[float, float]:
     heights = [*(station.height_mm for station in graph.stations), *graph.rim_mm[[0]]]
     low = min(0.0, float(graph.rim_mm.min()), *heights)
     high = max(LEAST_HIGH_MM, float(graph.rim_mm.max()), *heights)
-    return low - (1.0 if low < 0 else 0.0), high + ABOVE_MM
+    flank = float(np.nanmax(graph.flank_mm, initial=high))
+    return low - (1.0 if low < 0 else 0.0), min(flank + 1.0, high + ABOVE_FLANK_MM) + ABOVE_MM
 
 
 _KEYS: dict[Qt.Key, Callable[[RimChart, Qt.KeyboardModifier], bool]] = {

@@ -20,6 +20,7 @@ from insole_studio.features.design.actions.prescription_actions import Prescript
 from insole_studio.features.design.actions.repeat_actions import RepeatActions
 from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
 from insole_studio.features.design.actions.variant_actions import VariantActions
+from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -41,6 +42,7 @@ class Design:
     side_by_side: SideBySideActions
     repeat: RepeatActions
     prescriber: PrescriberSetting
+    devices: DeviceActions
 
 
 def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
@@ -91,4 +93,7 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
         side_by_side=SideBySideActions(case, stage),
         repeat=RepeatActions(services, feet),
         prescriber=PrescriberSetting(services),
+        devices=DeviceActions(
+            services, stage.preview, stage.pads, stage.rules.pelott_usual_behind_heads_mm
+        ),
     )

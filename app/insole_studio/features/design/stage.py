@@ -137,6 +137,7 @@ class DesignStage(QObject):
         )
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
+            rim.selection_changed.connect(presenter.show_marks)
         self.insole.listed_chosen.connect(self.recent_chosen)
         self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False

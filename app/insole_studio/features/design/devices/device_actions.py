@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
@@ -12,19 +13,17 @@ from insole_core.insole.prescription.device import Device, apply_device, device_
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.workflows.clinic_devices import (
     AS_SCANNED,
+    DEFAULT_DEVICE,
     clinic_devices,
     clinic_forms,
     find_device,
 )
-from insole_core.workflows.findings import Finding, apply_finding, load_findings
-from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.features.design.devices.device_choices import (
     Choice,
     Kind,
     device_choices,
-    finding_choices,
     form_choices,
 )
 from insole_studio.features.design.devices.devices_presenter import DevicesPresenter
@@ -94,9 +93,136 @@ class DeviceActions:
         if design.finish is None:
             before = self._designed.get(design.side)
             device = find_device(devices, self._default)
-            changed = apply_device(device, design) if before is None else _device_part(before, design)
+            changed = apply_device(device, design) if before is None else _again(before, design)
             self._case.apply(changed, tr("Design the rim"))
         else:
             self._designed[design.side] = design
             changed = apply_device(find_device(devices, AS_SCANNED), design)
             self._case.apply(changed, tr("As scanned"))
+
+    def save_as_device(self) -> None:
+        """Keep the values of this design as a device of the clinic."""
+        design = self._case.record.design
+        asked = self._services.messages.questions.text(
+            tr("Save as a device"), tr("Name of the device"), "" if design is None else design.device
+        )
+        if asked is None or design is None:
+            return
+        device = device_of(design, asked)
+        self._devices.save(device)
+        self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+
+    def import_device(self) -> None:
+        """Take a device from a file of another clinic."""
+        path = self._services.messages.questions.file_to_open(device_kinds(), Kept.CASES)
+        if path is not None:
+            device = self._devices.import_file(path)
+            self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+
+    def export_device(self, device: Device) -> None:
+        """Write a device to a file for another clinic."""
+        path = self._services.messages.questions.file_to_write(
+            f"{device.key}{DEVICE_SUFFIX}", device_kinds(), Kept.CASES
+        )
+        if path is not None:
+            self._devices.export(device, path)
+            self._services.messages.say(tr("Written: {name}").format(name=path.name))
+
+    def make_default(self, device: Device) -> None:
+        """Start new designs with a device."""
+        set_default_device(self._services.paths.settings_folder, device.name)
+        self._renew("", tr("New designs start with: {name}").format(name=_shown(device)))
+
+    def remove_device(self, device: Device) -> None:
+        """Remove a device of the clinic."""
+        self._devices.remove(device.name)
+        self._renew("", tr("Removed: {name}").format(name=_shown(device)))
+
+    def keep_form(self) -> None:
+        """Keep the form of this insole as a base for others."""
+        design = self._case.record.design
+        insole = self._preview.insole
+        if design is None or insole is None:
+            return
+        asked = self._services.messages.questions.text(
+            tr("Keep this insole's form as a base"), tr("Name of the form"), design.device
+        )
+        if asked is not None:
+            form = form_of(insole, asked)
+            self._forms.save(form)
+            self._renew(f"form:{key_of(form.name)}", tr("Stored: {name}").format(name=form.name))
+
+    @property
+    def _default(self) -> str:
+        """Name of the device that new designs start with."""
+        return DEFAULT_DEVICE
+
+    def _choices(self) -> list[Choice]:
+        return [
+            *device_choices(self._devices.load()),
+            *form_choices(self._forms.load()),
+        ]
+
+    def _entries(self, choice: Choice | None) -> list[MenuEntry]:
+        """Return the menu below the list, for what is chosen in it."""
+        is_device = choice is not None and choice.kind is Kind.DEVICE
+        is_own = is_device and choice.is_own
+        return [
+            MenuEntry("save", tr("Save this design as a device…")),
+            MenuEntry("import", tr("Import a device…")),
+            MenuEntry("export", tr("Export this device…"), is_device),
+            MenuEntry("default", tr("Make it the clinic's default"), is_device),
+            MenuEntry("remove", tr("Remove this device"), is_own),
+            MenuEntry("form", tr("Keep this insole's form as a base…")),
+        ]
+
+    def _take_entry(self, key: str) -> None:
+        choice = None if self._presenter is None else self._presenter.chosen
+        try:
+            if key in _ON_DEVICE:
+                assert choice is not None, "the menu offers it for a device only"
+                device = self._devices.load().items[choice.key.removeprefix("device:")]
+                _ON_DEVICE[key](self, device)
+            else:
+                _ON_DESIGN[key](self)
+        except InsoleError as error:
+            self._services.messages.show_error(error, self._view)
+
+    def _renew(self, chosen: str, said: str) -> None:
+        """Show what was stored in the list, if it is open, and say it."""
+        self._services.messages.say(said)
+        if self._presenter is not None:
+            self._presenter.renew(self._choices(), self._default, chosen)
+
+    def _close(self) -> None:
+        view, self._view, self._presenter = self._view, None, None
+        if view is not None:
+            view.deleteLater()
+
+    def _forget(self) -> None:
+        """Let go of what belongs to the case that is left."""
+        self._designed.clear()
+        if self._view is not None:
+            self._view.reject()
+
+
+def _again(before: InsoleDesign, design: InsoleDesign) -> InsoleDesign:
+    """Return a design with the device part of an earlier one; its corrections stay."""
+    changed = apply_device(device_of(before, before.device or AS_SCANNED), design)
+    return replace(changed, device=before.device)
+
+
+def _shown(device: Device) -> str:
+    return translate_core_message(device.name)
+
+
+_ON_DEVICE: dict[str, Callable[[DeviceActions, Device], None]] = {
+    "export": DeviceActions.export_device,
+    "default": DeviceActions.make_default,
+    "remove": DeviceActions.remove_device,
+}
+_ON_DESIGN: dict[str, Callable[[DeviceActions], None]] = {
+    "save": DeviceActions.save_as_device,
+    "import": DeviceActions.import_device,
+    "form": DeviceActions.keep_form,
+}

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import (
     QDialog,
     QGridLayout,
@@ -216,7 +216,8 @@ def _item(row: ChoiceRow) -> QListWidgetItem:
         font = item.font()
         font.setBold(True)
         item.setFont(font)
-        item.setFlags(Qt.ItemFlag.NoItemFlags)
+        item.setForeground(QGuiApplication.palette().placeholderText())
+        item.setFlags(Qt.ItemFlag.ItemIsEnabled)
     if row.note:
         item.setText(f"{row.text}  ·  {row.note}")
     return item

@@ -53,7 +53,7 @@ from insole_studio.widgets.empty_page import ListedRow
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
 CONTOUR_MM = 1.0
-_NOTHING = (object(),) * 7
+_NOTHING = (object(),) * 8
 
 
 class ModelPresenter:
@@ -203,6 +203,7 @@ class ModelPresenter:
             self._case.selection,
             tool,
             tool.sketch,
+            tool.selection,
             self._surface.contact,
             plane,
             turn,
@@ -305,7 +306,7 @@ class ModelPresenter:
         for pad in pads:
             if pad.enabled:
                 lines[pad.id == self._case.selection].append(self._outline(pad))
-        if self._tool_controller.tool.key == "outline":
+        if self._tool_controller.tool.key in ("outline", "rim"):
             lines[True] = [self._insole_outline()]
         return lines[False], lines[True]
 

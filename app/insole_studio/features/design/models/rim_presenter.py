@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.edge import Edge
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
 from insole_core.insole.finishing.rim_edits import moved_station
@@ -76,7 +78,7 @@ class RimPresenter:
         if rim is None or curve is None:
             self._panel.show_sentence(self._next_step())
         else:
-            self._panel.show_graph(_graph(rim, curve), self._rim.selected)
+            self._panel.show_graph(_graph(rim, curve, self._rim.reached), self._rim.selected)
 
     def choose(self, number: int) -> None:
         """Select a station everywhere, and offer it in the views as well."""
@@ -131,12 +133,12 @@ class RimPresenter:
         return tr("The insole is being built…")
 
 
-def _graph(rim: Rim, curve: RimCurve) -> RimGraph:
+def _graph(rim: Rim, curve: RimCurve, reached: BoolArray) -> RimGraph:
     edge = rim.edge
     first = int(np.searchsorted(edge.arc_mm, edge.medial_head_mm))
     s_mm = np.append(np.sort(_s_mm(edge, edge.arc_mm)), edge.length_mm)
 
-    def unrolled(values: FloatArray) -> FloatArray:
+    def unrolled(values: NDArray[Any]) -> NDArray[Any]:
         rolled = np.roll(values, -first)
         return np.append(rolled, rolled[0])
 
@@ -146,7 +148,15 @@ def _graph(rim: Rim, curve: RimCurve) -> RimGraph:
         unrolled(rim.flank_mm),
         tuple(_station(edge, placed) for placed in _in_order(curve)),
         _zones(edge),
+        tuple(_parts(s_mm, ~unrolled(reached))),
     )
+
+
+def _parts(s_mm: FloatArray, wanted: BoolArray) -> Iterator[tuple[float, float]]:
+    """Yield the ends of each run of wanted points."""
+    turns = np.diff(np.concatenate([[0], wanted.astype(np.int8), [0]]))
+    for first, end in zip(np.flatnonzero(turns == 1), np.flatnonzero(turns == -1), strict=True):
+        yield float(s_mm[first]), float(s_mm[end - 1])
 
 
 def _in_order(curve: RimCurve) -> list[PlacedStation]:

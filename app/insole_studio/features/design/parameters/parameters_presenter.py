@@ -22,6 +22,11 @@ from insole_studio.document.case import Case
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.correction_names import name_of, pad_text
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
+from insole_studio.features.design.parameters.device_fields import (
+    SLIDERS,
+    device_group,
+    with_device_value,
+)
 from insole_studio.features.design.parameters.foot_proposals import FootProposals
 from insole_studio.features.design.rim_texts import place_text
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
@@ -95,7 +100,8 @@ class ParametersPresenter:
             return
         is_outline = self._tool_controller.tool.key == "outline"
         make = _make_groups(design, self._expert_fields(design), outline_first=is_outline)
-        self._panel.show_groups([*self._groups(design), *make])
+        device = device_group(design, design.side)
+        self._panel.show_groups([*self._groups(design), device, *make])
 
     def edit(self, key: str, value: Any) -> None:
         """Set a value; consecutive edits of one field are one undo step."""
@@ -273,6 +279,18 @@ class ParametersPresenter:
             with_stations(design, stations), tr("Change the rim"), f"rim:{number}:{name}"
         )
 
+    def _edit_device(self, name: str, value: float) -> None:
+        design = self._case.record.design
+        if design is not None:
+            changed = with_device_value(design, name, value)
+            self._case.apply(changed, SLIDERS[name].label(), f"device:{name}")
+
+    def _edit_finish(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None and design.finish is not None:
+            changed = replace(design, finish=with_value(design.finish, name, value, self._side))
+            self._case.apply(changed, tr("Edit the device"), f"finish:{name}")
+
     def _edit_insole(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
@@ -341,6 +359,8 @@ def _make_groups(
         FieldGroup(tr("Layers"), field_specs(design.layers, "layers", side)),
     ]
     outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline", side))
+    if design.finish is not None:
+        expert_fields = (*expert_fields, *field_specs(design.finish, "finish", side, expert=True))
     expert_fields = (*expert_fields, *field_specs(design, "insole", side, expert=True))
     expert = FieldGroup(tr("Expert"), expert_fields)
     return [outline, *made, expert] if outline_first else [*made, outline, expert]
@@ -364,6 +384,8 @@ _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "template": ParametersPresenter._edit_template,
     "posting": ParametersPresenter._edit_posting,
     "station": ParametersPresenter._edit_station,
+    "device": ParametersPresenter._edit_device,
+    "finish": ParametersPresenter._edit_finish,
     "insole": ParametersPresenter._edit_insole,
     "layers": ParametersPresenter._edit_layers,
     "outline": ParametersPresenter._edit_outline,

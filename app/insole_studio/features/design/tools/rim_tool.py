@@ -55,6 +55,11 @@ class RimTool(Tool):
         """Forget which station was selected."""
         self._rim.select(None)
 
+    @property
+    def selection(self) -> object:
+        """The selected station."""
+        return self._rim.selected
+
     def hint(self, case: Case) -> str:
         """Return one short sentence on what the user can do now."""
         design = case.shown.design
@@ -75,6 +80,7 @@ class RimTool(Tool):
                 "move" if number == self._rim.selected else "size",
             )
             for number, placed in self._rim.placed.items()
+            if self._rim.is_reached(placed)
         )
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:

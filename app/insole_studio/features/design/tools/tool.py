@@ -110,6 +110,11 @@ class Tool:
         return ()
 
     @property
+    def selection(self) -> object:
+        """What of the tool's own is selected; marks are drawn again when it changes."""
+        return None
+
+    @property
     def foot_step(self) -> FloatArray | None:
         """The transform (4, 4) by which the foot is being turned; None while it is not."""
         return None
