@@ -190,12 +190,13 @@ def refuse(dialog: QDialog) -> None:
 
 
 def type_path(dialog: QDialog, path: Path) -> None:
-    """Type a path into a file dialog, and Enter until the dialog takes it."""
+    """Type a path into a file dialog and press Enter, until the dialog takes it."""
     assert isinstance(dialog, QFileDialog)
     (field,) = dialog.findChildren(QLineEdit, "fileNameEdit")
-    field.selectAll()
-    QTest.keyClicks(field, str(path))
     while dialog.isVisible():
+        field.selectAll()
+        QTest.keyClicks(field, str(path))
+        field.completer().popup().hide()  # else Enter may choose what it proposes
         QTest.keyClick(field, Qt.Key.Key_Return)
         QApplication.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, LOOK_MS)
 

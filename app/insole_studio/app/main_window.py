@@ -7,7 +7,7 @@ import hashlib
 from collections.abc import Sequence
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtCore import QByteArray, QEvent, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
     QActionGroup,
@@ -361,6 +361,12 @@ class MainWindow(QMainWindow):
         """Fit the toolbar once its buttons have the fonts they are shown in."""
         super().showEvent(event)
         QTimer.singleShot(0, self, self._fit_toolbar)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Fit the toolbar again when targets for touch make its buttons larger or smaller."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.StyleChange:
+            QTimer.singleShot(0, self, self._fit_toolbar)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share what the window gains or loses between the two views, and announce the layout."""

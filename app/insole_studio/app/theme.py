@@ -163,6 +163,7 @@ def _touch_sheet(colors: Colors) -> str:
     return f"""
     QToolButton, QPushButton, QComboBox, QLineEdit, QAbstractSpinBox {{ min-height: 40px; }}
     QToolButton {{ min-width: 40px; }}
+    QToolBar QToolButton {{ padding: 4px 2px; }}
     QCheckBox, QRadioButton, QTabBar::tab, QAbstractItemView::item {{ min-height: 44px; }}
     QAbstractSpinBox {{ border: 1px solid {colors.line}; border-radius: 4px; min-height: 42px;
                         background: {colors.base}; padding-right: 90px; }}

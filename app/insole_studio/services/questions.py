@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from enum import Enum, auto
 from pathlib import Path
+from typing import Generic, TypeVar
 
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QDialog,
     QFileDialog,
     QInputDialog,
@@ -56,6 +59,22 @@ class Unsaved(Enum):
     GO_ON = auto()
 
 
+Chosen = TypeVar("Chosen")
+_ACCEPT = QMessageBox.ButtonRole.AcceptRole
+_ACT = QMessageBox.ButtonRole.ActionRole
+_DESTRUCT = QMessageBox.ButtonRole.DestructiveRole
+_REJECT = QMessageBox.ButtonRole.RejectRole
+
+
+@dataclass(frozen=True)
+class _Choice(Generic[Chosen]):
+    """A button, and the answer that it stands for."""
+
+    verb: str
+    answer: Chosen
+    role: QMessageBox.ButtonRole
+
+
 class Questions:
     """Questions with verbs on their buttons; None means cancelled.
 
@@ -99,36 +118,31 @@ class Questions:
         asked
             The side that it was said to be.
         """
-        box = self._box(sentence)
         verbs = {Side.LEFT: tr("Open as a left foot"), Side.RIGHT: tr("Open as a right foot")}
-        other = box.addButton(verbs[asked.other], QMessageBox.ButtonRole.AcceptRole)
-        same = box.addButton(verbs[asked], QMessageBox.ButtonRole.DestructiveRole)
-        stop = box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(stop)
-        box.exec()
-        return {other: asked.other, same: asked}.get(box.clickedButton())  # type: ignore[call-overload]
+        choices: list[_Choice[Side | None]] = [
+            _Choice(verbs[asked.other], asked.other, _ACCEPT),
+            _Choice(verbs[asked], asked, _DESTRUCT),
+            _Choice(tr("Do not open"), None, _REJECT),
+        ]
+        return self._choose(sentence, choices, default=None)
 
     def open_anyway(self, sentence: str) -> bool:
         """Ask whether to continue although the shape is that of the other foot."""
-        box = self._box(sentence)
-        anyway = box.addButton(tr("Open anyway"), QMessageBox.ButtonRole.AcceptRole)
-        stop = box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(stop)
-        box.exec()
-        return box.clickedButton() is anyway
+        choices = [
+            _Choice(tr("Open anyway"), True, _ACCEPT),
+            _Choice(tr("Do not open"), False, _REJECT),
+        ]
+        return self._choose(sentence, choices, default=False)
 
     def about_unsaved(self, name: str) -> Answer:
         """Ask what to do with unsaved work."""
-        box = self._box(tr("{name} has changes that are not saved.").format(name=name))
-        save = box.addButton(tr("Save"), QMessageBox.ButtonRole.AcceptRole)
-        discard = box.addButton(tr("Discard changes"), QMessageBox.ButtonRole.DestructiveRole)
-        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(save)
-        box.exec()
-        clicked = box.clickedButton()
-        if clicked is save:
-            return Answer.SAVE
-        return Answer.DISCARD if clicked is discard else Answer.CANCEL
+        choices = [
+            _Choice(tr("Save"), Answer.SAVE, _ACCEPT),
+            _Choice(tr("Discard changes"), Answer.DISCARD, _DESTRUCT),
+            _Choice(tr("Go on working"), Answer.CANCEL, _REJECT),
+        ]
+        sentence = tr("{name} has changes that are not saved.").format(name=name)
+        return self._choose(sentence, choices, default=Answer.SAVE)
 
     def about_same_side(self, side: Side) -> SameSide:
         """Ask what to do with a second scan of the same foot."""
@@ -136,58 +150,62 @@ class Questions:
             Side.LEFT: tr("The case has a left foot already."),
             Side.RIGHT: tr("The case has a right foot already."),
         }
-        box = self._box(sentence[side])
-        box.setInformativeText(
-            tr("With the new scan in its place, the design can be repeated in one click.")
+        choices = [
+            _Choice(tr("Put in its place"), SameSide.REPLACE, _ACCEPT),
+            _Choice(tr("Begin a new case"), SameSide.NEW_CASE, _ACT),
+            _Choice(tr("Do not open"), SameSide.CANCEL, _REJECT),
+        ]
+        return self._choose(
+            sentence[side],
+            choices,
+            default=SameSide.REPLACE,
+            details=tr("With the new scan in its place, the design can be repeated in one click."),
         )
-        place = box.addButton(tr("Put in its place"), QMessageBox.ButtonRole.AcceptRole)
-        new = box.addButton(tr("Begin a new case"), QMessageBox.ButtonRole.ActionRole)
-        box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(place)
-        box.exec()
-        if box.clickedButton() is place:
-            return SameSide.REPLACE
-        return SameSide.NEW_CASE if box.clickedButton() is new else SameSide.CANCEL
 
     def about_case_in_use(self, sentence: str) -> InUse:
         """Ask how to open a case that another window has open."""
-        box = self._box(sentence)
-        box.setInformativeText(
-            tr("Look at it without changing its file, or go on with a copy under another name.")
+        choices = [
+            _Choice(tr("Open read-only"), InUse.READ_ONLY, _ACCEPT),
+            _Choice(tr("Open a copy"), InUse.COPY, _ACT),
+            _Choice(tr("Do not open"), InUse.CANCEL, _REJECT),
+        ]
+        return self._choose(
+            sentence,
+            choices,
+            default=InUse.READ_ONLY,
+            details=tr(
+                "Look at it without changing its file, or go on with a copy under another name."
+            ),
         )
-        read = box.addButton(tr("Open read-only"), QMessageBox.ButtonRole.AcceptRole)
-        copy = box.addButton(tr("Open a copy"), QMessageBox.ButtonRole.ActionRole)
-        box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(read)
-        box.exec()
-        if box.clickedButton() is read:
-            return InUse.READ_ONLY
-        return InUse.COPY if box.clickedButton() is copy else InUse.CANCEL
 
     def about_failed_save(self, sentence: str) -> Unsaved:
         """Ask what to do with a case that could not be saved."""
-        box = self._box(sentence)
-        box.setIcon(QMessageBox.Icon.Warning)
-        box.setInformativeText(tr("Nothing is lost: the case stays open, and is not saved yet."))
-        elsewhere = box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole)
-        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(elsewhere)
-        box.exec()
-        return Unsaved.ELSEWHERE if box.clickedButton() is elsewhere else Unsaved.GO_ON
+        choices = [
+            _Choice(tr("Save as…"), Unsaved.ELSEWHERE, _ACCEPT),
+            _Choice(tr("Go on working"), Unsaved.GO_ON, _REJECT),
+        ]
+        return self._choose(
+            sentence,
+            choices,
+            default=Unsaved.ELSEWHERE,
+            details=tr("Nothing is lost: the case stays open, and is not saved yet."),
+            icon=QMessageBox.Icon.Warning,
+        )
 
     def about_changed_file(self, sentence: str) -> Unsaved:
         """Ask what to do with a case whose file another program has changed."""
-        box = self._box(sentence)
-        box.setIcon(QMessageBox.Icon.Warning)
-        box.setInformativeText(tr("Saving here would discard what was changed there."))
-        elsewhere = box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole)
-        replace = box.addButton(tr("Replace the file"), QMessageBox.ButtonRole.DestructiveRole)
-        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(elsewhere)
-        box.exec()
-        if box.clickedButton() is elsewhere:
-            return Unsaved.ELSEWHERE
-        return Unsaved.REPLACE if box.clickedButton() is replace else Unsaved.GO_ON
+        choices = [
+            _Choice(tr("Save as…"), Unsaved.ELSEWHERE, _ACCEPT),
+            _Choice(tr("Replace the file"), Unsaved.REPLACE, _DESTRUCT),
+            _Choice(tr("Go on working"), Unsaved.GO_ON, _REJECT),
+        ]
+        return self._choose(
+            sentence,
+            choices,
+            default=Unsaved.ELSEWHERE,
+            details=tr("Saving here would discard what was changed there."),
+            icon=QMessageBox.Icon.Warning,
+        )
 
     def text(self, title: str, question: str, value: str) -> str | None:
         """Ask for a line of text.
@@ -224,22 +242,21 @@ class Questions:
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be replaced."""
         names = ", ".join(path.name for path in paths)
-        box = self._box(tr("These files are there already: {names}").format(names=names))
-        replace = box.addButton(tr("Replace them"), QMessageBox.ButtonRole.AcceptRole)
-        keep = box.addButton(tr("Keep them"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(keep)
-        box.exec()
-        return box.clickedButton() is replace
+        choices = [
+            _Choice(tr("Replace them"), True, _ACCEPT),
+            _Choice(tr("Keep them"), False, _REJECT),
+        ]
+        sentence = tr("These files are there already: {names}").format(names=names)
+        return self._choose(sentence, choices, default=False)
 
     def may_discard(self, name: str) -> bool:
         """Ask whether recovered work may be discarded for good."""
-        text = tr("What was recovered of {name} and not saved will be gone for good.")
-        box = self._box(text.format(name=name))
-        discard = box.addButton(tr("Discard it"), QMessageBox.ButtonRole.DestructiveRole)
-        keep = box.addButton(tr("Keep it"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(keep)
-        box.exec()
-        return box.clickedButton() is discard
+        choices = [
+            _Choice(tr("Discard it"), True, _DESTRUCT),
+            _Choice(tr("Keep it"), False, _REJECT),
+        ]
+        sentence = tr("What was recovered of {name} and not saved will be gone for good.")
+        return self._choose(sentence.format(name=name), choices, default=False)
 
     def folder_to_open(self, title: str, kept: Kept) -> Path | None:
         """Ask for a folder.
@@ -307,9 +324,39 @@ class Questions:
         self._folders.remember(kept, path.parent)
         return path
 
-    def _box(self, text: str) -> QMessageBox:
+    def _choose(
+        self,
+        sentence: str,
+        choices: Sequence[_Choice[Chosen]],
+        *,
+        default: Chosen,
+        details: str = "",
+        icon: QMessageBox.Icon = QMessageBox.Icon.NoIcon,
+    ) -> Chosen:
+        """Ask a question with a button for each answer, and return the chosen one.
+
+        Parameters
+        ----------
+        sentence
+            What there is to decide on.
+        choices
+            The last one is also that of Escape, and of a dialog that is closed without an answer.
+        default
+            Answer of the button that Enter presses.
+        details
+            What the answers lead to.
+        """
         box = QMessageBox(self._parent)
         box.setWindowTitle(tr("Insole Studio"))
-        said = translate_core_message(text)
+        box.setIcon(icon)
+        said = translate_core_message(sentence)
         box.setText(said[:1].upper() + said[1:])
-        return box
+        box.setInformativeText(details)
+        answers: dict[QAbstractButton, Chosen] = {}
+        for choice in choices:
+            button = box.addButton(choice.verb, choice.role)
+            answers[button] = choice.answer
+            if choice.answer == default:
+                box.setDefaultButton(button)
+        box.exec()
+        return answers.get(box.clickedButton(), choices[-1].answer)

@@ -1,16 +1,17 @@
-"""Notices that need no answer: lines with a button, shown until dismissed."""
+"""Notices that need no answer: lines with a button, shown until dismissed; many can be scrolled."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QSize, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QPushButton,
+    QScrollArea,
     QSizePolicy,
     QToolButton,
     QWidget,
@@ -22,6 +23,8 @@ from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.icons import icon
 
 LEAST_PX = 640
+MOST_LINES = 2.5
+"""Lines that are shown at once: the half one tells that there are more."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,7 @@ class Notice:
     offers: tuple[str, ...] = ()
 
 
-class NoticeBar(QWidget):
+class NoticeBar(QScrollArea):
     """Shows notices, short ones side by side; has no height while there are none."""
 
     taken = Signal(str, int)
@@ -43,17 +46,25 @@ class NoticeBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._lines = FlowLayout(self, margin_px=4, gap_px=4)
+        content = QWidget()
+        self._lines = FlowLayout(content, margin_px=4, gap_px=4)
         self._lines.setContentsMargins(4, 0, 4, 0)
+        self.setWidget(content)
+        content.setAutoFillBackground(False)  # else it has the colour of buttons
+        self.viewport().setAutoFillBackground(False)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
-        """Return the height of the lines at this width."""
-        hint = super().sizeHint()
-        return QSize(hint.width(), self._lines.heightForWidth(max(self.width(), LEAST_PX)))
+        """Return the height of the lines at this width, or of those that are shown at once."""
+        needed_px = self._lines.heightForWidth(max(self.viewport().width(), LEAST_PX))
+        most_px = round(MOST_LINES * self._lines.minimumSize().height())
+        return QSize(LEAST_PX, min(needed_px, most_px))
 
     def minimumSizeHint(self) -> QSize:
-        """Return a size that cuts nothing off."""
+        """Return a size that cuts no line off."""
         return QSize(0, self.sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:

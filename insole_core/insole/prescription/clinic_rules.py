@@ -27,6 +27,7 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.insole.prescription.pronation import PronationStep
+from insole_core.insole.prescription.rim_sliders import cup_depth_mm
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, Value
@@ -217,8 +218,7 @@ def _edge(angle_deg: float) -> str:
 
 
 def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
-    cups = [c.depth_mm for c in design.active if isinstance(c, HeelCup)]
-    cup = min(cups, default=_USUAL_CUP_MM)
+    cup = _cup_mm(design)
     inversion = max(rounded(posting_angles(design)[0], _SHOWN), 0.0)
     lifts = [c for c in design.active if isinstance(c, HeelLift)]
     lift_mm = rounded(sum(c.height_mm for c in lifts), _SHOWN)
@@ -246,6 +246,13 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
                 cup_mm=cup,
             )
             yield DesignWarning(shallow, c.id)
+
+
+def _cup_mm(design: InsoleDesign) -> float:
+    """Return the depth of the heel cup: that of the designed rim, or of the corrections."""
+    cups = [c.depth_mm for c in design.active if isinstance(c, HeelCup)]
+    rim = None if design.finish is None else cup_depth_mm(design.finish)
+    return min(cups, default=_USUAL_CUP_MM) if rim is None else max([rim, *cups])
 
 
 def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, replace
+from itertools import groupby
 from typing import Any
 
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.corrections import Correction, Pelott
-from insole_core.insole.prescription.design import Finish, InsoleDesign
+from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
+from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
 from insole_core.insole.prescription.shell import Post
 from insole_core.messages import Message, joined
 
@@ -33,6 +35,8 @@ LABELS: dict[str, str] = {
     "cover_mm": "Cover",
     "shell_mm": "Shell layer",
     "base_mm": "Base layer",
+    "cup_mm": "Heel cup",
+    "medial_flange_mm": "Medial flange",
     "expansion_mm": "Soft tissue expansion",
     "arch_fill_mm": "Arch fill",
     "skin_smoothing_mm": "Smoothing of skin folds",
@@ -41,7 +45,8 @@ LABELS: dict[str, str] = {
     "heel_blend_mm": "Blend at the heel",
     "arch_blend_mm": "Blend at the arch",
     "forefoot_blend_mm": "Blend at the forefoot",
-    "rim": "Rim",
+    "medial_rim": "Medial rim, from heel to toes",
+    "lateral_rim": "Lateral rim, from heel to toes",
     "material": "Material",
     "body_weight_kg": "Body weight",
     "taper_mm": "Thickness at the front edge",
@@ -92,6 +97,7 @@ _CORRECTIONS = {
 }
 _PARTS = ("outline", "layers", "finish", "shell")
 _UNITS = {"_mm": "mm", "_deg": "°", "_kg": "kg"}
+_RAISING = ("rearfoot_deg", "forefoot_deg", "angle_deg")
 _MAIN = {
     "border": "",
     "mode": "",
@@ -105,10 +111,16 @@ _MAIN = {
     "strength": "",
 }
 """By which values of a correction a clinician knows it, and how each is said."""
-_NONE = Message("none")
+_LEVELS = {
+    "heel": "{heights} mm",
+    "toes": "{heights} mm over the toes",
+    "foot": "{heights} mm over the foot",
+}
+_OF_RIM = ("cup_mm", "medial_flange_mm", "medial_rim", "lateral_rim")
+_NONE, _SCANNED = Message("none"), Message("as scanned")
 _ABSENT = {
     "base": Message("from the foot"),
-    **{field.name: Message("as scanned") for field in fields(Finish)},
+    **dict.fromkeys((*(f.name for f in fields(Finish)), *_OF_RIM), _SCANNED),
 }
 """How the lack of a value is said, where it is not "none"."""
 
@@ -151,6 +163,12 @@ def _values(design: InsoleDesign) -> dict[str, Any]:
         part = getattr(design, name)
         if part is not None:
             values |= {field.name: getattr(part, field.name) for field in fields(part)}
+    if design.finish is not None:
+        stations = sorted(values.pop("rim"), key=lambda station: station.along)
+        for border in ("medial", "lateral"):
+            values[f"{border}_rim"] = tuple(s for s in stations if s.border == border)
+        values["cup_mm"] = cup_depth_mm(design.finish)
+        values["medial_flange_mm"] = medial_flange_mm(design.finish)
     for post in values.pop("posts", ()):
         values[post.region] = post
     return values
@@ -162,7 +180,7 @@ def _is_nothing(key: str, *designs: dict[str, Any]) -> bool:
 
 
 def _post(post: Post) -> Message:
-    parts = [_number(post.angle_deg, "°")]
+    parts = [_wording("angle_deg", post.angle_deg)]
     if post.length_mm is not None:
         parts.append(Message("{value} long", value=_number(post.length_mm, "mm")))
     parts.append(Message("edge {value}", value=_number(post.edge_radius_mm, "mm")))
@@ -171,17 +189,30 @@ def _post(post: Post) -> Message:
 
 def _wording(key: str, value: Any) -> Message:
     """Return a value in words, with its unit; None is that of a part that a design lacks."""
-    if value is None or value == ():
-        return _ABSENT.get(key, _NONE) if value is None else _NONE
-    if isinstance(value, BaseForm):
-        return _base(value)
-    if isinstance(value, Post):
-        return _post(value)
+    if value is None:
+        return _ABSENT.get(key, _NONE)
+    if value in ((), ""):
+        return _NONE
     if isinstance(value, str):
-        return Message(_WORDS.get(value, value)) if value else _NONE
+        return Message(_WORDS.get(value, value))
     if isinstance(value, tuple):
-        return Message("{count:g} places", count=len(value))
-    return _number(value, next((u for suffix, u in _UNITS.items() if key.endswith(suffix)), ""))
+        return _rim(value) if key in _OF_RIM else Message("{count:g} places", count=len(value))
+    return _part(value) if isinstance(value, BaseForm | Post) else _measure(key, value)
+
+
+def _part(part: BaseForm | Post) -> Message:
+    return _base(part) if isinstance(part, BaseForm) else _post(part)
+
+
+def _rim(stations: tuple[RimStation, ...]) -> Message:
+    """Return the heights of a border's stations, grouped by the level they are counted from."""
+    return joined(
+        Message(
+            _LEVELS[over],
+            heights=joined((_number(station.height_mm, "") for station in group), " · "),
+        )
+        for over, group in groupby(stations, key=lambda station: station.over)
+    )
 
 
 def _base(base: BaseForm) -> Message:
@@ -192,6 +223,17 @@ def _base(base: BaseForm) -> Message:
         form=base.form.name,
         percent=round(100 * base.contact_share, 1),
     )
+
+
+def _measure(key: str, value: float) -> Message:
+    if key in _RAISING and value != 0:
+        return _raised(value)
+    return _number(value, next((u for suffix, u in _UNITS.items() if key.endswith(suffix)), ""))
+
+
+def _raised(angle_deg: float) -> Message:
+    angle = _number(abs(angle_deg), "°")
+    return Message("{angle} medial" if angle_deg > 0 else "{angle} lateral", angle=angle)
 
 
 def _number(value: float, unit: str) -> Message:

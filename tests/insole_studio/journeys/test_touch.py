@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import pytest
-from PySide6.QtWidgets import QApplication, QLabel, QScrollArea, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from insole_studio.app.bootstrap import Application
@@ -62,6 +72,57 @@ def test_the_foot_stage_is_whole(qtbot: QtBot) -> None:
     assert [x.text() for x in labels if x.width() < x.sizeHint().width()] == []
     assert view.minimumSizeHint().width() <= SMALL[0]
     view.close_scene()
+
+
+@pytest.mark.usefixtures("fingers")
+def test_many_notices_leave_the_status_line_on_the_screen(
+    opened: Application, qtbot: QtBot
+) -> None:
+    window, notices = opened.window, opened.services.notices
+    window.resize(*SMALL)
+    for number in range(6):
+        notices.put(
+            f"{number}", "The scan was changed. " * 8, ("Open it", str), ("Discard it…", str)
+        )
+    status = window.statusBar()
+    qtbot.waitUntil(lambda: opened.stage.notices.verticalScrollBar().maximum() > 0)
+    assert window.height() == SMALL[1]
+    assert status.geometry().bottom() < SMALL[1]
+    assert status.isVisible()
+    last = opened.stage.notices.findChildren(QPushButton)[-1]
+    opened.stage.notices.ensureWidgetVisible(last)
+    QTest.mouseClick(last, Qt.MouseButton.LeftButton)
+    assert [notice.key for notice in notices.notices] == ["0", "1", "2", "3", "4"]
+
+
+def labelled_tools(application: Application) -> list[str]:
+    """The tools of the toolbar whose labels are shown beside their icons."""
+    buttons = application.window.findChild(QToolBar, "toolbar").findChildren(QToolButton)
+    beside = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+    return [button.text() for button in buttons if button.toolButtonStyle() == beside]
+
+
+def test_the_tools_keep_their_labels_when_touch_mode_comes_and_goes(
+    opened: Application, settle: Callable[[], None], qapp: QApplication
+) -> None:
+    opened.window.resize(*SMALL)
+    opened.window.show()
+    labelled: list[list[str]] = []
+    try:
+        for _ in range(2):
+            opened.window.actions_by_key["touch"].trigger()
+            settle()
+            QTest.qWait(50)
+            toolbar = opened.window.findChild(QToolBar, "toolbar")
+            assert toolbar.sizeHint().width() <= opened.window.width()
+            labelled.append(labelled_tools(opened))
+        opened.features.case_files.opener.new_case()
+        settle()
+        labelled.append(labelled_tools(opened))
+    finally:
+        apply_theme(qapp, dark=False)
+    assert len(labelled[0]) > 8
+    assert labelled[1] == labelled[2] == labelled[0]
 
 
 def test_touch_mode_can_be_switched_while_the_window_is_open(

@@ -1,0 +1,103 @@
+"""Heel cup and medial flange as one number each: read from the stations of a rim, and set in them.
+
+Only stations over the heel's floor count; those over the toe zone or the foot stay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from insole_core.insole.prescription.finish import HEADS_ALONG, Finish, RimStation
+
+_CUP_ALONG, _CUP_FADE = 0.2, 0.4
+"""Up to which share of a border the cup is moved as a whole, and where it ends."""
+_FLANGE = (0.2, 0.45, HEADS_ALONG)
+"""Begin, usual place of the peak, and end of the medial flange, as shares of the border."""
+_AS_THE_FOOT = (0.45, HEADS_ALONG, 1.0)
+"""Where a rim without stations is kept as the foot when the cup is set."""
+
+
+def cup_depth_mm(finish: Finish) -> float | None:
+    """Return the depth of the heel cup behind the heel; None if no station says it."""
+    cup = [s for s in finish.rim if s.over == "heel" and s.along <= _CUP_ALONG]
+    return min(cup, key=lambda station: station.along).height_mm if cup else None
+
+
+def with_cup_depth(finish: Finish, depth_mm: float) -> Finish:
+    """Set the depth of the heel cup behind the heel.
+
+    The stations beside the heel move by as much, those before it by less; the medial flange stays.
+    A rim without a cup gets one.
+    """
+    old_mm = cup_depth_mm(finish)
+    if old_mm is None:
+        return replace(finish, rim=(*_round_heel(depth_mm), *(finish.rim or _as_the_foot())))
+    return _moved(finish, depth_mm - old_mm, _cup_weight)
+
+
+def medial_flange_mm(finish: Finish) -> float | None:
+    """Return the height of the medial flange at its peak; None if no station says it."""
+    peak = _peak(finish)
+    return None if peak is None else peak.height_mm
+
+
+def with_medial_flange(finish: Finish, height_mm: float) -> Finish:
+    """Set the height of the medial flange at its peak; it falls off to the cup and to the head.
+
+    A rim without a medial flange gets one at its usual place.
+    """
+    peak = _peak(finish)
+    if peak is None:
+        station = RimStation(border="medial", along=_FLANGE[1], height_mm=height_mm)
+        others = (s for s in finish.rim if (s.border, s.along) != ("medial", _FLANGE[1]))
+        return replace(finish, rim=(*others, station))
+    return _moved(finish, height_mm - peak.height_mm, lambda s: _flange_weight(s, peak.along))
+
+
+def _peak(finish: Finish) -> RimStation | None:
+    flange = [
+        station
+        for station in finish.rim
+        if station.over == "heel"
+        and station.border == "medial"
+        and _FLANGE[0] < station.along < _FLANGE[2]
+    ]
+    return max(flange, key=lambda station: station.height_mm) if flange else None
+
+
+def _moved(finish: Finish, by_mm: float, weight: Callable[[RimStation], float]) -> Finish:
+    return replace(
+        finish,
+        rim=tuple(
+            replace(s, height_mm=s.height_mm + weight(s) * by_mm) if s.over == "heel" else s
+            for s in finish.rim
+        ),
+    )
+
+
+def _cup_weight(station: RimStation) -> float:
+    return min(max((_CUP_FADE - station.along) / (_CUP_FADE - _CUP_ALONG), 0.0), 1.0)
+
+
+def _flange_weight(station: RimStation, peak: float) -> float:
+    begin, _, end = _FLANGE
+    if station.border != "medial" or not begin < station.along < end:
+        return 0.0
+    towards = begin if station.along < peak else end
+    return 1.0 if station.along == peak else (station.along - towards) / (peak - towards)
+
+
+def _round_heel(depth_mm: float) -> tuple[RimStation, ...]:
+    return tuple(
+        RimStation(border=border, along=along, height_mm=depth_mm)
+        for border, along in (("medial", 0.0), ("medial", _CUP_ALONG), ("lateral", _CUP_ALONG))
+    )
+
+
+def _as_the_foot() -> tuple[RimStation, ...]:
+    return tuple(
+        RimStation(border=border, along=along, height_mm=0.0, over="foot")
+        for border in ("medial", "lateral")
+        for along in _AS_THE_FOOT
+    )
