@@ -10,7 +10,7 @@ import random
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -59,20 +59,24 @@ def _replacements(
     path: tuple[Any, ...], value: Any, large: Expected, optional: tuple[str, ...]
 ) -> Iterator[tuple[Any, Expected]]:
     if isinstance(value, bool):
-        yield from ((bad, "refused") for bad in (0, "yes", [], "@nan"))
+        yield from _each((0, "yes", [], "@nan"), "refused")
     elif isinstance(value, int | float):
         yield from (
             (b, "refused") for b in _NO_NUMBERS if b is not None or path[-1] not in optional
         )
         yield from ((bad, large if abs(bad) == 1e308 else "any") for bad in _LARGE)
     elif isinstance(value, str):
-        yield from ((bad, "refused") for bad in _NO_TEXTS)
-        yield from ((bad, "any") for bad in _TEXTS)
+        yield from _each(_NO_TEXTS, "refused")
+        yield from _each(_TEXTS, "any")
     elif isinstance(value, list):
-        yield from ((bad, "refused") for bad in ({}, "x", 5))
-        yield from ((bad, "any") for bad in ([], value * 50, value * 5000, [value]))
+        yield from _each(({}, "x", 5), "refused")
+        yield from _each(([], value * 50, value * 5000, [value]), "any")
     else:
-        yield from ((bad, "refused") for bad in ([], "x", 5))
+        yield from _each(([], "x", 5), "refused")
+
+
+def _each(values: Iterable[Any], expected: Expected) -> Iterator[tuple[Any, Expected]]:
+    return ((value, expected) for value in values)
 
 
 def _leaves(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], Any]]:

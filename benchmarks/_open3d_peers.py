@@ -47,7 +47,7 @@ def _poisson(open3d: Any, readings: list[DepthView]) -> TriangleMesh:
     )
     surface = _as_mesh(mesh)
     near, _ = cKDTree(np.asarray(cloud.points)).query(surface.vertices)
-    return surface.part(near < _POISSON_REACH_MM)
+    return surface.part(np.asarray(near < _POISSON_REACH_MM))
 
 
 def _tsdf(open3d: Any, readings: list[DepthView]) -> TriangleMesh:

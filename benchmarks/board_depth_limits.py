@@ -62,7 +62,8 @@ def draw_poses(seed: int, count: int, near: float, far: float, tilt_deg: float) 
     near, far
         Range of the distance, mm.
     """
-    generator, poses = np.random.default_rng(seed), []
+    generator = np.random.default_rng(seed)
+    poses: list[FloatArray] = []
     while len(poses) < count:
         a, b = generator.uniform(-tilt_deg, tilt_deg, 2)
         rotation = rotation_about(np.array([1.0, 0, 0]), a) @ rotation_about(

@@ -29,7 +29,8 @@ class NothingStored:
 
 def watch(service: CaptureService, seconds: float) -> tuple[SensorState, ...]:
     """Follow the service for a while; return the last reported state of the sensors."""
-    end, states = time.monotonic() + seconds, ()
+    end = time.monotonic() + seconds
+    states: tuple[SensorState, ...] = ()
     while time.monotonic() < end:
         for event in service.news():
             if isinstance(event, Sensors):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import trimesh
@@ -26,7 +27,7 @@ def main() -> None:
     solid = insole_solid(insole)
     rows: list[list[object]] = [
         [f"build {kind}", len(make_solid(insole, kind).triangles),
-         f"{median_ms(lambda kind=kind: make_solid(insole, kind)):.0f}",
+         f"{median_ms(partial(make_solid, insole, kind)):.0f}",
          "150" if kind == "insole" else ""]
         for kind in KINDS
     ]  # fmt: skip

@@ -115,7 +115,7 @@ def _run_all(seed: int, only: list[str]) -> None:
     ]
     total = [
         "all",
-        *(sum(row[column] for row in rows) for column in range(1, 4 + len(FAULTS))),
+        *(sum(int(str(row[column])) for row in rows) for column in range(1, 4 + len(FAULTS))),
         "",
         "",
     ]
@@ -148,7 +148,7 @@ def _file_trials(
         yield Trial(
             family,
             f"{name}: {what}",
-            lambda folder, place=place: place(folder / name),
+            partial(_place, name, place),
             read,
             expected,
         )
@@ -156,6 +156,14 @@ def _file_trials(
 
 def _write(name: str, content: bytes, folder: Path) -> None:
     (folder / name).write_bytes(content)
+
+
+def _place(name: str, place: Callable[[Path], object], folder: Path) -> None:
+    place(folder / name)
+
+
+def _read_file_json(read: Callable[[Path], object], given: Path, _written: Path) -> None:
+    read(given / "file.json")
 
 
 # Sessions
@@ -444,15 +452,13 @@ def _cases(rng: random.Random) -> Iterator[Trial]:
     with np.load(io.BytesIO(foot)) as stored:
         arrays = {key: stored[key] for key in stored.files}
     case = ("case.json", entries["case.json"])
-    for key, bad, _expected in _bad_arrays(arrays):
+    for key, bad, _ in _bad_arrays(arrays):
         changed = (
             {**arrays, key: bad}
             if bad is not None
             else {k: v for k, v in arrays.items() if k != key}
         )
-        expected: Expected = (
-            "refused" if bad is not None or key in ("vertices", "triangles") else "any"
-        )
+        expected = "refused" if bad is not None or key in ("vertices", "triangles") else "any"
         mutations.append(
             (
                 f"left.npz: {key} = {getattr(bad, 'dtype', None)}",
@@ -575,9 +581,7 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         mutations += byte_mutations(json.dumps(values).encode(), rng, 8, 6)
         # What is not one of the product's own keys is ignored, whatever it is.
         mutations = [(what, c, "any" if _ignored(what) else e) for what, c, e in mutations]
-        yield from _file_trials(
-            family, "file.json", mutations, lambda given, _, read=read: read(given / "file.json")
-        )  # type: ignore[misc]
+        yield from _file_trials(family, "file.json", mutations, partial(_read_file_json, read))
     settings = {"theme": "dark", "linked_views": True, "recent": ["a"], "largest_residual_mm": 2.0}
     for what, content, _ in [
         *json_mutations(settings),
@@ -975,7 +979,7 @@ def _meshes(rng: random.Random) -> Iterator[Trial]:
             yield Trial(
                 "mesh",
                 f"{name}: {what}",
-                lambda folder, place=place, name=name: place(folder / name),
+                partial(_place, name, place),
                 _read_mesh,
                 "refused",
             )

@@ -3,7 +3,7 @@
 Each command first writes its results; then it runs again in a copy of that folder, and is killed
 
 - at a random moment, or
-- just before or after one of its renames, links and removals (each once), or
+- just before each of its renames, links and removals, and after the last one, or
 - finds the disk full after so many bytes.
 
 After the next start of the product all results must be there, whole, and all of the earlier run or
@@ -130,7 +130,7 @@ def main() -> None:
                 print(f"{name}: tried, {time.monotonic() - started:.0f} s", flush=True)
     head = ["command", *_KINDS, "old", "new", *FAULTS]
     rows = [[name, *(counts[name, key] for key in head[1:])] for name in names]
-    total = ["all", *(sum(row[column] for row in rows) for column in range(1, len(head)))]
+    total = ["all", *(sum(int(str(row[column])) for row in rows) for column in range(1, len(head)))]
     seconds = [*(f"{slowest[name]:.1f}" for name in names), ""]
     print_table([*head, "seconds"], [[*r, s] for r, s in zip([*rows, total], seconds, strict=True)])
     print(f"seed {seed}, {time.monotonic() - started:.0f} s")
@@ -188,10 +188,10 @@ def _prepared(
         moment = seconds * (rng.uniform(0.0, 1.0) if number % 2 else rng.uniform(0.85, 1.05))
         what = f"{moment:.2f} s of {seconds:.2f} s"
         attempts.append(("random", what, attempt(_nothing, moment)))
-    for step in range(1, steps + 1):
-        for late in (False, True):
-            what = f"{step} of {steps}{' done' if late else ''}"
-            attempts.append(("step", what, attempt(_trap(step, late))))
+    attempts += [
+        ("step", f"{step} of {steps}", attempt(_trap(step, False))) for step in range(1, steps + 1)
+    ]
+    attempts.append(("step", f"{steps} of {steps} done", attempt(_trap(steps, True))))
     attempts += [("full", f"{most} bytes", attempt(_full_disk(most))) for most in _BYTES]
     rng.shuffle(attempts)
     return before, seconds, attempts

@@ -21,7 +21,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -29,7 +29,7 @@ from benchmarks._measure import print_table
 from kinect_v1.emulation.faults import FaultPlan
 from kinect_v1.emulation.packet_source import MICROFRAMES_PER_S, PacketSource
 from kinect_v1.emulation.playback import make_footage
-from kinect_v1.isochronous import IsochronousStream, QueueSize, StreamTarget
+from kinect_v1.isochronous import EventLoop, IsochronousStream, QueueSize, StreamTarget
 from kinect_v1.models import Model
 from kinect_v1.modes import BAYER_1280, DEPTH_11, StreamMode
 from kinect_v1.streams import Stream
@@ -75,8 +75,9 @@ class PreparedStream:
     def __init__(self, mode: StreamMode, frames: list[bytes]) -> None:
         self.stream = Stream(mode, lambda _frame: None)
         target = StreamTarget(0, mode.kind.endpoint, PACKET_BYTES, bus=1)
-        self.engine = IsochronousStream(PreparedLoop(), target, self.stream, SIZE)
+        self.engine = IsochronousStream(cast(EventLoop, PreparedLoop()), target, self.stream, SIZE)
         address = ctypes.cast(self.engine._callback, ctypes.c_void_p).value
+        assert address is not None
         self.call_back = ctypes.PYFUNCTYPE(None, ctypes.c_void_p)(address)  # keeps the lock
         source = PacketSource(mode, frames, FaultPlan())
         self.blocks = [self._layout(source) for _ in range(int(BLOCKS_PER_S) * SECONDS)]

@@ -19,7 +19,7 @@ import numpy as np
 
 from benchmarks._measure import print_table
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.reconstruct.markers.blobs import find_blobs, sharpened
 from insole_core.reconstruct.markers.marker_observation import Registration
 from insole_core.reconstruct.poses.registration import PoseSearch
@@ -118,7 +118,8 @@ def _camera(rng: np.random.Generator) -> PinholeCamera:
     focal = rng.uniform(1015, 1060) * width / 1280
     center = np.array([width, height]) / 2 + rng.normal(0, 8, 2)
     bend = (rng.uniform(0.05, 0.2), rng.uniform(-0.4, -0.1), 0.0, 0.0, 0.0)
-    return PinholeCamera(width, height, focal, focal, *center.tolist(), bend)
+    cx, cy = center.tolist()
+    return PinholeCamera(width, height, focal, focal, cx, cy, bend)
 
 
 def _pose(rng: np.random.Generator, positions: np.ndarray) -> np.ndarray:
@@ -147,7 +148,7 @@ def _picture(
     small = cv2.resize(image, (camera.width, camera.height), interpolation=cv2.INTER_AREA)
     noise = rng.standard_normal(small.shape, np.float32) * rng.uniform(1, 5)
     exposed = small * rng.uniform(0.45, 1.6) + noise
-    return np.clip(np.rint(exposed), 0, 255).astype(np.uint8)
+    return np.asarray(np.clip(np.rint(exposed), 0, 255).astype(np.uint8))
 
 
 def _paint_block(
@@ -217,8 +218,8 @@ def _verdict(scene: Scene, found: Registration) -> str:
         if fix.used and np.linalg.norm(scene.pixels[fix.id] - fix.pixel) > near_px:
             return "WRONG NAME"
     positions = np.array([marker.position_mm for marker in scene.system.markers])
-    color2true = np.linalg.inv(scene.reference2color)
-    moved = transform(color2true, transform(np.linalg.inv(found.sensor2reference), positions))
+    color2true = inverse(scene.reference2color)
+    moved = transform(color2true, transform(inverse(found.sensor2reference), positions))
     if np.linalg.norm(moved - positions, axis=1).mean() > WRONG_MM:
         return "WRONG POSE"
     return "right"

@@ -14,6 +14,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from benchmarks._measure import print_table, recorded_session, run_process
-from benchmarks._open3d_peers import open3d_peers
+from benchmarks._open3d_peers import Peer, open3d_peers
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
@@ -78,7 +79,7 @@ class Truth:
             f"{own.mean():.3f}",
             f"{np.percentile(own, 95):.2f}",
             f"{np.isfinite(complete).mean():.3f}",
-            f"{(apart > 5).mean():.4f}",
+            f"{np.mean(apart > 5):.4f}",
         ]
 
 
@@ -101,10 +102,10 @@ def _compare(path: Path) -> None:
     readings = _readings(session)
     rows = []
     for method in ("fused", "thesis"):
-        seconds = _best(lambda method=method: reconstruct(session, method))
+        seconds = _best(partial(reconstruct, session, method))
         rows.append([method, *truth.figures(reconstruct(session, method).mesh), *seconds])
     for name, peer in open3d_peers().items():
-        seconds = _best(lambda peer=peer: peer(_readings(session)))
+        seconds = _best(partial(_fused_by, peer, session))
         rows.append([name, *truth.figures(peer(readings)), *seconds])
     for name, floor in _floors(session, readings, path, truth):
         rows.append([name, *truth.figures(fuse(floor).mesh), "", ""])
@@ -118,9 +119,8 @@ def _steps(session: Session) -> None:
     shown, whole = [], []
     for _ in range(REPEATS):
         start = time.perf_counter()
-        result = reconstruct(
-            session, on_preview=lambda _, start=start: shown.append(time.perf_counter() - start)
-        )
+        result = reconstruct(session, on_preview=lambda _: shown.append(time.perf_counter()))
+        shown[-1] -= start
         whole.append(time.perf_counter() - start)
     rows = [[step, f"{spent:.2f}", LIMITS[step]] for step, spent in result.seconds.items()]
     print_table(["step", "seconds, all views", "what limits it"], rows)
@@ -184,6 +184,10 @@ def _timed(session: Session) -> list[str]:
     start = time.process_time()
     reconstruct(session)
     return [f"{time.process_time() - start:.2f}"]
+
+
+def _fused_by(peer: Peer, session: Session) -> None:
+    peer(_readings(session))
 
 
 def _best(call: Callable[[], object]) -> list[str]:

@@ -153,7 +153,7 @@ class Keys(Hand):
 
     def strike_sequence(self, action: QAction) -> None:
         """Strike the shortcut of an action."""
-        combination = action.shortcut()[0]
+        combination = action.shortcut()[0]  # type: ignore[index] # its stubs forget it
         self._strike(combination.key(), combination.keyboardModifiers())
         self.settle()
 

@@ -16,6 +16,7 @@ from PySide6.QtCore import QElapsedTimer, QEventLoop, QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QApplication,
     QDialog,
     QFileDialog,
@@ -196,7 +197,8 @@ def type_path(dialog: QDialog, path: Path) -> None:
     while dialog.isVisible():
         field.selectAll()
         QTest.keyClicks(field, str(path))
-        field.completer().popup().hide()  # else Enter may choose what it proposes
+        for view in dialog.findChildren(QAbstractItemView):
+            view.clearSelection()  # else Enter takes the folders selected while the path was typed
         QTest.keyClick(field, Qt.Key.Key_Return)
         QApplication.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, LOOK_MS)
 
@@ -316,8 +318,8 @@ def see_export(walk: Walk) -> None:
         QTest.keyClick(form.block, Qt.Key.Key_Down)
         wait_for(export.jobs)
     walk.see("export-blocks")
-    pieces = [b for b in export.view.findChildren(QToolButton) if b.property("piece")]
-    hand.click(pieces[-1])
+    parts = [b for b in export.view.findChildren(QToolButton) if b.property("part")]
+    hand.click(parts[-1])
     wait_for(export.jobs)
     walk.see("export-nested")
     with walk.asked("own-blocks", refuse):

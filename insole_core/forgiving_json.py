@@ -56,7 +56,7 @@ def remembered(
                 "{path} is damaged or cannot be read, so the defaults are used; the file is kept "
                 "as {kept}.",
                 path=path,
-                kept=set_aside(path),
+                kept=rename_unreadable(path),
             )
         )
         return {}
@@ -70,13 +70,13 @@ def remembered(
                 "file is kept as {kept}.",
                 path=path,
                 entries=", ".join(wrong),
-                kept=set_aside(path),
+                kept=rename_unreadable(path),
             )
         )
     return {key: value for key, value in known.items() if key not in wrong}
 
 
-def set_aside(path: Path) -> Path:
+def rename_unreadable(path: Path) -> Path:
     """Rename a file that cannot be used, and return its new path; the old where that fails.
 
     A device stays: an administrator may name one, and others use it.
@@ -97,11 +97,11 @@ def set_aside(path: Path) -> Path:
 
 
 def keep_unreadable(path: Path, load: Callable[[], object]) -> None:
-    """Set a file aside that is about to be replaced, if it holds what `load` cannot read."""
+    """Rename a file that is about to be replaced, if it holds what `load` cannot read."""
     try:
         load()
     except InputError:
-        set_aside(path)
+        rename_unreadable(path)
 
 
 def _read(path: Path) -> dict[str, Any]:

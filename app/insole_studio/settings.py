@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Literal, get_type_hints
 
-from insole_core.export.atomic import make_folder_of, replacing_file
+from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import Complain, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
@@ -83,6 +83,6 @@ def save_settings(settings: Settings, path: Path) -> None:
     OutputError
         When the file cannot be written.
     """
-    make_folder_of(path)
+    make_output_folder(path.parent)
     with replacing_file(path) as beside:
         beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")

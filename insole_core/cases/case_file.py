@@ -5,12 +5,10 @@ Patient files are read strictly: what is not understood is refused, never guesse
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
 import zipfile
 from pathlib import Path
-from typing import BinaryIO
 
 import numpy as np
 
@@ -19,12 +17,12 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
-from insole_core.regular_file import blocks_of, open_regular
 from insole_core.stored_arrays import read_arrays
 from insole_core.strict_json import MOST_BYTES
 from insole_core.zip_archive import DamagedArchiveError, ZipArchive
@@ -58,8 +56,7 @@ def write_case(record: CaseRecord, path: Path) -> str:
             _add(archive, CASE_NAME, text.encode("utf-8"))
             for foot in record.feet:
                 _add(archive, FOOT_NAMES[foot.side], _pack_mesh(foot.foot.mesh))
-        with open_regular(beside) as file:
-            return _digest(file)
+        return sha256_of(beside, MAX_CASE_BYTES)
 
 
 def read_case(path: Path) -> CaseRecord:
@@ -94,8 +91,7 @@ def digest_of_case(path: Path) -> str:
         When it cannot be read.
     """
     try:
-        with open_regular(path) as file:
-            return _digest(file)
+        return sha256_of(path, MAX_CASE_BYTES)
     except FileNotFoundError:
         return ""
     except OSError as error:
@@ -104,13 +100,6 @@ def digest_of_case(path: Path) -> str:
             path=path,
             reason=str(error.strerror),
         ) from error
-
-
-def _digest(file: BinaryIO) -> str:
-    digest = hashlib.sha256()
-    for block in blocks_of(file, MAX_CASE_BYTES):
-        digest.update(block)
-    return digest.hexdigest()
 
 
 def _case_of(parts: dict[str, bytes], path: Path) -> CaseRecord:
@@ -189,8 +178,8 @@ def _are_near(points: FloatArray) -> bool:
 
 def _read_parts(path: Path) -> tuple[dict[str, bytes], str]:
     try:
-        with open_regular(path) as file:
-            digest = _digest(file)  # before the content: what changes between is noticed on saving
+        # Before the content: what changes between is noticed on saving.
+        digest = sha256_of(path, MAX_CASE_BYTES)
         archive = ZipArchive(str(path), path)
         known = [name for name in _PARTS if name in archive.names]
         return {name: archive.read(name, _most_bytes(name)) for name in known}, digest

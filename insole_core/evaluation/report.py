@@ -11,6 +11,8 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
+from insole_core.memo import Memo
+
 
 @dataclass(frozen=True)
 class Number:
@@ -97,10 +99,17 @@ class Table:
 
 @dataclass(frozen=True)
 class Plot:
-    """A picture that is drawn when the report is written."""
+    """A picture that is drawn when the report is written.
+
+    Parameters
+    ----------
+    drawn
+        The picture, once a file has needed it: each form of a report shows the same.
+    """
 
     title: str
     draw: Callable[[Figure], None]
+    drawn: Memo = field(default_factory=lambda: Memo(1), init=False, repr=False, compare=False)
 
 
 @dataclass(frozen=True)

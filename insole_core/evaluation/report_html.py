@@ -100,7 +100,11 @@ def _titled(tag: str, title: str) -> str:
 
 
 def plot_png(plot: Plot) -> bytes:
-    """Draw a plot as PNG."""
+    """Return a plot as PNG; it is drawn once."""
+    return plot.drawn.get("png", (), lambda: _drawn(plot))
+
+
+def _drawn(plot: Plot) -> bytes:
     figure = Figure(figsize=_PLOT_IN, dpi=_DOTS_PER_IN, layout="constrained")
     canvas = FigureCanvasAgg(figure)
     plot.draw(figure)

@@ -22,7 +22,7 @@ __all__ = [
     "PRIVATE_FILE",
     "PRIVATE_FOLDER",
     "copy_into",
-    "make_folder_of",
+    "make_output_folder",
     "make_private_folder",
     "replacing_file",
     "replacing_folder",
@@ -125,8 +125,8 @@ def make_private_folder(path: Path) -> None:
         path.mkdir(mode=PRIVATE_FOLDER, exist_ok=True)
 
 
-def make_folder_of(path: Path) -> None:
-    """Make the folder that a file is to be written into, as `make_private_folder`.
+def make_output_folder(path: Path) -> None:
+    """Do the same as `make_private_folder` for results of the user.
 
     Raises
     ------
@@ -134,7 +134,7 @@ def make_folder_of(path: Path) -> None:
         When it cannot be made.
     """
     with output_errors(path):
-        make_private_folder(path.parent)
+        make_private_folder(path)
 
 
 def write_private(path: Path, content: bytes) -> None:

@@ -6,7 +6,6 @@ the facts.
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
 from collections.abc import Mapping, Sequence
@@ -21,6 +20,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from reportlab import rl_config
 from reportlab.lib import colors
 from reportlab.lib.pagesizes import A4
 from reportlab.lib.styles import ParagraphStyle
@@ -41,9 +41,12 @@ from reportlab.platypus import (
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.export.lettering import as_written, font_path, with_known_letters
+from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.resources import resource_path
+
+rl_config.useA85 = 0  # streams as text cost a fifth of the file, and most of the time of pictures
 
 Facts = Mapping[str, str]
 Place = tuple[float, float, float]
@@ -181,7 +184,7 @@ def _sheet(sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
     story = [paragraph(texts["title"], TITLE)]
     for key in ("identification", "measures", "make"):
         story += _facts(texts[key], getattr(sheet, key))
-    story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": sha256_of(sheet.file)})
+    story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": _digest_of(sheet.file)})
     frame = texts["frame on page 1" if sheet.is_nested else "frame"]
     story += [*_list(texts["checks"], sheet.checks), paragraph(f"{frame} {texts['footer']}", NOTE)]
     return [*story, paragraph(texts["sections"], HEAD), _pictures(sheet)]
@@ -313,17 +316,9 @@ def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -
         document.build(story, onFirstPage=draw_foot, onLaterPages=draw_foot)
 
 
-def sha256_of(path: Path) -> str:
-    """Return the SHA-256 of a file, in hexadecimal.
-
-    Raises
-    ------
-    InputError
-        When it cannot be read.
-    """
+def _digest_of(path: Path) -> str:
     try:
-        with path.open("rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+        return sha256_of(path)
     except OSError as error:
         raise InputError(
             "{path} cannot be read: {reason}; export it again.",

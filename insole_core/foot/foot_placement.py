@@ -18,7 +18,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.geometry.transforms import rotation_angle_deg, transform
 from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
@@ -114,7 +114,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     if frame == "unknown":
         check_length(found.length_mm)
         if not force:
-            check_proportions(standing, found.length_mm)
+            check_proportions(standing, transform(source2insole, points), found.length_mm)
     notes = (
         _side_note(asked, other),
         *_pose_notes(asked, frame),
@@ -260,7 +260,7 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
                 length_mm=found.foot.length_mm,
             )
         )
-    elif not found.foot.toes_told_apart:
+    elif not found.foot.second_toe_found:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
 
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
-from insole_core.foot.pose import surface_points
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 
@@ -36,16 +35,17 @@ class Proportions:
     thickness_mm: float
 
 
-def proportions(mesh: TriangleMesh, length_mm: float) -> Proportions:
+def proportions(mesh: TriangleMesh, points: FloatArray, length_mm: float) -> Proportions:
     """Measure a surface as a foot.
 
     Parameters
     ----------
     mesh : mm, insole frame
+    points : (n, 3) float64, mm, insole frame
+        Its `surface_points`.
     length_mm
         From the heel to the toes, estimated where they are missing.
     """
-    points = surface_points(mesh)
     low = points[points[:, 2] < OUTLINE_HEIGHT_MM]
     ball, heel = (_width(low, length_mm, shares) for shares in (_BALL_SHARES, _HEEL_SHARES))
     thickness = np.nan
@@ -72,12 +72,12 @@ def check_length(length_mm: float) -> None:
         )
 
 
-def check_proportions(mesh: TriangleMesh, length_mm: float) -> None:
+def check_proportions(mesh: TriangleMesh, points: FloatArray, length_mm: float) -> None:
     """Check that a placed surface has proportions that feet can have.
 
     Parameters
     ----------
-    mesh, length_mm
+    mesh, points, length_mm
         As for `proportions`.
 
     Raises
@@ -85,7 +85,7 @@ def check_proportions(mesh: TriangleMesh, length_mm: float) -> None:
     ProportionsError
         With the numbers.
     """
-    sizes = proportions(mesh, length_mm)
+    sizes = proportions(mesh, points, length_mm)
     ball, heel = sizes.ball_mm / length_mm, sizes.heel_mm / max(sizes.ball_mm, 1e-9)
     if not (
         _BALL_TO_LENGTH[0] <= ball <= _BALL_TO_LENGTH[1]

@@ -44,13 +44,13 @@ class LevelFoot:
     source2insole : (4, 4) float64, mm
     length_mm
         Heel to the tip of the longest toe; an estimate where the toes are missing.
-    toes_told_apart
+    second_toe_found
         Whether the tip of the 2nd toe was found; otherwise its usual position is used.
     """
 
     source2insole: FloatArray
     length_mm: float
-    toes_told_apart: bool
+    second_toe_found: bool
 
 
 def level(

@@ -127,7 +127,7 @@ def warnings_of(
         *_strayed_markers(results),
         *_hand_corrections(session, results),
         *unseen,
-        *coverage_warnings(coverage, absence_is_told=bool(unseen)),
+        *coverage_warnings(coverage, absence_is_reported=bool(unseen)),
         *_same_places(session, results),
     )
 

@@ -66,7 +66,7 @@ class ExportJob:
 
     Parameters
     ----------
-    pieces
+    parts
         One, or a left and a right one.
     identification
         What the workshop may know: a pseudonym or an order number; never the patient's name.
@@ -82,7 +82,7 @@ class ExportJob:
         Whether STL is written as text.
     """
 
-    pieces: tuple[Part, ...]
+    parts: tuple[Part, ...]
     shop: Shop
     identification: Mapping[str, str] = field(default_factory=dict)
     patient: Mapping[str, str] = field(default_factory=dict)
@@ -95,7 +95,7 @@ class ExportJob:
     @property
     def is_nested(self) -> bool:
         """Whether a left and a right part lie in one block."""
-        return self.block is not None and len(self.pieces) == 2
+        return self.block is not None and len(self.parts) == 2
 
     def placed(self) -> tuple[PlacedPart, ...]:
         """Return the parts where they lie in the file.
@@ -105,10 +105,10 @@ class ExportJob:
         DesignError
             If a pair does not fit the block.
         """
-        if self.block is None or len(self.pieces) != 2:
-            return tuple(PlacedPart(piece, np.eye(4)) for piece in self.pieces)
-        nest = nest_parts(*self.pieces, self.block.size_mm)
-        return tuple(map(PlacedPart, self.pieces, nest.insole2block))
+        if self.block is None or len(self.parts) != 2:
+            return tuple(PlacedPart(part, np.eye(4)) for part in self.parts)
+        nest = nest_parts(*self.parts, self.block.size_mm)
+        return tuple(map(PlacedPart, self.parts, nest.insole2block))
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,8 +141,8 @@ class PlacedPart:
     def objects(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
         """Return the objects of the file."""
         return tuple(
-            replace(part, mesh=part.mesh.transformed(self.insole2file))
-            for part in self.part.parts(shop)
+            replace(layer, mesh=layer.mesh.transformed(self.insole2file))
+            for layer in self.part.layers(shop)
         )
 
     def heights(self) -> HeightMap:
@@ -220,9 +220,9 @@ def run_export_job(
     """
     _check_texts((*job.identification.values(), job.material))
     placed = job.placed()
-    records = [require_export(piece.findings, job.override) for piece in placed]
+    records = [require_export(each.findings, job.override) for each in placed]
     progress.step(0.1, "Writing the file")
-    objects = [part for piece in placed for part in piece.objects(job.shop)]
+    objects = [layer for each in placed for layer in each.objects(job.shop)]
     label = job.identification.get("pseudonym", "")
     write_solids(objects, beside.solid, ascii_stl=job.ascii_stl, label=label)
     if beside.checks is not None:
@@ -232,13 +232,13 @@ def run_export_job(
         from insole_core.export.paper import write_job_sheet
 
         progress.step(0.4, "Writing the job sheet")
-        sheets = [_job_sheet(job, piece, places, beside) for piece in placed]
+        sheets = [_job_sheet(job, each, places, beside) for each in placed]
         nesting = _nesting(job.block, placed) if job.block and job.is_nested else None
         write_job_sheet(sheets, beside.job_sheet, nesting)
     if beside.prescription is not None:
         progress.step(0.8, "Writing the prescription")
         write_prescription_paper(
-            [piece.insole.design for piece in job.pieces],
+            [part.insole.design for part in job.parts],
             beside.prescription,
             responsible=job.responsible,
             identification={**job.patient, **job.identification},
@@ -249,12 +249,12 @@ def run_export_job(
 
 def _joined(job: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
     """Return the record of a single part as it is, those of a pair by side."""
-    for piece, record in zip(job.pieces, records, strict=True):
-        record["deviation_mm"] = round(piece.deviation_mm, 4)
-        record["triangles"] = len(piece.solid.triangles)
+    for part, record in zip(job.parts, records, strict=True):
+        record["deviation_mm"] = round(part.deviation_mm, 4)
+        record["triangles"] = len(part.solid.triangles)
     if len(records) == 1:
         return records[0]
-    return {str(piece.side): r for piece, r in zip(job.pieces, records, strict=True)}
+    return {str(part.side): r for part, r in zip(job.parts, records, strict=True)}
 
 
 def _job_sheet(
@@ -262,25 +262,25 @@ def _job_sheet(
 ) -> JobSheet:
     from insole_core.export.paper import JobSheet, section_along
 
-    piece = placed.part
-    heights = survey_heights(piece.solid)
+    part = placed.part
+    heights = survey_heights(part.solid)
     return JobSheet(
         identification={
             **job.identification,
-            "side": str(piece.side),
-            "kind": piece.order.kind,
-            "mark": ", ".join(piece.order.mark) or "–",
+            "side": str(part.side),
+            "kind": part.order.kind,
+            "mark": ", ".join(part.order.mark) or "–",
             "date": date.today().isoformat(),
         },
-        measures=_measures(piece),
-        make=_make(job, piece),
+        measures=_measures(part),
+        make=_make(job, part),
         sections=tuple(
             section_along(heights.top_mm, heights.bottom_mm, 1.0, share=share, across=across)
             for share, across in _SECTIONS
         ),
         checks=tuple(f"{'✓' if f.passed else '✗'} {f.sentence}" for f in placed.findings)
-        + piece.notes
-        + _released(job, piece),
+        + part.notes
+        + _released(job, part),
         file=beside.solid,
         file_name=places.solid.name,
         height_map=placed.heights() if job.is_nested else heights,
@@ -298,39 +298,39 @@ def _nesting(block: Block, placed: tuple[PlacedPart, ...]) -> Nesting:
         block_mm=(width, length, block.size_mm[2]),
         parts=tuple(
             NestedPart(
-                name=str(piece.part.side),
-                heights=piece.heights(),
-                bounds_mm=piece.part.solid.transformed(piece.insole2file).bounds_mm,
-                is_turned=bool(piece.insole2file[1, 1] < 0),
-                failed_mm=piece.failed_mm,
+                name=str(each.part.side),
+                heights=each.heights(),
+                bounds_mm=each.part.solid.transformed(each.insole2file).bounds_mm,
+                is_turned=bool(each.insole2file[1, 1] < 0),
+                failed_mm=each.failed_mm,
             )
-            for piece in placed
+            for each in placed
         ),
     )
 
 
-def _measures(piece: Part) -> dict[str, str]:
-    solid = piece.solid
+def _measures(part: Part) -> dict[str, str]:
+    solid = part.solid
     length, width, height = (solid.bounds_mm[1] - solid.bounds_mm[0])[[1, 0, 2]]
     facts = {
         "length × width × height": f"{length:.1f} × {width:.1f} × {height:.1f} mm",
         "volume": f"{solid.volume_mm3 / 1000:.1f} cm³",
         "triangles": str(len(solid.triangles)),
     }
-    for finding in piece.findings:
+    for finding in part.findings:
         if finding.name == "thickness":
             facts["least thickness, without the rim"] = f"{finding.value:g} mm"
-    if piece.deviation_mm > 0:
-        facts["deviation of the triangles"] = f"{piece.deviation_mm:.3f} mm at most"
+    if part.deviation_mm > 0:
+        facts["deviation of the triangles"] = f"{part.deviation_mm:.3f} mm at most"
     return facts
 
 
-def _make(job: ExportJob, piece: Part) -> dict[str, str]:
+def _make(job: ExportJob, part: Part) -> dict[str, str]:
     facts = {
         "material": job.material or "–",
         "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
-        **make_facts(piece.insole.design),
-        "draft of the walls": f"{plain_number(piece.order.options.draft_deg)}°",
+        **make_facts(part.insole.design),
+        "draft of the walls": f"{plain_number(part.order.options.draft_deg)}°",
     }
     if job.block is not None:
         size = " × ".join(map(plain_number, job.block.size_mm))
@@ -338,8 +338,8 @@ def _make(job: ExportJob, piece: Part) -> dict[str, str]:
     return facts
 
 
-def _released(job: ExportJob, piece: Part) -> tuple[str, ...]:
+def _released(job: ExportJob, part: Part) -> tuple[str, ...]:
     by = job.override
-    if by is None or not any(finding.blocks for finding in piece.findings):
+    if by is None or not any(finding.blocks for finding in part.findings):
         return ()
     return (f"Released against a blocking rule by {by.author}, {by.at}: {by.reason}",)

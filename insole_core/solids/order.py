@@ -89,7 +89,7 @@ class Part:
         """Name the object in a file: side and kind."""
         return f"{self.side} {self.order.kind}"
 
-    def parts(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
+    def layers(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
         """Return the objects of the file."""
         if self.order.layered and self.order.kind == "insole":
             return layer_parts(self.insole, self.solid, shop.layers, self.name)

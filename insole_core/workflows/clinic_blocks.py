@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_folder_of, replacing_file
+from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import keep_unreadable
 from insole_core.json_object import JsonObject
 from insole_core.solids.shop import Block, read_block
@@ -49,7 +49,7 @@ class ClinicBlocks:
         OutputError
             When the place cannot be written.
         """
-        make_folder_of(self._path)
+        make_output_folder(self._path.parent)
         keep_unreadable(self._path, self.load)
         listed = [{"name": block.name, "size_mm": list(block.size_mm)} for block in blocks]
         content = {"format": FORMAT, "version": VERSION, "blocks": listed}

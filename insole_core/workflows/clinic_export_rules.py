@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from insole_core.export.atomic import make_folder_of
+from insole_core.export.atomic import make_output_folder
 from insole_core.forgiving_json import keep_unreadable
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 
@@ -39,6 +39,6 @@ class ClinicExportRules:
         OutputError
             When the place cannot be written.
         """
-        make_folder_of(self._path)
+        make_output_folder(self._path.parent)
         keep_unreadable(self._path, self.load)
         write_rules(rules, self._path)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import get_type_hints
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_folder_of, replacing_file
+from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.export.solid_file import SUFFIXES
 from insole_core.forgiving_json import remembered
 from insole_core.solids.shop import Block, Shop
@@ -65,7 +65,7 @@ class LastOrder:
         OutputError
             When the place cannot be written.
         """
-        make_folder_of(self._path)
+        make_output_folder(self._path.parent)
         values = {name: getattr(choice, name) for name in _kept_names()}
         values["block"] = None if choice.block is None else choice.block.name
         with replacing_file(self._path) as beside:

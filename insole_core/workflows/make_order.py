@@ -113,7 +113,7 @@ def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
     return tuple(line for line in (choice.pseudonym.strip(), f"{side} {day}") if line)
 
 
-def make_pieces(
+def make_parts(
     record: CaseRecord, choice: OrderChoice, rules: ExportRules, progress: Progress = SILENT
 ) -> tuple[Part, ...]:
     """Build, make and check the ordered parts.
@@ -138,17 +138,17 @@ def make_pieces(
     feet = feet_of(record, choice)
     block = choice.block
     rules = replace(rules, block_mm=None if block is None else block.size_mm)
-    pieces = tuple(
-        _piece(foot, choice, rules, part)
-        for foot, part in zip(feet, progress.parts(len(feet)), strict=True)
+    parts = tuple(
+        _part(foot, choice, rules, step)
+        for foot, step in zip(feet, progress.parts(len(feet)), strict=True)
     )
-    if block is None or len(pieces) == 1:
-        return pieces
-    left, right = pieces
+    if block is None or len(parts) == 1:
+        return parts
+    left, right = parts
     return checked_together(left, right, block.size_mm, rules.policies.get("block", "off"))
 
 
-def _piece(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: Progress) -> Part:
+def _part(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: Progress) -> Part:
     insole = build_insole(foot.foot, foot.design, progress.part(0.0, 0.4))
     order = Order(
         kind=choice.kind,
@@ -163,7 +163,7 @@ def _piece(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: 
 
 
 def write_order(
-    pieces: Sequence[Part],
+    parts: Sequence[Part],
     choice: OrderChoice,
     path: Path,
     *,
@@ -177,8 +177,8 @@ def write_order(
 
     Parameters
     ----------
-    pieces
-        From `make_pieces`, with a choice that `makes_alike`.
+    parts
+        From `make_parts`, with a choice that `makes_alike`.
     path
         As the user chose it; the side is inserted into each name once.
     patient
@@ -207,10 +207,10 @@ def write_order(
     _require_nameless(choice, path, patient, override)
     if choice.prescription:
         require_prescription(choice, patient, responsible)
-    places = _all_places(pieces, choice, path, override is not None)
+    places = _all_places(parts, choice, path, override is not None)
     layered = choice.layered and choice.suffix == ".3mf"
-    pieces = [replace(piece, order=replace(piece.order, layered=layered)) for piece in pieces]
-    groups = _groups(pieces, choice)
+    parts = [replace(part, order=replace(part.order, layered=layered)) for part in parts]
+    groups = _groups(parts, choice)
     with Transaction() as transaction:
         beside = [opened(place, transaction) for place in places]
         for group, place, temporary, part in zip(
@@ -262,7 +262,7 @@ def _require_nameless(
 
 
 def files_of(
-    pieces: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
+    parts: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
 ) -> tuple[Path, ...]:
     """Return all files that `write_order` would write.
 
@@ -271,24 +271,24 @@ def files_of(
     overridden
         Whether failed checks are overridden, which adds the file of the checks.
     """
-    places = _all_places(pieces, choice, path, overridden)
+    places = _all_places(parts, choice, path, overridden)
     return tuple(file for place in places for file in vars(place).values() if file is not None)
 
 
-def word_of(pieces: Sequence[Part], choice: OrderChoice) -> str:
+def word_of(parts: Sequence[Part], choice: OrderChoice) -> str:
     """Return the word in the name of the first file: left, right or pair."""
-    return _word(_groups(pieces, choice)[0])
+    return _word(_groups(parts, choice)[0])
 
 
-def _groups(pieces: Sequence[Part], choice: OrderChoice) -> list[Sequence[Part]]:
+def _groups(parts: Sequence[Part], choice: OrderChoice) -> list[Sequence[Part]]:
     """Return the parts of each file."""
-    return [pieces] if choice.block is not None else [[piece] for piece in pieces]
+    return [parts] if choice.block is not None else [[part] for part in parts]
 
 
 def _all_places(
-    pieces: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
+    parts: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
 ) -> list[ExportPaths]:
-    return [_places(path, _word(group), choice, overridden) for group in _groups(pieces, choice)]
+    return [_places(path, _word(group), choice, overridden) for group in _groups(parts, choice)]
 
 
 def _word(group: Sequence[Part]) -> str:

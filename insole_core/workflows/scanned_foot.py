@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 
 from insole_core.cases.case_record import ScanSource
+from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.messages import Message
-from insole_core.progress import SILENT, Cancelled, Progress
+from insole_core.progress import SILENT, Progress
 from insole_core.recording.session import Session
 from insole_core.recording.store import MAX_ARCHIVE_BYTES
-from insole_core.regular_file import blocks_of, open_regular
 
 MANIFEST = "manifest.json"
 
@@ -47,7 +46,7 @@ def change_of_source(source: ScanSource, progress: Progress = SILENT) -> str:
     if not path.is_absolute():
         return ""  # a case made on another machine, such as the example
     try:
-        if _sha256(_signed_file(path), progress) == source.sha256:
+        if sha256_of(_signed_file(path), MAX_ARCHIVE_BYTES, progress) == source.sha256:
             return ""
     except OSError:
         return Message(
@@ -63,27 +62,10 @@ def change_of_source(source: ScanSource, progress: Progress = SILENT) -> str:
 
 
 def _source(kind: str, path: Path, recorded_at: str = "") -> ScanSource:
-    return ScanSource(kind, str(path.resolve()), _sha256(_signed_file(path)), recorded_at)
+    digest = sha256_of(_signed_file(path), MAX_ARCHIVE_BYTES)
+    return ScanSource(kind, str(path.resolve()), digest, recorded_at)
 
 
 def _signed_file(path: Path) -> Path:
     """Return the file whose hash identifies a scan."""
     return path / MANIFEST if path.is_dir() else path
-
-
-def _sha256(path: Path, progress: Progress = SILENT) -> str:
-    """Return the SHA-256 of a regular file.
-
-    Raises
-    ------
-    OSError
-        When it cannot be read, or is larger than any scan.
-    Cancelled
-    """
-    digest = hashlib.sha256()
-    with open_regular(path) as file:
-        for block in blocks_of(file, MAX_ARCHIVE_BYTES):
-            digest.update(block)
-            if progress.is_cancelled():
-                raise Cancelled
-    return digest.hexdigest()

@@ -24,6 +24,7 @@ from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import nominal_kinect
+from insole_core.solids.shop import read_shop
 from insole_studio.texts import load_language, translate_core_message
 
 CORE = Path(insole_core.__file__).parent
@@ -46,6 +47,9 @@ PUT_TOGETHER = {"shoe height"} | {
     for column in ("left", "centre", "right")
 }
 """Words of the catalogue that the core makes of parts."""
+SHOP = read_shop()
+STOCK = {block.name for block in SHOP.blocks} | set(SHOP.materials)
+"""What the shop that comes with the product has in stock."""
 
 
 def speaking_files() -> list[Path]:
@@ -208,6 +212,11 @@ def fields(template: str) -> set[tuple[str | None, str | None, str | None]]:
     return {field[1:] for field in string.Formatter().parse(template) if field[1] is not None}
 
 
+def test_the_stock_of_the_shop_has_swedish_names() -> None:
+    alike = {"EVA, Shore A 35", "EVA, Shore A 45"}
+    assert STOCK - CATALOGUE.keys() == alike
+
+
 def test_nothing_is_translated_that_nobody_says() -> None:
     constants = {
         node.value
@@ -215,7 +224,7 @@ def test_nothing_is_translated_that_nobody_says() -> None:
         for node in ast.walk(tree)
         if isinstance(node, ast.Constant)
     }
-    unused = CATALOGUE.keys() - constants - PUT_TOGETHER
+    unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
 
 

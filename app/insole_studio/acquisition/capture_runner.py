@@ -115,7 +115,7 @@ class CaptureRunner:
         self._plan = plan
         self._draft = draft
         self._callbacks = callbacks
-        self._told: CaptureStatus | None = None
+        self._reported: CaptureStatus | None = None
         self._under_way: tuple[str, ...] = ()
         self._calibrated = {
             shot.view: setup.calibrated(sensors[shot.serial], shot.view) for shot in plan.shots
@@ -145,7 +145,7 @@ class CaptureRunner:
             for step in plan.steps:
                 self._take(step, tilts)
         except SensorError as error:
-            raise type(error)(self._told_with_kept(error)) from error
+            raise type(error)(self._with_kept_views(error)) from error
         finally:
             for serial, tilt_deg in tilts.items():
                 with suppress(SensorError):  # this sensor may be the one that was lost
@@ -275,11 +275,11 @@ class CaptureRunner:
 
     def _tell(self, phase: CapturePhase, sentence: str) -> None:
         status = CaptureStatus(phase, tuple(self._views.values()), sentence, self._under_way)
-        if status != self._told:
-            self._told = status
+        if status != self._reported:
+            self._reported = status
             self._callbacks.report(status)
 
-    def _told_with_kept(self, error: SensorError) -> Message:
+    def _with_kept_views(self, error: SensorError) -> Message:
         kept = joined(self._draft.views)
         if not kept:
             return error.message

@@ -17,6 +17,7 @@ import platformdirs
 from insole_core.errors import InputError, OutputError
 from insole_core.export.atomic import (
     copy_into,
+    make_output_folder,
     make_private_folder,
     replacing_folder,
     write_private,
@@ -93,8 +94,7 @@ class Draft:
         self._facts: dict[str, dict[str, Any]] = {}
         self._pool = ThreadPoolExecutor(_WRITERS, thread_name_prefix="capture-writer")
         self._writing: dict[str, list[Future[None]]] = {}
-        with output_errors(folder):
-            make_private_folder(folder / "views")
+        make_output_folder(folder / "views")
 
     @classmethod
     def reopen(cls, folder: Path, order: Sequence[str] = ()) -> Draft:

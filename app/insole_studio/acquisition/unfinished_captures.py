@@ -11,10 +11,9 @@ from itertools import chain, count
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_private_folder
+from insole_core.export.atomic import make_output_folder
 from insole_core.export.file_lock import FileLock
 from insole_core.export.temporary import GRACE_S
-from insole_core.export.write_errors import output_errors
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_status import ViewStatus
@@ -93,8 +92,7 @@ class Drafts:
         OutputError
             When there is no place for drafts.
         """
-        with output_errors(self._folder):
-            make_private_folder(self._folder)
+        make_output_folder(self._folder)
         candidates = chain((name,), (f"{name}-{number}" for number in count(2)))
         return next(
             held

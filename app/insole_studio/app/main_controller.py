@@ -85,7 +85,7 @@ class MainController(QObject):
         window.layout_changed.connect(self._main.appearance.note_layout)
         self._services.recent.changed.connect(self._show_recent)
         self._stage.recent_chosen.connect(self._open_recent)
-        self._stage.offer_chosen.connect(self._take_offer)
+        self._stage.action_requested.connect(self._run_requested)
         self._stage.steps.chosen.connect(self._go_to_step)
 
     def _connect_features(self) -> None:
@@ -146,7 +146,7 @@ class MainController(QObject):
     def _open_recent(self, name: str) -> None:
         self._features.case_files.opener.open_path(Path(name))
 
-    def _take_offer(self, key: str) -> None:
+    def _run_requested(self, key: str) -> None:
         self.run_action({"open_mesh": "open_archive"}.get(key, key), False)
 
     def _show_recent(self) -> None:

@@ -105,18 +105,18 @@ def deliver(
     block = _block(shop, arguments.block)
     responsible = _responsible(arguments, insoles)
     rules = _rules(arguments, block)
-    pieces = tuple(
-        _piece(insole, arguments, rules, part)
-        for insole, part in zip(insoles, progress.part(0.0, 0.8).parts(len(insoles)), strict=True)
+    parts = tuple(
+        _part(insole, arguments, rules, step)
+        for insole, step in zip(insoles, progress.part(0.0, 0.8).parts(len(insoles)), strict=True)
     )
-    if block is not None and len(pieces) == 2:
+    if block is not None and len(parts) == 2:
         policy = rules.policies.get("block", "off")
-        pieces = checked_together(*pieces, block.size_mm, policy)
-    for sentence in dict.fromkeys(sentence for piece in pieces for sentence in _doubts(piece)):
+        parts = checked_together(*parts, block.size_mm, policy)
+    for sentence in dict.fromkeys(sentence for part in parts for sentence in _doubts(part)):
         print(f"Warning: {sentence}", file=sys.stderr)
     export_job.run_export_job(
         export_job.ExportJob(
-            pieces,
+            parts,
             shop,
             identification={"pseudonym": _pseudonym(arguments)},
             responsible=responsible,
@@ -145,23 +145,23 @@ def _rules(arguments: argparse.Namespace, block: Block | None) -> ExportRules:
     return rules if arguments.rules is not None else replace(rules, block_mm=None)
 
 
-def _doubts(piece: Part) -> tuple[str, ...]:
-    return (*piece.notes, *(f.sentence for f in piece.findings if not f.passed))
+def _doubts(part: Part) -> tuple[str, ...]:
+    return (*part.notes, *(f.sentence for f in part.findings if not f.passed))
 
 
-def _piece(
+def _part(
     insole: Insole, arguments: argparse.Namespace, rules: ExportRules, progress: Progress
 ) -> Part:
     from insole_core.solids.order import make_part
 
-    piece = make_part(insole, _order(arguments), rules, progress)
-    if piece.order.most_triangles is not None:
+    part = make_part(insole, _order(arguments), rules, progress)
+    if part.order.most_triangles is not None:
         print(
-            f"{len(piece.solid.triangles)} triangles; they deviate by"
-            f" {piece.deviation_mm:.3f} mm at most.",
+            f"{len(part.solid.triangles)} triangles; they deviate by"
+            f" {part.deviation_mm:.3f} mm at most.",
             file=sys.stderr,
         )
-    return piece
+    return part
 
 
 def _order(arguments: argparse.Namespace) -> Order:

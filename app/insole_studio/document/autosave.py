@@ -20,7 +20,7 @@ from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.atomic import make_private_folder, replacing_file
-from insole_core.forgiving_json import Complain, set_aside
+from insole_core.forgiving_json import Complain, rename_unreadable
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message
 from insole_core.progress import Progress
@@ -197,7 +197,7 @@ def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recov
                 Message(
                     "The copy {path} of unsaved work is damaged; it is kept as {kept}.",
                     path=copy,
-                    kept=set_aside(copy),
+                    kept=rename_unreadable(copy),
                 )
             )
     return found

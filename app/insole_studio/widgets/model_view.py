@@ -36,7 +36,7 @@ class ModelView(QWidget):
     """Panel of one 3-D view; implements `ModelPanel`."""
 
     preset_requested = Signal(object)
-    offer_chosen = Signal(str)
+    action_requested = Signal(str)
     listed_chosen = Signal(str)
 
     def __init__(
@@ -58,7 +58,7 @@ class ModelView(QWidget):
         self._scale = ScaleBar()
         self._legend = Legend()
         self._empty = EmptyPage()
-        self._empty.chosen.connect(self.offer_chosen)
+        self._empty.chosen.connect(self.action_requested)
         self._empty.listed_chosen.connect(self.listed_chosen)
         self._pages = QStackedLayout()
         self._pages.addWidget(self._empty)

@@ -11,7 +11,7 @@ from insole_core.geometry.side import Side
 from insole_studio.texts import tr
 from insole_studio.widgets.side_badge import COLORS
 
-_OFFERS: dict[str, Callable[[], str]] = {
+_WAYS_TO_ADD: dict[str, Callable[[], str]] = {
     "open_session": lambda: tr("Open session…"),
     "open_archive": lambda: tr("Open session archive or mesh…"),
     "capture": lambda: tr("Capture…"),
@@ -23,11 +23,11 @@ class SideSwitch(QWidget):
     """Buttons for left and right; a missing foot offers the ways to add it."""
 
     chosen = Signal(object)
-    offer_chosen = Signal(str)
+    action_requested = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._menu = self._offers()
+        self._menu = self._menu_to_add()
         self.buttons = {side: self._button(side) for side in Side}
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -56,19 +56,19 @@ class SideSwitch(QWidget):
         button.clicked.connect(self._choose)
         return button
 
-    def _offers(self) -> QMenu:
+    def _menu_to_add(self) -> QMenu:
         menu = QMenu(self)
-        for key, text in _OFFERS.items():
+        for key, text in _WAYS_TO_ADD.items():
             action = menu.addAction(text())
             action.setData(key)
-            action.triggered.connect(self._take_offer)
+            action.triggered.connect(self._request_action)
         return menu
 
     def _choose(self) -> None:
         self.chosen.emit(Side(self.sender().property("side")))
 
-    def _take_offer(self) -> None:
-        self.offer_chosen.emit(self.sender().data())  # type: ignore[attr-defined]
+    def _request_action(self) -> None:
+        self.action_requested.emit(self.sender().data())  # type: ignore[attr-defined]
 
 
 def _word(side: Side) -> str:

@@ -112,8 +112,8 @@ def matching_error(
     rows, columns = (index * _EVERY_PX for index in nodes)
     middle_mm = np.nan_to_num(pixel_mm[rows, columns], nan=float(np.nanmedian(pixel_mm)))
     middle_mm = np.clip(middle_mm, *_LEARNT_MM)
-    foretold = network.predict_alike(neighbourhoods(raw, shading, middle_mm, rows, columns))
-    error = np.clip(foretold - _of_walls(middle_mm, network), -_LARGEST_RAW, _LARGEST_RAW)
+    predicted = network.predict_alike(neighbourhoods(raw, shading, middle_mm, rows, columns))
+    error = np.clip(predicted - _of_walls(middle_mm, network), -_LARGEST_RAW, _LARGEST_RAW)
     learnt = np.isfinite(raw) & (pixel_mm >= _LEARNT_MM[0]) & (pixel_mm <= _LEARNT_MM[1])
     return np.where(learnt, _between(raw.shape, rows, columns, error), 0)
 

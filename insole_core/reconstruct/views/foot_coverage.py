@@ -89,14 +89,14 @@ def _heights_covered(places: FloatArray, height_mm: FloatArray) -> float:
     return float((width >= _ACHILLES_WIDTH_CELLS).mean())
 
 
-def coverage_warnings(coverage: dict[str, float], *, absence_is_told: bool) -> list[str]:
+def coverage_warnings(coverage: dict[str, float], *, absence_is_reported: bool) -> list[str]:
     """Return warnings that name the regions of the foot not measured, or only in part.
 
     Parameters
     ----------
     coverage
         Share by region, from `coverage_of`.
-    absence_is_told
+    absence_is_reported
         Whether another warning already says that no view faces a side of the foot; regions that
         are less than half covered are then not named again.
 
@@ -105,7 +105,7 @@ def coverage_warnings(coverage: dict[str, float], *, absence_is_told: bool) -> l
     list of str
         At most two sentences; empty when every region is covered.
     """
-    known = {r: share for r, share in coverage.items() if share >= 0.5 or not absence_is_told}
+    known = {r: share for r, share in coverage.items() if share >= 0.5 or not absence_is_reported}
     absent = [region for region, share in known.items() if share < 0.05]
     partial = [
         Message("{region} {percent:.0f} %", region=region, percent=100 * share)

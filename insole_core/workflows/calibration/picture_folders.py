@@ -8,9 +8,8 @@ from datetime import date
 from pathlib import Path
 from typing import Literal
 
-from insole_core.export.atomic import make_private_folder, replacing_file
+from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.export.transaction import Transaction
-from insole_core.export.write_errors import output_errors
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.images import encode_png
 from insole_core.recording.session import View
@@ -84,8 +83,7 @@ def _write_depth(view: View, folder: Path, outputs: Transaction) -> None:
 
 
 def _write(path: Path, content: bytes, outputs: Transaction) -> None:
-    with output_errors(path.parent):
-        make_private_folder(path.parent)
+    make_output_folder(path.parent)
     with replacing_file(outputs.file(path)) as beside:
         beside.write_bytes(content)
 

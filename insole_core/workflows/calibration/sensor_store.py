@@ -10,9 +10,8 @@ from pathlib import Path
 import platformdirs
 
 from insole_core.errors import InputError, UsageError
-from insole_core.export.atomic import copy_into, make_private_folder
+from insole_core.export.atomic import copy_into, make_output_folder
 from insole_core.export.transaction import Transaction, nothing_foreign
-from insole_core.export.write_errors import output_errors
 from insole_core.recording.sensor_folder import (
     CORRECTION_FILE,
     SENSOR_FILE,
@@ -114,8 +113,7 @@ class SensorStore:
             When the place cannot be written; what was there before is untouched.
         """
         folder = self.folder_of(sensor.serial)
-        with output_errors(self._folder):
-            make_private_folder(self._folder)
+        make_output_folder(self._folder)
         with Transaction() if outputs is None else nullcontext(outputs) as transaction:
             beside = transaction.folder(folder, nothing_foreign)
             if folder.exists():

@@ -188,6 +188,10 @@
             <translation>Fortsätter ytan till kanterna</translation>
         </message>
         <message>
+            <source>Cork and EVA</source>
+            <translation>Kork och EVA</translation>
+        </message>
+        <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
         </message>
@@ -198,6 +202,26 @@
         <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
+        </message>
+        <message>
+            <source>EVA pair</source>
+            <translation>EVA par</translation>
+        </message>
+        <message>
+            <source>EVA pair, large</source>
+            <translation>EVA par, stor</translation>
+        </message>
+        <message>
+            <source>EVA pair, low</source>
+            <translation>EVA par, låg</translation>
+        </message>
+        <message>
+            <source>EVA single</source>
+            <translation>EVA enkel</translation>
+        </message>
+        <message>
+            <source>EVA single, low</source>
+            <translation>EVA enkel, låg</translation>
         </message>
         <message>
             <source>English sizes of 8.47 mm, with 15 mm before the toes</source>
@@ -412,6 +436,10 @@
             <translation>Bara {share:.0%} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
         </message>
         <message>
+            <source>PA12, printed</source>
+            <translation>PA12, utskriven</translation>
+        </message>
+        <message>
             <source>Paris points of 6.67 mm, with 15 mm before the toes</source>
             <translation>parispunkter om 6,67 mm, med 15 mm framför tårna</translation>
         </message>
@@ -486,6 +514,10 @@
         <message>
             <source>Something moved while view {view} was captured; hold the foot still and capture this view again.</source>
             <translation>Något rörde sig medan vyn {view} togs; håll foten stilla och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>TPU, printed</source>
+            <translation>TPU, utskriven</translation>
         </message>
         <message>
             <source>Take {count} more pictures, the board tilted by 20 to 40° to another side each time.</source>

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from simulated_board import COLOR_CAMERA, board_poses, sight
 from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, smooth_distortion
 
@@ -39,6 +40,7 @@ from insole_core.evaluation.evaluation_sections import (
 from insole_core.evaluation.noise import Noise, WarmUp
 from insole_core.evaluation.report import (
     Number,
+    Plot,
     Report,
     ReportSection,
     Share,
@@ -165,3 +167,13 @@ def test_a_place_that_cannot_be_written(report: Report, tmp_path: Path) -> None:
     for write in (write_html, write_pdf, write_json):
         with pytest.raises(OutputError, match="folder does not exist"):
             write(report, tmp_path / "none" / "report")
+
+
+def test_each_plot_is_drawn_once_for_all_forms(tmp_path: Path) -> None:
+    drawn: list[Figure] = []
+    plot = Plot("Noise", drawn.append)
+    section = ReportSection("noise", "Noise", plots=(plot,))
+    report = Report("Noise", "A", "2026-01-01T00:00:00+00:00", (section,))
+    write_html(report, tmp_path / "r.html")
+    write_pdf(report, tmp_path / "r.pdf")
+    assert len(drawn) == 1

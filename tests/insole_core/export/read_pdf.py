@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import re
 import zlib
 from pathlib import Path
@@ -24,6 +23,6 @@ def text_of_pdf(path: Path) -> str:
 
 def _decoded(stream: bytes) -> bytes:
     try:
-        return zlib.decompress(base64.a85decode(stream.strip().removesuffix(b"~>")))
-    except (ValueError, zlib.error):
+        return zlib.decompress(stream)
+    except zlib.error:
         return stream

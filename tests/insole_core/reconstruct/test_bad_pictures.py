@@ -176,7 +176,7 @@ def test_what_a_single_view_does_not_cover_is_named(session: Session) -> None:
     result = reconstruct(top)
     assert result.coverage["achilles"] > 0.9
     assert max(result.coverage[region] for region in ("toes", "forefoot", "arch", "heel")) == 0
-    assert "Not measured: toes" in coverage_warnings(result.coverage, absence_is_told=False)[0]
+    assert "Not measured: toes" in coverage_warnings(result.coverage, absence_is_reported=False)[0]
 
 
 def test_a_hole_in_the_arch_is_named(whole: Reconstruction) -> None:
@@ -186,4 +186,4 @@ def test_a_hole_in_the_arch_is_named(whole: Reconstruction) -> None:
     coverage = coverage_of(holed)
     assert coverage["arch"] < 0.6
     assert min(coverage[region] for region in ("toes", "forefoot", "heel")) > 0.9
-    assert "arch" in coverage_warnings(coverage, absence_is_told=False)[0]
+    assert "arch" in coverage_warnings(coverage, absence_is_reported=False)[0]

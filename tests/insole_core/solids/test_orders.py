@@ -1,4 +1,4 @@
-"""An order becomes a piece, a pair, a file with layers, and papers."""
+"""An order becomes a part, a pair, a file with layers, and papers."""
 
 from __future__ import annotations
 
@@ -42,44 +42,44 @@ def layered(left_foot) -> Insole:
     return insole_of(left_foot, layers=Layers(cover_mm=2.0, shell_mm=3.0, base_mm=1.0))
 
 
-def piece_of(insole: Insole, rules: ExportRules | None = None, **order) -> Part:
+def part_of(insole: Insole, rules: ExportRules | None = None, **order) -> Part:
     return make_part(insole, Order(**order), rules or read_rules().only(("watertight",)))
 
 
 @pytest.mark.slow
 def test_layers_are_the_insole_cut_in_three(layered):
-    piece = piece_of(layered, layered=True)
-    parts = piece.parts(SHOP)
-    assert [part.name for part in parts] == [
+    part = part_of(layered, layered=True)
+    layers = part.layers(SHOP)
+    assert [layer.name for layer in layers] == [
         "left insole, cover", "left insole, shell", "left insole, base",
     ]  # fmt: skip
-    assert len({part.color for part in parts}) == 3
-    assert [part.density_percent for part in parts] == [20, 60, 35]
-    for part in parts:
-        assert part.mesh.is_closed
-    volumes = [part.mesh.volume_mm3 for part in parts]
-    assert sum(volumes) == pytest.approx(piece.solid.volume_mm3, rel=1e-6)
-    cover, shell, base = (to_manifold(part.mesh) for part in parts)
+    assert len({layer.color for layer in layers}) == 3
+    assert [layer.density_percent for layer in layers] == [20, 60, 35]
+    for layer in layers:
+        assert layer.mesh.is_closed
+    volumes = [layer.mesh.volume_mm3 for layer in layers]
+    assert sum(volumes) == pytest.approx(part.solid.volume_mm3, rel=1e-6)
+    cover, shell, base = (to_manifold(layer.mesh) for layer in layers)
     assert (cover ^ shell).volume() == pytest.approx(0, abs=1e-3)
     assert (cover ^ base).volume() == pytest.approx(0, abs=1e-3)
     # The cover is 2 mm thick, less at the rim, where the walls cut it.
-    assert 1.7 < volumes[0] / top_area(layered, piece) < 2.0
+    assert 1.7 < volumes[0] / top_area(layered, part) < 2.0
 
 
-def top_area(insole: Insole, piece: Part) -> float:
-    up = piece.solid.triangle_normals[:, 2] > 0.1
-    corners = piece.solid.vertices[piece.solid.triangles[up]]
+def top_area(insole: Insole, part: Part) -> float:
+    up = part.solid.triangle_normals[:, 2] > 0.1
+    corners = part.solid.vertices[part.solid.triangles[up]]
     cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return float(np.linalg.norm(cross, axis=1).sum() / 2)
 
 
 def test_insole_without_layers_is_one_base(left_foot):
-    (part,) = piece_of(insole_of(left_foot), layered=True).parts(SHOP)
-    assert part.name == "left insole, base"
+    (layer,) = part_of(insole_of(left_foot), layered=True).layers(SHOP)
+    assert layer.name == "left insole, base"
 
 
 def test_layers_are_one_thing_in_the_file(layered, tmp_path: Path):
-    delivery = ExportJob((piece_of(layered, layered=True),), SHOP)
+    delivery = ExportJob((part_of(layered, layered=True),), SHOP)
     write(delivery, ExportPaths(tmp_path / "insole.3mf"))
     model = zipfile.ZipFile(tmp_path / "insole.3mf").read("3D/3dmodel.model").decode()
     assert re.findall(r'<component objectid="(\d+)"', model) == ["2", "3", "4"]
@@ -90,8 +90,8 @@ def test_layers_are_one_thing_in_the_file(layered, tmp_path: Path):
 def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
     if shutil.which("prusa-slicer") is None:
         pytest.skip("the program prusa-slicer is not installed")
-    piece = piece_of(layered, layered=True)
-    write(ExportJob((piece,), SHOP), ExportPaths(tmp_path / "insole.3mf"))
+    part = part_of(layered, layered=True)
+    write(ExportJob((part,), SHOP), ExportPaths(tmp_path / "insole.3mf"))
     call = ["prusa-slicer", "--info", str(tmp_path / "insole.3mf")]
     said = subprocess.run(call, capture_output=True, text=True, check=True).stdout
     assert re.findall(r"manifold = (\w+)", said) == ["yes"] * 3
@@ -100,7 +100,7 @@ def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
         for end in ("min", "max")
     )
     size = high.max(axis=1) - low.min(axis=1)
-    assert size == pytest.approx(np.ptp(piece.solid.vertices, axis=0), abs=0.01)
+    assert size == pytest.approx(np.ptp(part.solid.vertices, axis=0), abs=0.01)
 
 
 def write(delivery: ExportJob, places: ExportPaths) -> None:
@@ -115,9 +115,9 @@ def test_one_least_thickness_on_all_papers(left_foot, tmp_path: Path, monkeypatc
         lambda made, _path, _nesting=None: sheets.extend(made),
     )
     insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=4.5))
-    piece = piece_of(insole, read_rules().only(("thickness",)))
+    part = part_of(insole, read_rules().only(("thickness",)))
     paths = ExportPaths(tmp_path / "i.stl", tmp_path / "c.json", tmp_path / "j.pdf")
-    run_export_job(ExportJob((piece,), SHOP), paths, paths)
+    run_export_job(ExportJob((part,), SHOP), paths, paths)
     (sheet,) = sheets
     assert sheet.make["prescribed thickness"] == "4.5 mm"
     (finding,) = json.loads((tmp_path / "c.json").read_text())["findings"]
@@ -129,11 +129,11 @@ def test_one_least_thickness_on_all_papers(left_foot, tmp_path: Path, monkeypatc
 
 @pytest.mark.slow
 def test_pair_in_one_block_with_its_papers(left_foot, right_foot, tmp_path: Path):
-    pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
+    parts = tuple(part_of(insole_of(foot)) for foot in (left_foot, right_foot))
     places = ExportPaths(*(tmp_path / name for name in ("pair.3mf", "c.json", "j.pdf", "p.pdf")))
     write(
         ExportJob(
-            pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"},
+            parts, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"},
             responsible=RESPONSIBLE,
         ),
         places,
@@ -146,31 +146,31 @@ def test_pair_in_one_block_with_its_papers(left_foot, right_foot, tmp_path: Path
 
 
 def test_pair_that_does_not_fit_leaves_nothing(left_foot, right_foot, tmp_path: Path):
-    pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
+    parts = tuple(part_of(insole_of(foot)) for foot in (left_foot, right_foot))
     small = Block("small", (300.0, 110.0, 30.0))
     with pytest.raises(DesignError, match="The pair needs a block of"):
-        write(ExportJob(pieces, SHOP, block=small), ExportPaths(tmp_path / "pair.stl"))
+        write(ExportJob(parts, SHOP, block=small), ExportPaths(tmp_path / "pair.stl"))
     assert list(tmp_path.iterdir()) == []
 
 
 def test_override_is_recorded(layered, tmp_path: Path):
     strict = ExportRules({"shoe_height": "blocking"}, {"shoe_height": 5.0})
-    piece, places = piece_of(layered, strict), ExportPaths(tmp_path / "i.stl", tmp_path / "c.json")
+    part, places = part_of(layered, strict), ExportPaths(tmp_path / "i.stl", tmp_path / "c.json")
     with pytest.raises(DesignError, match="override the rule with a reason"):
-        write(ExportJob((piece,), SHOP), places)
-    write(ExportJob((piece,), SHOP, override=Override("A. Berg", "high boot", "now")), places)
+        write(ExportJob((part,), SHOP), places)
+    write(ExportJob((part,), SHOP, override=Override("A. Berg", "high boot", "now")), places)
     record = json.loads((tmp_path / "c.json").read_text())
     assert record["override"]["reason"] == "high boot"
     assert record["findings"][0]["value"] > 5
 
 
 def test_spots_are_where_the_limit_is_broken(layered):
-    (finding,) = piece_of(
+    (finding,) = part_of(
         layered, ExportRules({"shoe_height": "warning"}, {"shoe_height": 15.0})
     ).findings
     assert len(finding.spots_mm) > 0
     assert finding.spots_mm[:, 2].min() > 15.0
-    (calm,) = piece_of(
+    (calm,) = part_of(
         layered, ExportRules({"shoe_height": "warning"}, {"shoe_height": 90.0})
     ).findings
     assert len(calm.spots_mm) == 0
@@ -186,16 +186,16 @@ def test_letters_below_the_bottom_are_no_undercut(left_foot):
 
 
 def test_letters_that_the_font_lacks_are_named(left_foot):
-    piece = piece_of(insole_of(left_foot), mark=("Ł 足 7",))
-    assert "足" in piece.notes[0]
+    part = part_of(insole_of(left_foot), mark=("Ł 足 7",))
+    assert "足" in part.notes[0]
     with pytest.raises(DesignError, match="none of the letters of “足”"):
-        piece_of(insole_of(left_foot), mark=("足",))
+        part_of(insole_of(left_foot), mark=("足",))
 
 
 @pytest.mark.parametrize("text", ["Å. Öberg", "Иванов", "محمد", "אברהם"])
 def test_names_of_many_scripts_are_engraved(left_foot, text):
     assert missing_letters(text) == ""
-    assert piece_of(insole_of(left_foot), mark=(text,)).solid.is_closed
+    assert part_of(insole_of(left_foot), mark=(text,)).solid.is_closed
 
 
 def test_letters_that_run_from_the_right_are_joined_and_turned():

@@ -29,7 +29,7 @@ from insole_core.solids.order_number import new_order_number
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks, require_names
-from insole_core.workflows.make_order import OrderChoice, files_of, make_pieces, write_order
+from insole_core.workflows.make_order import OrderChoice, files_of, make_parts, write_order
 from insole_core.workflows.nameless import require_nameless
 
 SHOP = read_shop()
@@ -58,8 +58,8 @@ def block_of(name: str) -> Block:
 
 
 def findings_of(record: CaseRecord, **order: object) -> list[dict[str, object]]:
-    pieces = make_pieces(record, OrderChoice(**order), RULES)  # type: ignore[arg-type]
-    return [{f.name: f for f in piece.findings} for piece in pieces]
+    parts = make_parts(record, OrderChoice(**order), RULES)  # type: ignore[arg-type]
+    return [{f.name: f for f in part.findings} for part in parts]
 
 
 def test_without_a_block_none_is_checked(record: CaseRecord) -> None:
@@ -91,8 +91,8 @@ def test_places_of_a_nested_pair_are_those_of_the_file(record: CaseRecord, tmp_p
         both=True, block=block_of("EVA pair"), checks=True, pseudonym="26-7KQ4M",
         most_triangles=None,
     )  # fmt: skip
-    pieces = make_pieces(record, choice, RULES)
-    write_order(pieces, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT)
+    parts = make_parts(record, choice, RULES)
+    write_order(parts, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT)
     vertices = read_mesh(tmp_path / "o-pair.stl").mesh.vertices
     checks = json.loads((tmp_path / "o-pair-checks.json").read_text())
     for side in ("left", "right"):
@@ -104,7 +104,7 @@ def test_places_of_a_nested_pair_are_those_of_the_file(record: CaseRecord, tmp_p
     text = text_of_pdf(tmp_path / "o-pair-job-sheet.pdf")
     x, y, _ = worst["place_mm"]
     assert f"x = {x:.0f} mm, y = {y:.0f} mm" in text.replace("\n", " ")
-    left, _ = closest_nest(*(piece.solid for piece in pieces)).meshes
+    left, _ = closest_nest(*(part.solid for part in parts)).meshes
     (low, _, _), (high, _, _) = left.bounds_mm
     assert f"x {low:.1f} " in text
     assert f" {high:.1f}, y" in text
@@ -156,10 +156,10 @@ def test_the_shop_never_gets_the_name(record: CaseRecord, tmp_path: Path, suffix
         ascii_stl=suffix == "text", checks=True, prescription=True, pseudonym=number,
         relief="engraved", most_triangles=None,
     )  # fmt: skip
-    pieces = make_pieces(record, choice, RULES)
+    parts = make_parts(record, choice, RULES)
     path = tmp_path / f"{number}{choice.suffix}"
-    write_order(pieces, choice, path, shop=SHOP, patient=PATIENT, responsible=RESPONSIBLE)
-    files = files_of(pieces, choice, path, False)
+    write_order(parts, choice, path, shop=SHOP, patient=PATIENT, responsible=RESPONSIBLE)
+    files = files_of(parts, choice, path, False)
     own = tmp_path / f"{number}-pair-prescription.pdf"
     assert set(files) == set(tmp_path.iterdir())
     for file in set(files) - {own}:
@@ -193,16 +193,16 @@ def test_a_name_typed_for_the_shop_is_refused(
     record: CaseRecord, tmp_path: Path, what: str, change: dict[str, str]
 ) -> None:
     choice = OrderChoice(most_triangles=None)
-    pieces = make_pieces(record, choice, RULES)
+    parts = make_parts(record, choice, RULES)
     with pytest.raises(InputError, match=f"The {what} holds the patient's name"):
         write_order(
-            pieces, replace(choice, **change), tmp_path / "o.stl", shop=SHOP, patient=PATIENT
+            parts, replace(choice, **change), tmp_path / "o.stl", shop=SHOP, patient=PATIENT
         )
     with pytest.raises(InputError, match="The file name holds the patient's name"):
-        write_order(pieces, choice, tmp_path / "Bergqvist.stl", shop=SHOP, patient=PATIENT)
+        write_order(parts, choice, tmp_path / "Bergqvist.stl", shop=SHOP, patient=PATIENT)
     with pytest.raises(InputError, match="The reason for the export holds the patient's name"):
         write_order(
-            pieces, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT,
+            parts, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT,
             override=Override("A. Ek", "Mrs Bergqvist wants it", "now"),
         )  # fmt: skip
     assert list(tmp_path.iterdir()) == []
@@ -235,11 +235,11 @@ def prescribe(record: CaseRecord, tmp_path: Path) -> Callable[..., str]:
     choice = OrderChoice(
         prescription=True, job_sheet=False, pseudonym="26-7KQ4M", most_triangles=None
     )
-    pieces = make_pieces(record, choice, RULES)
+    parts = make_parts(record, choice, RULES)
 
     def write(patient: Patient = PATIENT, responsible: Responsible = RESPONSIBLE) -> str:
         write_order(
-            pieces, choice, tmp_path / "o.stl", shop=SHOP, patient=patient, responsible=responsible
+            parts, choice, tmp_path / "o.stl", shop=SHOP, patient=patient, responsible=responsible
         )
         return text_of_pdf(tmp_path / "o-left-prescription.pdf")
 
@@ -322,8 +322,8 @@ def test_the_clinics_own_blocks_are_kept(tmp_path: Path) -> None:
 
 def test_a_nested_job_of_the_command_line_is_that_of_the_window(record: CaseRecord) -> None:
     choice = OrderChoice(both=True, block=block_of("EVA pair"), most_triangles=None)
-    pieces = make_pieces(record, choice, read_rules().only(("watertight",)))
-    job = ExportJob(pieces, SHOP, block=choice.block)
-    nest = closest_nest(*(piece.solid for piece in pieces))
+    parts = make_parts(record, choice, read_rules().only(("watertight",)))
+    job = ExportJob(parts, SHOP, block=choice.block)
+    nest = closest_nest(*(part.solid for part in parts))
     for placed, a2b in zip(job.placed(), nest.insole2block, strict=True):
         np.testing.assert_allclose(placed.insole2file, a2b)

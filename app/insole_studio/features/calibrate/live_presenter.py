@@ -156,12 +156,12 @@ class LivePresenter:
         self._panel.show_live(
             LiveRow(
                 running=running,
-                sentence=self._told() if running else "",
+                sentence=self._status_sentence() if running else "",
                 can_take=running and not self._live.taking and bool(self._sentence),
             )
         )
 
-    def _told(self) -> str:
+    def _status_sentence(self) -> str:
         if self._live.problem:
             return self._live.problem
         if self._live.taking:

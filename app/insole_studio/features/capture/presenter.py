@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from insole_core.errors import InsoleError, UsageError
-from insole_core.export.atomic import make_private_folder
+from insole_core.export.atomic import make_output_folder
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.side import Side
 from insole_core.messages import Message, joined
@@ -206,7 +206,7 @@ class CapturePresenter:
             try:
                 scan = self._begin_scan(plan)
             except InsoleError as error:
-                self._told(error)
+                self._show_error(error)
                 return
             missing = list(plan.views)
         self._start(scan, plan.only(missing))
@@ -226,9 +226,9 @@ class CapturePresenter:
             held, left = hold_unfinished(self._left.folder)
         except InsoleError as error:
             self._offer_left()
-            self._told(error)
+            self._show_error(error)
             return
-        self._set_aside()
+        self._leave_scan()
         self._scan = Scan(held, left.order, left.views)
         self._offer_left()
         self._assignment.take(left.request.assignment)
@@ -249,7 +249,7 @@ class CapturePresenter:
             if self._left is not None:
                 hold_draft(self._left.folder).discard()
         except InsoleError as error:
-            self._told(error)
+            self._show_error(error)
         self._offer_left()
 
     def close(self) -> None:
@@ -281,7 +281,7 @@ class CapturePresenter:
     def edit_options(self, options: CaptureOptions) -> None:
         """Apply the options; another side begins a new capture."""
         if options.side is not self.options.side:
-            self._set_aside()
+            self._leave_scan()
             self._offer_left()
         self.options = options
         self._show()
@@ -310,7 +310,7 @@ class CapturePresenter:
         if status.phase is CapturePhase.DONE:
             earlier.release()
         else:
-            self._set_aside()
+            self._leave_scan()
             self._scan, self._is_earlier_back = earlier, True
             self._status = replace(status, views=())
         self._offer_left()
@@ -338,7 +338,7 @@ class CapturePresenter:
         watch = min(waiting, key=lambda w: w.guided_at_s, default=None)
         task = watch.guidance_task() if watch is not None else None
         if watch is not None and task is not None:
-            self._jobs.start("guide", task, watch.take_guidance, self._told)
+            self._jobs.start("guide", task, watch.take_guidance, self._show_error)
 
     @property
     def _request(self) -> PlanRequest:
@@ -362,7 +362,7 @@ class CapturePresenter:
         if self._scan is not None and self._scan.finished:
             self._earlier = self._scan
         else:
-            self._set_aside()
+            self._leave_scan()
         self._scan = Scan(held, plan.views)
         return self._scan
 
@@ -398,21 +398,21 @@ class CapturePresenter:
 
         def write(progress: Progress) -> Path:
             progress.step(0.0, tr("Checking the session"))
-            make_private_folder(path.parent)
+            make_output_folder(path.parent)
             reopened = Draft.reopen(draft, order)
             reopened.describe(condition)  # what was entered since the capture began
             reopened.publish(path)
             return path
 
         def written(done: Path) -> None:
-            self._set_aside()
+            self._leave_scan()
             self._offer_left()
             self._kept(done)
             then()
 
-        self._jobs.start(_PUBLISHING, write, written, self._told)
+        self._jobs.start(_PUBLISHING, write, written, self._show_error)
 
-    def _set_aside(self) -> None:
+    def _leave_scan(self) -> None:
         """Leave the scan, if there is one, on the disk, where it can be offered."""
         if self._scan is not None:
             self._scan.release()
@@ -435,7 +435,7 @@ class CapturePresenter:
         self._remember(self._assignment.pairs)
         self._show()
 
-    def _told(self, error: Exception) -> None:
+    def _show_error(self, error: Exception) -> None:
         if not isinstance(error, InsoleError):
             raise error
         self._panel.show_sentence(str(error))
@@ -490,7 +490,7 @@ class CapturePresenter:
         return CaptureRow(
             running=running,
             fraction=status.fraction if status is not None else 0.0,
-            sentence=self._told_status(),
+            sentence=self._status_sentence(),
             button=self._button(),
             can_capture=not running and any(s.problem is None for s in self._sensors.states),
             can_use=not running and bool(self._finished),
@@ -499,7 +499,7 @@ class CapturePresenter:
             offer=_offer(self._left) if self._left is not None and not running else "",
         )
 
-    def _told_status(self) -> str:
+    def _status_sentence(self) -> str:
         if self._status is None:
             return ""
         text = _describe(self._status, self._views)

@@ -68,9 +68,9 @@ class SensorCard(QFrame):
         """Show everything except the images."""
         self._title.setText(f"{row.title}   {row.progress}".rstrip())
         self._facts.setText(row.facts)
-        told = translate_core_message(row.problem or "") or " · ".join(row.hints)
-        self._hints.setText(told)
-        self._hints.setObjectName("warning" if told else "")
+        hint = translate_core_message(row.problem or "") or " · ".join(row.hints)
+        self._hints.setText(hint)
+        self._hints.setObjectName("warning" if hint else "")
         self._hints.setStyle(self._hints.style())
         if self._view.findData(row.view) < 0:
             self._view.addItem(view_text(row.view), row.view)

@@ -45,7 +45,7 @@ from insole_studio.widgets.typed_text import is_typing
 class DesignStage(QObject):
     """The panels of the design stage; the window only arranges them."""
 
-    offer_chosen = Signal(str)
+    action_requested = Signal(str)
     recent_chosen = Signal(str)
     pointed = Signal(str)
     hint_changed = Signal(str)
@@ -79,7 +79,7 @@ class DesignStage(QObject):
         self.linked = True
         self.steps = StepStrip()
         self.patient = PatientView()
-        self.patient.action_requested.connect(self.offer_chosen)
+        self.patient.action_requested.connect(self.action_requested)
         self.patient.measure_chosen.connect(self.look_at_measure)
         self.notices = NoticeBar()
         self.parameters = ParametersView()
@@ -123,7 +123,7 @@ class DesignStage(QObject):
             pads,
             rules,
             rim=rim,
-            request_action=self.offer_chosen.emit,
+            request_action=self.action_requested.emit,
         )
         self._section_presenter = SectionPresenter(
             self.section,
@@ -274,7 +274,7 @@ class DesignStage(QObject):
         view.scene.hovered.connect(self._point)
         view.scene.left.connect(self._point_nowhere)
         view.preset_requested.connect(self.look)
-        view.offer_chosen.connect(self.offer_chosen)
+        view.action_requested.connect(self.action_requested)
         presenter.show_all()
 
     def _follow(self, camera: ViewCamera) -> None:

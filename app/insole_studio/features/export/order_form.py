@@ -1,4 +1,4 @@
-"""The form of an order: piece, manufacturing, engraving and documents."""
+"""The form of an order: part, manufacturing, engraving and documents."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from insole_core.solids.marking import Relief
 from insole_core.solids.shop import Block
 from insole_core.solids.solid import Kind
 from insole_core.workflows.make_order import OrderChoice
-from insole_studio.texts import localised, tr
+from insole_studio.texts import localised, tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
@@ -67,7 +67,8 @@ class OrderForm(QWidget):
         self.cutter = NumberField("mm", least=1, greatest=40, step=0.5)
         self.material = QComboBox()
         self.material.setEditable(True)
-        self.material.addItems(["", *stock.materials])
+        for material in ("", *stock.materials):
+            self.material.addItem(translate_core_message(material), material)
         self.format = ComboBox(
             [
                 (".stl", "STL"), (_TEXT, tr("STL as text")), (".3mf", "3MF"), (".obj", "OBJ"),
@@ -131,7 +132,7 @@ class OrderForm(QWidget):
                     line.setText(text)
             if self.text.toPlainText() != choice.text:
                 self.text.setPlainText(choice.text)
-            self.material.setCurrentText(choice.material)
+            self._show_material(choice.material)
         self.both.setVisible(has_pair)
         self.layered.setVisible(choice.suffix == ".3mf" and choice.kind == "insole")
         self._form.setRowVisible(self.text, choice.relief is not None)
@@ -160,7 +161,7 @@ class OrderForm(QWidget):
             relief=cast("Relief | None", self.relief.currentData() or None),
             pseudonym=self.pseudonym.text().strip(),
             text=self.text.toPlainText(),
-            material=self.material.currentText().strip(),
+            material=self._material(),
             block=self._blocks.get(self.block.currentData()),
             job_sheet=self.job_sheet.isChecked(),
             prescription=self.prescription.isChecked(),
@@ -223,6 +224,16 @@ class OrderForm(QWidget):
         self.pseudonym.textEdited.connect(self._pass_on)
         self.text.textChanged.connect(self._pass_on)
 
+    def _show_material(self, material: str) -> None:
+        index = self.material.findData(material)
+        self.material.setCurrentText(material if index < 0 else self.material.itemText(index))
+
+    def _material(self) -> str:
+        """Return the material: the shop's own word for one that it has, or what is typed."""
+        text = self.material.currentText().strip()
+        index = self.material.findText(text)
+        return text if index < 0 else str(self.material.itemData(index))
+
     def _pass_on(self) -> None:
         if self.signalsBlocked():
             return
@@ -233,4 +244,5 @@ class OrderForm(QWidget):
 
 
 def _text(block: Block) -> str:
-    return f"{block.name}, " + " × ".join(localised(length, "g") for length in block.size_mm)
+    name = translate_core_message(block.name)
+    return f"{name}, " + " × ".join(localised(length, "g") for length in block.size_mm)

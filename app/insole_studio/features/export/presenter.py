@@ -29,7 +29,7 @@ from insole_core.workflows.make_order import (
     block_edges,
     both_prescribed,
     files_of,
-    make_pieces,
+    make_parts,
     word_of,
     write_order,
 )
@@ -128,7 +128,7 @@ class ExportPresenter:
         self._choice, self._number = memory.load(), ""
         self._rules = read_rules()
         self._record = CaseRecord()
-        self.pieces: tuple[Part, ...] = ()
+        self.parts: tuple[Part, ...] = ()
         """The parts made last."""
         self._nest: Nest | None = None
         """Where a pair lies in its block."""
@@ -147,7 +147,7 @@ class ExportPresenter:
         panel.cutter_edited.connect(self.edit_cutter)
         panel.rule_edited.connect(self.edit_rule)
         panel.check_chosen.connect(self.lead_to)
-        panel.piece_chosen.connect(self.show_piece)
+        panel.part_chosen.connect(self.show_part)
         panel.reason_edited.connect(self.edit_reason)
         panel.export_requested.connect(self.ask_export)
         panel.cancel_requested.connect(self.cancel)
@@ -156,7 +156,7 @@ class ExportPresenter:
         case.opened.connect(self._begin_order)
         case.changed.connect(self._follow)
         case.foot_changed.connect(self.remake)
-        panel.show_piece(None, None, None, False)
+        panel.show_part(None, None, None, False)
         panel.show_notes([])
         panel.show_error("")
         self._load_rules()
@@ -233,30 +233,30 @@ class ExportPresenter:
         record, choice, rules = self._record, self._order, self._rules
 
         def make(progress: Progress) -> tuple[Part, ...]:
-            return make_pieces(record, choice, rules, progress)
+            return make_parts(record, choice, rules, progress)
 
         self._panel.show_error(self._complaint)
         self._jobs.start(MAKING, make, self._take, self._show_nothing)
         self._show_checks()
         self._show_buttons()
 
-    def show_piece(self, key: str) -> None:
+    def show_part(self, key: str) -> None:
         """Show the left part, the right part, or both in their block."""
         again, self._shown = (key, self._choice.kind) == self._framed, key
-        self._framed = (key, self._choice.kind) if self.pieces else ("", "")
+        self._framed = (key, self._choice.kind) if self.parts else ("", "")
         block, nest = self._choice.block, self._nest
         if key == _NEST and block is not None and nest is not None:
-            self._panel.show_piece(merged(nest.meshes), None, None, again)
+            self._panel.show_part(merged(nest.meshes), None, None, again)
             self._panel.show_block(block_edges(block), again)
             self._panel.show_summary(summary_of_nest(nest))
         else:
-            piece = self._piece
-            solid, side = (None, None) if piece is None else (piece.solid, piece.side)
+            part = self._part
+            solid, side = (None, None) if part is None else (part.solid, part.side)
             turned = side is not None and self._choice.kind == "positive"
             words = side.other if side is not None and turned else side
             self._panel.show_block([], True)
-            self._panel.show_piece(solid, side, words, again)
-            self._panel.show_summary("" if piece is None else summary_of(piece))
+            self._panel.show_part(solid, side, words, again)
+            self._panel.show_summary("" if part is None else summary_of(part))
         self._show_spots()
         self._show_checks()
 
@@ -273,24 +273,24 @@ class ExportPresenter:
         order = self._order
         if order.prescription and not self._asker.ask_missing():
             return
-        path = self._asker.path(order.pseudonym, word_of(self.pieces, order), order.suffix)
+        path = self._asker.path(order.pseudonym, word_of(self.parts, order), order.suffix)
         if path is None:
             return
-        files = files_of(self.pieces, order, path, self._override() is not None)
+        files = files_of(self.parts, order, path, self._override() is not None)
         there = [file for file in files if file.exists()]
         if not there or self._asker.may_replace(there):
             self.export_to(path)
 
     def export_to(self, path: Path) -> None:
         """Write the file and its documents in the background."""
-        record, pieces, choice = self._record, self.pieces, self._order
+        record, parts, choice = self._record, self.parts, self._order
         override, responsible = self._override(), self._asker.responsible()
 
         def write(progress: Progress) -> tuple[Path, ...]:
-            files = files_of(pieces, choice, path, override is not None)
+            files = files_of(parts, choice, path, override is not None)
             check_overwriting(files, record.source_paths)
             return write_order(
-                pieces, choice, path,
+                parts, choice, path,
                 shop=self._shop, patient=record.patient, responsible=responsible,
                 override=override, progress=progress,
             )  # fmt: skip
@@ -377,22 +377,22 @@ class ExportPresenter:
         return len(self._record.feet) == 2
 
     @property
-    def _piece(self) -> Part | None:
+    def _part(self) -> Part | None:
         """The part being shown; for the block, the first."""
-        named = (piece for piece in self.pieces if str(piece.side) == self._shown)
-        return next(named, self.pieces[0] if self.pieces else None)
+        named = (part for part in self.parts if str(part.side) == self._shown)
+        return next(named, self.parts[0] if self.parts else None)
 
     @property
     def _findings(self) -> dict[CheckName, Finding]:
         """The findings of what is shown; for the block, the worse of both parts."""
-        if self._piece is None:
+        if self._part is None:
             return {}
-        findings = self._piece.findings
+        findings = self._part.findings
         if self._shown == _NEST and self._nest is not None:
             findings = worst_findings(
                 finding.moved(insole2block)
-                for piece, insole2block in zip(self.pieces, self._nest.insole2block, strict=True)
-                for finding in piece.findings
+                for part, insole2block in zip(self.parts, self._nest.insole2block, strict=True)
+                for finding in part.findings
             )
         return {finding.name: finding for finding in findings}
 
@@ -401,7 +401,7 @@ class ExportPresenter:
         """The finding that a pair does not fit its block, which no reason can release."""
         if self._nest is None:
             return None
-        return next((f for f in self.pieces[0].findings if f.name == "block" and f.blocks), None)
+        return next((f for f in self.parts[0].findings if f.name == "block" and f.blocks), None)
 
     def _load_rules(self) -> None:
         try:
@@ -426,20 +426,20 @@ class ExportPresenter:
             self._complaint = str(error)
         self.remake()
 
-    def _take(self, pieces: tuple[Part, ...]) -> None:
-        self.pieces = pieces
-        is_nested = len(pieces) == 2 and self._choice.block is not None
-        self._nest = closest_nest(*(piece.solid for piece in pieces)) if is_nested else None
-        names = {str(piece.side): side_text(piece) for piece in pieces}
+    def _take(self, parts: tuple[Part, ...]) -> None:
+        self.parts = parts
+        is_nested = len(parts) == 2 and self._choice.block is not None
+        self._nest = closest_nest(*(part.solid for part in parts)) if is_nested else None
+        names = {str(part.side): side_text(part) for part in parts}
         if is_nested:
             names[_NEST] = tr("In the block")
         if self._misfit is not None:
             names[_NEST] += "  ✗"
             self._panel.show_error(self._misfit.sentence)
         shown = self._shown if self._shown in names else next(iter(names), "")
-        self._panel.show_pieces(names, shown)
-        self._panel.show_notes([note for piece in pieces for note in notes_of(piece)])
-        self.show_piece(shown)
+        self._panel.show_parts(names, shown)
+        self._panel.show_notes([note for part in parts for note in notes_of(part)])
+        self.show_part(shown)
         self._show_buttons()
 
     def _show_spots(self) -> None:
@@ -479,8 +479,8 @@ class ExportPresenter:
         """Whether a rule stops the export until somebody gives a reason."""
         return any(
             finding.blocks and not (finding.name == "block" and self._nest is not None)
-            for piece in self.pieces
-            for finding in piece.findings
+            for part in self.parts
+            for finding in part.findings
         )
 
     def _show_nothing(self, error: Exception) -> None:
@@ -509,7 +509,7 @@ class ExportPresenter:
         may = (not self._blocked or bool(self._reason)) and self._misfit is None
         self._panel.show_buttons(
             Buttons(
-                export=not busy and bool(self.pieces) and may and not self._problem,
+                export=not busy and bool(self.parts) and may and not self._problem,
                 cancel=busy,
                 reason=self._blocked,
             )

@@ -140,18 +140,18 @@ def check_row(
     return CheckRow(name, TITLES[name](), state, sentence, policy, limit, unit, placed)
 
 
-def summary_of(piece: Part) -> str:
+def summary_of(part: Part) -> str:
     """Return size, volume and number of triangles of a part, and how far the triangles deviate."""
-    width, length, height = piece.solid.bounds_mm[1] - piece.solid.bounds_mm[0]
+    width, length, height = part.solid.bounds_mm[1] - part.solid.bounds_mm[0]
     said = fill(
         tr("{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles"),
         length=float(length), width=float(width), height=float(height),
-        volume=piece.solid.volume_mm3 / 1000, count=len(piece.solid.triangles),
+        volume=part.solid.volume_mm3 / 1000, count=len(part.solid.triangles),
     )  # fmt: skip
-    if piece.deviation_mm == 0:
+    if part.deviation_mm == 0:
         return said
     deviation = tr("They deviate by {deviation:.3f} mm at most.")
-    return f"{said}. {fill(deviation, deviation=piece.deviation_mm)}"
+    return f"{said}. {fill(deviation, deviation=part.deviation_mm)}"
 
 
 def summary_of_nest(nest: Nest) -> str:
@@ -161,19 +161,19 @@ def summary_of_nest(nest: Nest) -> str:
     return fill(text, length=float(length), width=float(width), height=float(height))
 
 
-def notes_of(piece: Part) -> list[str]:
+def notes_of(part: Part) -> list[str]:
     """Return a note if the font lacks letters of the part's identification."""
-    missing = missing_letters("".join(piece.order.mark))
+    missing = missing_letters("".join(part.order.mark))
     text = tr("The font has no letters {letters}; a likeness or “?” stands for them.")
     return [text.format(letters=missing)] if missing else []
 
 
-def side_text(piece: Part) -> str:
+def side_text(part: Part) -> str:
     """Return the name of the part's side, with a symbol if a check did not pass."""
-    text = tr("Left") if piece.side is Side.LEFT else tr("Right")
-    if any(finding.blocks for finding in piece.findings):
+    text = tr("Left") if part.side is Side.LEFT else tr("Right")
+    if any(finding.blocks for finding in part.findings):
         return f"{text}  ✗"
-    return text if all(finding.passed for finding in piece.findings) else f"{text}  !"
+    return text if all(finding.passed for finding in part.findings) else f"{text}  !"
 
 
 def patient_text(patient: Patient) -> str:

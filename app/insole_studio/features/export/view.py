@@ -44,7 +44,7 @@ class ExportView(QWidget):
     cutter_edited = Signal(float)
     rule_edited = Signal(str, str, float)
     check_chosen = Signal(str)
-    piece_chosen = Signal(str)
+    part_chosen = Signal(str)
     reason_edited = Signal(str)
     export_requested = Signal()
     cancel_requested = Signal()
@@ -62,9 +62,9 @@ class ExportView(QWidget):
         self.check_list = CheckList()
         self.check_list.rule_edited.connect(self.rule_edited)
         self.check_list.check_chosen.connect(self.check_chosen)
-        self._pieces = QButtonGroup(self)
-        self._pieces.setExclusive(True)
-        self._piece_row = QHBoxLayout()
+        self._parts = QButtonGroup(self)
+        self._parts.setExclusive(True)
+        self._part_row = QHBoxLayout()
         self.patient = QLabel()
         self.patient.setObjectName("numbers")
         self.summary = MessageLabel()
@@ -113,7 +113,7 @@ class ExportView(QWidget):
         self.check_list.show_rows(rows)
         self._fit_sides()
 
-    def show_pieces(self, names: dict[str, str], chosen: str) -> None:
+    def show_parts(self, names: dict[str, str], chosen: str) -> None:
         """Show a choice of parts, unless there is only one.
 
         Parameters
@@ -123,20 +123,20 @@ class ExportView(QWidget):
         chosen
             Key of the part being shown.
         """
-        for button in self._pieces.buttons():
-            self._pieces.removeButton(button)
+        for button in self._parts.buttons():
+            self._parts.removeButton(button)
             button.deleteLater()
         for key, text in names.items() if len(names) > 1 else ():
             button = QToolButton()
             button.setText(text)
             button.setCheckable(True)
             button.setChecked(key == chosen)
-            button.setProperty("piece", key)
-            button.clicked.connect(self._choose_piece)
-            self._pieces.addButton(button)
-            self._piece_row.insertWidget(self._piece_row.count() - 1, button)
+            button.setProperty("part", key)
+            button.clicked.connect(self._choose_part)
+            self._parts.addButton(button)
+            self._part_row.insertWidget(self._part_row.count() - 1, button)
 
-    def show_piece(
+    def show_part(
         self, mesh: TriangleMesh | None, side: Side | None, words: Side | None, again: bool
     ) -> None:
         """Show a solid.
@@ -232,15 +232,15 @@ class ExportView(QWidget):
     def _place_words(self) -> None:
         self.model.scene.painter.show_directions(self._side, self._bounds)
 
-    def _choose_piece(self) -> None:
-        self.piece_chosen.emit(self.sender().property("piece"))
+    def _choose_part(self) -> None:
+        self.part_chosen.emit(self.sender().property("part"))
 
     def _lay_out(self) -> None:
         left, right, middle = QVBoxLayout(), QVBoxLayout(), QVBoxLayout()
         left.addWidget(_heading(tr("Order")))
         left.addWidget(self._form_area, 1)
-        self._piece_row.addStretch(1)
-        middle.addLayout(self._piece_row)
+        self._part_row.addStretch(1)
+        middle.addLayout(self._part_row)
         middle.addWidget(self.model, 1)
         self.summary.setContentsMargins(8, 0, 8, 0)
         middle.addWidget(self.summary)

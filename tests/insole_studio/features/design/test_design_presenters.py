@@ -50,7 +50,7 @@ class MockView:
             "field_edited",
             "side_chosen",
             "variant_chosen",
-            "offer_chosen",
+            "proposal_chosen",
             "correction_selected",
             "correction_toggled",
             "correction_removed",
@@ -291,7 +291,7 @@ class TestParameters:
     ) -> None:
         open_foot()
         case.select(add_pelott(case).id)
-        view.offer_chosen.emit("size.1")
+        view.proposal_chosen.emit("size.1")
         assert case.record.design is not None
         (pad,) = case.record.design.corrections
         assert isinstance(pad, Pelott)
@@ -307,7 +307,7 @@ class TestParameters:
     ) -> None:
         open_foot()
         tool_controller.take("pelott")
-        view.offer_chosen.emit("size.2")
+        view.proposal_chosen.emit("size.2")
         view.field_edited.emit("template.height_mm", 5.0)
         assert isinstance(tool_controller.tool, PelottTool)
         assert (
@@ -356,7 +356,7 @@ class TestParameters:
         view.field_edited.emit("plane.z", 9.0)
         view.field_edited.emit("plane.roll_deg", -5.0)
         assert case.record.annotations.plane == ReferencePlane((1.0, 2.0, 9.0), roll_deg=-5.0)
-        view.offer_chosen.emit("remove.plane")
+        view.proposal_chosen.emit("remove.plane")
         assert case.record.annotations.plane is None
 
 

@@ -1,4 +1,4 @@
-"""The user checks a piece, orders it otherwise, and hands it to the shop."""
+"""The user checks a part, orders it otherwise, and hands it to the shop."""
 
 from __future__ import annotations
 
@@ -23,8 +23,10 @@ from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.document.case import Case
+from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.features.export.rows import CheckState
 from insole_studio.features.export.stage import ExportStage
+from insole_studio.texts import load_language
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
@@ -126,7 +128,7 @@ def order(stage: ExportStage, **changes: object) -> None:
     stage.presenter.edit_choice(replace(stage.view.form.choice(), **changes))  # type: ignore[arg-type]
 
 
-def test_piece_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[], None]) -> None:
+def test_part_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[], None]) -> None:
     assert sign_of(stage, "watertight") is CheckState.PASSED
     assert "triangles" in stage.view.summary.text()
     assert stage.view.export.isEnabled()
@@ -158,7 +160,7 @@ def test_pair_is_nested_into_one_block(
 ) -> None:
     order(stage, both=True, block=PAIR, job_sheet=False)
     settle()
-    stage.presenter.show_piece("nest")
+    stage.presenter.show_part("nest")
     chosen.answer = tmp_path / "anna.stl"
     stage.view.export.click()
     settle()
@@ -288,8 +290,8 @@ def test_look_at_the_worst_place(stage: ExportStage, settle: Callable[[], None])
     settle()
     stage.view.check_list.rows["shoe_height"].sentence.click()
     x, y, _ = stage.view.model.scene.camera.focal_mm
-    (piece,) = stage.presenter.pieces
-    worst = next(f for f in piece.findings if f.name == "shoe_height").place_mm
+    (part,) = stage.presenter.parts
+    worst = next(f for f in part.findings if f.name == "shoe_height").place_mm
     assert worst is not None
     assert (x, y) == pytest.approx(worst[:2])
 
@@ -349,3 +351,21 @@ def test_the_head_says_whose_insoles_these_are(stage: ExportStage, case: Case) -
     assert stage.view.patient.text() == "Anna Berg  ·  born 1980-01-01"
     case.apply(Patient(), "Forget the patient")
     assert stage.view.patient.text() == "Patient without a name"
+
+
+def test_the_order_names_a_material_as_the_shop_does_in_every_language(
+    qapp: QApplication, qtbot: QtBot
+) -> None:
+    load_language(qapp, "sv")
+    try:
+        form = OrderForm(Stock(SHOP.blocks, SHOP.materials))
+        qtbot.addWidget(form)
+        blocks = [form.block.itemText(index) for index in range(form.block.count())]
+        assert "EVA par, 340 × 260 × 40" in blocks
+        for typed, ordered in (("Kork och EVA", "Cork and EVA"), ("Filt", "Filt"), ("", "")):
+            form.material.setEditText(typed)
+            assert form.choice().material == ordered
+        form.show_choice(OrderChoice(material="Cork and EVA"), has_pair=False)
+        assert form.material.currentText() == "Kork och EVA"
+    finally:
+        load_language(qapp, "en")

@@ -307,7 +307,7 @@ def test_a_pair_that_does_not_fit_cannot_be_exported(
     assert "The pair needs a block of" in stage.view.error.text()
     assert not stage.view.export.isEnabled()
     assert not stage.view.reason.isVisible()  # no reason makes it fit
-    stage.presenter.show_piece("nest")
+    stage.presenter.show_part("nest")
     assert stage.view.summary.text().startswith("Both need")
     order(stage, both=True, block=block_named(stage, "EVA pair"))
     settle()
@@ -322,13 +322,11 @@ def test_checks_of_the_nest_are_those_of_both(
     stage.view.rule_edited.emit("shoe_height", "warning", 2.0)
     order(stage, both=True, block=block_named(stage, "EVA pair"))
     settle()
-    stage.presenter.show_piece("nest")
+    stage.presenter.show_part("nest")
     assert sign_of(stage, "shoe_height") is CheckState.WARNING
     finding = stage.presenter._findings["shoe_height"]
-    left, right = stage.presenter.pieces
-    spots = [
-        f.spots_mm for piece in (left, right) for f in piece.findings if f.name == finding.name
-    ]
+    left, right = stage.presenter.parts
+    spots = [f.spots_mm for part in (left, right) for f in part.findings if f.name == finding.name]
     assert len(finding.spots_mm) == sum(map(len, spots)) > len(spots[0])
     assert finding.spots_mm[:, :2].min() > 0
     stage.view.check_list.rows["shoe_height"].sentence.click()

@@ -18,12 +18,15 @@ from insole_core.workflows.clinic_devices import (
     clinic_forms,
     find_device,
 )
+from insole_core.workflows.findings import Catalogue, ClinicFindings, Finding, apply_finding
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.features.design.devices.device_choices import (
     Choice,
     Kind,
     device_choices,
+    finding_choices,
     form_choices,
 )
 from insole_studio.features.design.devices.devices_presenter import DevicesPresenter
@@ -61,6 +64,7 @@ class DeviceActions:
         self._behind_heads_mm = behind_heads_mm
         folder = services.paths.settings_folder
         self._devices, self._forms = clinic_devices(folder), clinic_forms(folder)
+        self._findings = ClinicFindings(folder / "findings.json")
         self._view: DevicesView | None = None
         self._presenter: DevicesPresenter | None = None
         self._designed: dict[Side, InsoleDesign] = {}
@@ -160,8 +164,17 @@ class DeviceActions:
     def _choices(self) -> list[Choice]:
         return [
             *device_choices(self._devices.load()),
+            *finding_choices(self._findings.load(), self._with_finding),
             *form_choices(self._forms.load()),
         ]
+
+    def _with_finding(self, finding: Finding, design: InsoleDesign) -> InsoleDesign:
+        """Return a design with what is proposed for a finding."""
+        catalogue = Catalogue(
+            self._devices.load().items, self._default, self._pads, self._behind_heads_mm
+        )
+        landmarks = landmarks_of(self._case.record)
+        return apply_finding(finding, design, landmarks, catalogue, self._case.stamped)
 
     def _entries(self, choice: Choice | None) -> list[MenuEntry]:
         """Return the menu below the list, for what is chosen in it."""

@@ -39,10 +39,14 @@ class ParametersView(QScrollArea):
     """Groups of fields side by side, wrapped at the width of the panel."""
 
     field_edited = Signal(str, object)
+<<<<<<< HEAD
     field_moved = Signal(str, float)
     """A slider is being dragged: what a release would enter."""
     move_cancelled = Signal()
     offer_chosen = Signal(str)
+=======
+    proposal_chosen = Signal(str)
+>>>>>>> main
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -179,7 +183,7 @@ class ParametersView(QScrollArea):
         self.field_moved.emit(self.sender().property("key"), value)
 
     def _choose(self) -> None:
-        self.offer_chosen.emit(self.sender().property("offer"))
+        self.proposal_chosen.emit(self.sender().property("offer"))
 
 
 def _heading(group: FieldGroup) -> QHBoxLayout:

@@ -62,7 +62,7 @@ class PatientView(VerticalScroll):
         self._notes.left.connect(self._notes_edited)
         self.sides = SideSwitch()
         self.sides.chosen.connect(self.side_chosen)
-        self.sides.offer_chosen.connect(self.action_requested)
+        self.sides.action_requested.connect(self.action_requested)
         self._no_side = QLabel(tr("comes with the scan"))
         self._no_side.setObjectName("quiet")
         self._later = QLabel(tr("Corrections and measures come with the scan."))
