@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -239,14 +239,17 @@ class RimChart(QWidget):
 
     def event(self, event: QEvent) -> bool:
         """Take Delete before the window does, and explain what is under the pointer."""
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
-            if event.key() == Qt.Key.Key_Delete and self._selected is not None:
-                event.accept()
-                return True
+        is_override = event.type() == QEvent.Type.ShortcutOverride
+        if is_override and isinstance(event, QKeyEvent) and self._is_removal(event):
+            event.accept()
+            return True
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             QToolTip.showText(event.globalPos(), self._tip(QPointF(event.pos())), self)
             return True
         return super().event(event)
+
+    def _is_removal(self, event: QKeyEvent) -> bool:
+        return event.key() == Qt.Key.Key_Delete and self._selected is not None
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Offer what a double click and the Delete key do."""
@@ -467,7 +470,9 @@ class RimChart(QWidget):
             painter.drawLine(QPointF(x, y), QPointF(x + 14, y))
             painter.setPen(self.palette().windowText().color())
             wide = painter.fontMetrics().horizontalAdvance(text)
-            painter.drawText(QRectF(x + 20, 0, wide + 2, TOP_PX), Qt.AlignmentFlag.AlignCenter, text)
+            painter.drawText(
+                QRectF(x + 20, 0, wide + 2, TOP_PX), Qt.AlignmentFlag.AlignCenter, text
+            )
             x += wide + 40
         painter.setPen(self.palette().placeholderText().color())
         whole = QRectF(self._frame().left(), 0, self._frame().width(), TOP_PX)

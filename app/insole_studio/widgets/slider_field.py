@@ -33,7 +33,9 @@ class SliderField(QWidget):
     ) -> None:
         super().__init__(parent)
         self._step = step
-        self.number = NumberField(unit, least=least, greatest=greatest, step=step, decimals=decimals)
+        self.number = NumberField(
+            unit, least=least, greatest=greatest, step=step, decimals=decimals
+        )
         self.number.edited.connect(self._enter)
         self.slider = _Slider(Qt.Orientation.Horizontal)
         self.slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)  # by keyboard the number is set

@@ -116,9 +116,7 @@ def _measured(foot: Foot, outline: Outline) -> Edge:
     length_mm = float(steps_mm.sum())
     points = evenly_spread(curve, round(length_mm / _PITCH_MM))
     heel_mm = float(way_round(curve)[curve[:, 1].argmin()]) * length_mm
-    heads = [
-        find_landmarks(foot)[f"metatarsal_head_{n}"].point[:2] * [medial, 1.0] for n in (1, 5)
-    ]
+    heads = [find_landmarks(foot)[f"metatarsal_head_{n}"].point[:2] * [medial, 1.0] for n in (1, 5)]
     arc_mm = np.arange(len(points)) * (length_mm / len(points))
     borders = ((0.0, heel_mm), (heel_mm, length_mm))
     beside = [

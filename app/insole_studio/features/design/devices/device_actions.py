@@ -108,7 +108,9 @@ class DeviceActions:
         """Keep the values of this design as a device of the clinic."""
         design = self._case.record.design
         asked = self._services.messages.questions.text(
-            tr("Save as a device"), tr("Name of the device"), "" if design is None else design.device
+            tr("Save as a device"),
+            tr("Name of the device"),
+            "" if design is None else design.device,
         )
         if asked is None or design is None:
             return

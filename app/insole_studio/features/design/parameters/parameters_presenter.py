@@ -50,13 +50,9 @@ class ParametersPanel(Protocol):
     """The parameters panel as its presenter sees it, with the signals it emits."""
 
     field_edited: Any
-<<<<<<< HEAD
     field_moved: Any
     move_cancelled: Any
-    offer_chosen: Any
-=======
     proposal_chosen: Any
->>>>>>> main
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None: ...  # noqa: D102
 
@@ -84,13 +80,9 @@ class ParametersPresenter:
         self._pads = pads
         self._foot_offers = FootProposals(case, rules)
         panel.field_edited.connect(self.edit)
-<<<<<<< HEAD
         panel.field_moved.connect(self.slide)
         panel.move_cancelled.connect(tool_controller.cancel)
-        panel.offer_chosen.connect(self.choose)
-=======
         panel.proposal_chosen.connect(self.choose)
->>>>>>> main
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.preview_changed.connect(self.show)

@@ -39,14 +39,10 @@ class ParametersView(QScrollArea):
     """Groups of fields side by side, wrapped at the width of the panel."""
 
     field_edited = Signal(str, object)
-<<<<<<< HEAD
     field_moved = Signal(str, float)
     """A slider is being dragged: what a release would enter."""
     move_cancelled = Signal()
-    offer_chosen = Signal(str)
-=======
     proposal_chosen = Signal(str)
->>>>>>> main
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

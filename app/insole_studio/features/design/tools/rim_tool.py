@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.rounding import rounded
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim
 from insole_core.insole.finishing.rim_edits import added_station, moved_station, raised_station
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import FINISH_RANGES
 from insole_studio.document.case import Case
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.rim_texts import station_text
@@ -172,9 +170,7 @@ def raise_station(case: Case, number: int, by_mm: float) -> bool:
     return True
 
 
-def nudge_station(
-    case: Case, rim: RimModel, number: int, along_mm: float, up_mm: float
-) -> bool:
+def nudge_station(case: Case, rim: RimModel, number: int, along_mm: float, up_mm: float) -> bool:
     """Move a station along the edge, from the medial border over the heel, and up.
 
     Steps in a row are one undo step.
