@@ -51,7 +51,7 @@ class Edge:
     @property
     def arc_mm(self) -> FloatArray:
         """(n,) arc length of each point."""
-        return np.arange(len(self.points_mm)) * self.step_mm
+        return np.asarray(np.arange(len(self.points_mm)) * self.step_mm)
 
     @property
     def is_medial(self) -> BoolArray:
@@ -63,10 +63,16 @@ class Edge:
         """(n,) share of its border's way at each point; see `RimStation.along`."""
         return self.along_of(self.arc_mm)
 
+    @property
+    def turn(self) -> float:
+        """+1 if the points run counter-clockwise (right foot), -1 if clockwise."""
+        x, y = self.points_mm.T
+        return float(np.sign((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()))
+
     def along_of(self, arc_mm: FloatArray) -> FloatArray:
         """Return the share of their border's way (k,) at arc lengths (k,)."""
         marks = [0.0, self.medial_head_mm, self.heel_mm, self.lateral_head_mm, self.length_mm]
-        return np.interp(arc_mm, marks, [1.0, HEADS_ALONG, 0.0, HEADS_ALONG, 1.0])
+        return np.asarray(np.interp(arc_mm, marks, [1.0, HEADS_ALONG, 0.0, HEADS_ALONG, 1.0]))
 
     def arc_of(self, border: str, along: float) -> float:
         """Return the arc length of a share of the way along a border, "medial" or "lateral"."""
@@ -117,7 +123,11 @@ def _measured(foot: Foot, outline: Outline) -> Edge:
     points = evenly_spread(curve, round(length_mm / _PITCH_MM))
     heel_mm = float(way_round(curve)[curve[:, 1].argmin()]) * length_mm
     heads = [find_landmarks(foot)[f"metatarsal_head_{n}"].point[:2] * [medial, 1.0] for n in (1, 5)]
+<<<<<<< HEAD
     arc_mm = np.arange(len(points)) * (length_mm / len(points))
+=======
+    arc_mm = np.asarray(np.arange(len(points)) * (length_mm / len(points)))
+>>>>>>> w/finish
     borders = ((0.0, heel_mm), (heel_mm, length_mm))
     beside = [
         _nearest_mm(points, arc_mm, border, head)

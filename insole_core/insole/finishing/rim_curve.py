@@ -6,11 +6,25 @@ at each step of a drag, and `Rim.station_at` is the station under a pointer.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+from scipy.ndimage import gaussian_filter1d
+
+from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.finishing.edge import Edge
+from insole_core.insole.finishing.fair_heights import fair_heights
 from insole_core.insole.prescription.design import Place, RimStation
+from insole_core.insole.prescription.design_limits import RIM_RANGES
+
+RIM_SIGMA_MM = 8.0
+"""Standard deviation of the Gaussian along the edge that smooths the rim."""
+_SAME_PLACE_MM, _SAME_HEIGHT_MM = 2.0, 0.05
+_FOLLOWING_MM = 8.0  # pitch at which the rim between two stations over "foot" follows the foot
+_TURNS = 3  # knots repeated beyond either end, so that the interpolation is periodic
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,16 +97,31 @@ class Rim:
     def curve(self, stations: tuple[RimStation, ...]) -> RimCurve:
         """Compute the designed rim through stations, in any order.
 
+        A periodic interpolation without overshoot (PCHIP), smoothed by a Gaussian of 8 mm, and
+        bent by at most 0.36 mm in steps of 5 mm: see `fair_heights`.
+
         Raises
         ------
         DesignError
             If two stations at one place ask for different heights.
         """
-        raise NotImplementedError
+        placed = sorted(
+            (self._placed(number, station) for number, station in enumerate(stations)),
+            key=lambda p: p.arc_mm,
+        )
+        if not placed:
+            return RimCurve(self.edge, fair_heights(self.contact_mm, self.edge.step_mm), ())
+        knots = list(_without_twins(placed, self.edge.length_mm))
+        even = gaussian_filter1d(
+            self._interpolated(knots), RIM_SIGMA_MM / self.edge.step_mm, mode="wrap"
+        )
+        return RimCurve(self.edge, fair_heights(even, self.edge.step_mm), tuple(placed))
 
     def zero_mm(self, arc_mm: float, over: str) -> float:
         """Return the height from which a station over "heel", "toes" or "foot" is counted."""
-        raise NotImplementedError
+        if over == "foot":
+            return float(self.edge.at(self.contact_mm, arc_mm))
+        return self.toes_mm if over == "toes" else 0.0
 
     def station_at(self, arc_mm: float, height_mm: float, over: str = "heel") -> RimStation:
         """Return the station at a place of the edge.
@@ -102,4 +131,65 @@ class Rim:
         height_mm
             Over the heel's floor, whatever `over` says; limited to the range of stations.
         """
-        raise NotImplementedError
+        arc_mm %= self.edge.length_mm
+        allowed = RIM_RANGES["height_mm"]
+        height = float(
+            np.clip(height_mm - self.zero_mm(arc_mm, over), allowed.least, allowed.greatest)
+        )
+        along = float(self.edge.along_of(np.asarray(arc_mm)))
+        return RimStation(
+            border=self.edge.border_of(arc_mm), along=along, height_mm=height, over=over
+        )
+
+    def _placed(self, number: int, station: RimStation) -> PlacedStation:
+        arc_mm = self.edge.arc_of(station.border, station.along)
+        height_mm = self.zero_mm(arc_mm, station.over) + station.height_mm
+        return PlacedStation(number, station, arc_mm, self.edge.point_at(arc_mm), height_mm)
+
+    def _interpolated(self, knots: list[PlacedStation]) -> FloatArray:
+        """Interpolate stations at the points of the edge, without overshoot."""
+        length_mm = self.edge.length_mm
+        pairs = zip(knots, [*knots[1:], knots[0]], strict=True)
+        parts = [self._way(start, end) for start, end in pairs]
+        arc_mm, height_mm = np.concatenate(parts).T
+        order = np.argsort(arc_mm)
+        turns = np.arange(-_TURNS, _TURNS + 1) * length_mm
+        arcs = (arc_mm[order] + turns[:, None]).ravel()
+        return np.asarray(
+            PchipInterpolator(arcs, np.tile(height_mm[order], len(turns)))(self.edge.arc_mm)
+        )
+
+    def _way(self, start: PlacedStation, end: PlacedStation) -> FloatArray:
+        """Return knots (k, 2) of arc length and height from one station to before the next."""
+        length_mm = self.edge.length_mm
+        way_mm = (end.arc_mm - start.arc_mm) % length_mm or length_mm
+        follows = start.station.over == end.station.over == "foot"
+        count = max(1, round(way_mm / _FOLLOWING_MM)) if follows else 1
+        share = np.arange(count) / count
+        arc_mm = (start.arc_mm + share * way_mm) % length_mm
+        if not follows:
+            return np.array([[start.arc_mm, start.height_mm]])
+        over = start.station.height_mm + share * (end.station.height_mm - start.station.height_mm)
+        return np.column_stack([arc_mm, over + self.edge.at(self.contact_mm, arc_mm)])
+
+
+def _without_twins(placed: list[PlacedStation], length_mm: float) -> Iterator[PlacedStation]:
+    """Yield the stations, of two equal ones at one place the first.
+
+    Raises
+    ------
+    DesignError
+        If two at one place differ.
+    """
+    for before, station in zip([placed[-1], *placed[:-1]], placed, strict=True):
+        apart_mm = (station.arc_mm - before.arc_mm) % length_mm
+        if station is before or apart_mm >= _SAME_PLACE_MM:
+            yield station
+        elif abs(station.height_mm - before.height_mm) > _SAME_HEIGHT_MM:
+            raise DesignError(
+                "Two stations of the rim lie at the same place of the {border} edge, one "
+                "{height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.",
+                border=station.station.border,
+                height_mm=before.height_mm,
+                other_mm=station.height_mm,
+            )

@@ -13,6 +13,12 @@ def smooth_step(value: FloatArray, start: float, end: float) -> FloatArray:
     return np.asarray(s * s * (3 - 2 * s))
 
 
+def smoother_step(value: FloatArray, start: float, end: float) -> FloatArray:
+    """Return what `smooth_step` does, with continuous curvature: a polynomial of degree 5."""
+    s = np.clip((value - start) / (end - start), 0, 1)
+    return np.asarray(s * s * s * (10 + s * (6 * s - 15)))
+
+
 def smooth_hinge(value: FloatArray, rounding: float) -> FloatArray:
     """Return 0 below `-rounding`, `value` above `rounding`, and between them a parabola."""
     bend = np.clip(value + rounding, 0, 2 * rounding)

@@ -15,6 +15,7 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
+from insole_core.insole.finishing.finished import FinishedSurface, finished
 from insole_core.insole.forms.form_surface import base_surface
 from insole_core.insole.outline.insole_outline import outline_reach
 from insole_core.insole.prescription.design import (
@@ -60,6 +61,8 @@ class ContactBase:
         Nodes where the foot was measured; the others continue it smoothly.
     arch_apex_mm
         Position (x, y) of the apex of the foot's own medial arch, insole frame.
+    finished
+        How the surface was finished; None of a design without a finish.
     shapes
         Cache of what corrections add on this grid, so that only the dragged one is recomputed.
     """
@@ -67,6 +70,7 @@ class ContactBase:
     surface: HeightField
     measured: BoolArray
     arch_apex_mm: Place
+    finished: FinishedSurface | None = None
     shapes: Memo = field(default_factory=lambda: Memo(_KEPT_SHAPES), repr=False)
 
 
@@ -101,6 +105,7 @@ def base_key(design: InsoleDesign) -> BaseKey:
         design.margin_mm,
         design.outline,
         design.base,
+        design.finish,
     )
 
 
@@ -108,7 +113,8 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     """Compute the plantar surface on the design's grid, corrected and raised to its thickness.
 
     The corrections that shape the whole surface are applied in a fixed order, whatever their order
-    in the design: posting, then skive, then lift, and last the heel cup.
+    in the design: posting, then skive, then lift, and last the heel cup or the finish, which then
+    makes the cup.
 
     Parameters
     ----------
@@ -137,13 +143,27 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
             heights = skived(surface, sole.measured, c, foot.side, length)
         elif isinstance(c, HeelLift):
             heights = lifted(surface, c, length)
-        elif isinstance(c, HeelCup):
+        elif isinstance(c, HeelCup) and design.finish is None:
             heights = cupped(surface, _rim_band(foot, design, sole, c), c, length)
         else:
             continue
         surface = replace(surface, heights_mm=heights)
+    finish = None
+    if design.finish is not None:
+        progress.step(0.85, "Finishing rim and toe zone")
+        finish = finished(
+            foot,
+            design,
+            design.finish,
+            sole=sole.surface,
+            contact=surface,
+            measured=sole.measured,
+            arch_apex_mm=sole.arch_apex_mm,
+        )
+        surface = finish.surface
     up = design.least_thickness_mm - surface.heights_mm.min()
-    return replace(sole, surface=replace(surface, heights_mm=surface.heights_mm + up))
+    raised = replace(surface, heights_mm=surface.heights_mm + up)
+    return replace(sole, surface=raised, finished=finish)
 
 
 def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:

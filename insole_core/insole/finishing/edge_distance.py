@@ -1,0 +1,127 @@
+"""Where the nodes of a grid lie relative to the insole's edge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
+
+import cv2
+import numpy as np
+from scipy.ndimage import distance_transform_edt
+from scipy.spatial import KDTree
+
+from insole_core.foot.foot import Foot
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.insole.finishing.edge import Edge, insole_edge
+from insole_core.insole.finishing.thin_plate import Plate
+from insole_core.insole.prescription.design import Outline
+from insole_core.insole.surface.height_field import HeightField
+
+Grid: TypeAlias = tuple[float, float, float, tuple[int, int]]
+_BEYOND_STEPS = 1.6
+"""How far the plate reaches beyond the edge, in steps of the grid: the edge's cells are whole."""
+_OUTSIDE_STEPS = 3
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeDistance:
+    """The nodes of a grid seen from the edge, and the plate that joins them.
+
+    Parameters
+    ----------
+    grid
+        Position of the first node, step, and shape.
+    inside_mm : (ny, nx) float64
+        Distance from the edge; negative outside, -inf far outside.
+    arc_mm : (ny, nx) float64
+        Arc length of the nearest point of the edge.
+    x_mm, y_mm : (ny, nx) float64
+        Places of the nodes, insole frame.
+    """
+
+    edge: Edge
+    grid: Grid
+    inside_mm: FloatArray
+    arc_mm: FloatArray
+    x_mm: FloatArray
+    y_mm: FloatArray
+    plate: Plate
+
+    def inside_at(self, places: FloatArray, outside_mm: float) -> FloatArray:
+        """Return `inside_mm` of the nodes nearest to places (..., 2); far outside a given value."""
+        x0, y0, step, (rows, columns) = self.grid
+        j, i = (
+            np.rint((places - [x0, y0]) / step).astype(int).transpose(-1, *range(places.ndim - 1))
+        )
+        found = self.inside_mm[np.clip(i, 0, rows - 1), np.clip(j, 0, columns - 1)]
+        return np.asarray(np.maximum(found, outside_mm))
+
+    @cached_property
+    def nearest_in_plate(self) -> tuple[IntArray, IntArray]:
+        """Row and column, (ny, nx) each, of the plate's node nearest to each node."""
+        row, column = distance_transform_edt(
+            ~self.plate.nodes, return_distances=False, return_indices=True
+        )
+        return row, column
+
+    def at_edge(self, values: FloatArray) -> FloatArray:
+        """Interpolate values (n,) at the edge's points at the nodes' nearest ones, (ny, nx)."""
+        return np.asarray(np.interp(self.arc_mm, *_closed(self.edge, values)))
+
+
+def edge_distance(foot: Foot, outline: Outline, field: HeightField) -> EdgeDistance:
+    """Measure the nodes of a field from the edge of an outline; cached with the foot."""
+    key = outline, _grid_of(field)
+    return foot.derived.get(
+        "edge distance", key, lambda: _measured(insole_edge(foot, outline), field)
+    )
+
+
+def _grid_of(field: HeightField) -> Grid:
+    rows, columns = field.heights_mm.shape
+    return field.x0_mm, field.y0_mm, field.step_mm, (rows, columns)
+
+
+def _measured(edge: Edge, field: HeightField) -> EdgeDistance:
+    near = _about_inside(edge, field)
+    x, y = (axis.reshape(near.shape) for axis in field.nodes.T[:2])
+    inside_mm = np.full(near.shape, -np.inf)
+    arc_mm = np.zeros(near.shape)
+    inside_mm[near], arc_mm[near] = _from_edge(edge, np.column_stack([x[near], y[near]]))
+    reaches = inside_mm > -_BEYOND_STEPS * field.step_mm
+    plate = Plate.over(field, reaches, edge.points_mm)
+    return EdgeDistance(edge, _grid_of(field), inside_mm, arc_mm, x, y, plate)
+
+
+def _about_inside(edge: Edge, field: HeightField) -> BoolArray:
+    """Return the nodes inside the edge and a few beside it."""
+    corner = np.array([field.x0_mm, field.y0_mm])
+    pixels = np.rint((edge.points_mm - corner) / field.step_mm).astype(np.int32)
+    mask = np.zeros(field.heights_mm.shape, np.uint8)
+    cv2.fillPoly(mask, [pixels], 1)
+    wide = np.ones((2 * _OUTSIDE_STEPS + 1,) * 2, np.uint8)
+    return np.asarray(cv2.dilate(mask, wide) > 0)
+
+
+def _from_edge(edge: Edge, places: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return how far places (k, 2) lie inside the edge, and the arc length of its nearest point."""
+    points = edge.points_mm
+    _, nearest = KDTree(points).query(places)
+    best_mm = np.full(len(places), np.inf)
+    arc_mm, side = np.zeros(len(places)), np.zeros(len(places))
+    for start in (np.asarray(nearest) - 1, np.asarray(nearest)):
+        way = points[(start + 1) % len(points)] - points[start]
+        away = places - points[start]
+        share = np.clip((away * way).sum(axis=1) / (way * way).sum(axis=1), 0, 1)
+        off = away - share[:, None] * way
+        away_mm = np.hypot(*off.T)
+        nearer = away_mm < best_mm
+        best_mm = np.where(nearer, away_mm, best_mm)
+        arc_mm = np.where(nearer, (start + share) * edge.step_mm % edge.length_mm, arc_mm)
+        side = side + way[:, 0] * away[:, 1] - way[:, 1] * away[:, 0]
+    return best_mm * np.sign(side) * edge.turn, arc_mm
+
+
+def _closed(edge: Edge, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+    return np.append(edge.arc_mm, edge.length_mm), np.append(values, values[0])

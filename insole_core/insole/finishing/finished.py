@@ -1,0 +1,212 @@
+"""The finishing stage: from the shaped contact surface to the surface that pads are put on.
+
+The supporting zone keeps the contact surface; rim and toe zone are designed, and a thin plate joins
+the three. Order and figures: docs/decisions/0036-finishing.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+from scipy.ndimage import gaussian_filter1d
+
+from insole_core.foot.foot import Foot
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.finishing.blend_widths import BlendWidths, blend_widths
+from insole_core.insole.finishing.contact_shaping import (
+    Arch,
+    Middle,
+    arch_filled,
+    expanded,
+    without_folds,
+)
+from insole_core.insole.finishing.edge_distance import EdgeDistance, edge_distance
+from insole_core.insole.finishing.flank import flank_heights
+from insole_core.insole.finishing.rim_curve import RIM_SIGMA_MM, Rim, RimCurve
+from insole_core.insole.finishing.thin_plate import SprungPlate
+from insole_core.insole.finishing.toe_zone import ToeZone, toe_zone
+from insole_core.insole.prescription.design import InsoleDesign, Outline, Place, RimStation
+from insole_core.insole.prescription.finish import Finish
+from insole_core.insole.surface.height_field import HeightField
+
+_HEEL_SHARE = 0.22
+_HEEL_INSIDE_MM = 6.0  # the floor of the heel lies at least so far from the edge
+_CORNER_MM = 10.0  # radius of a zone's corners, where toe line and rim meet
+_COLLAR_MM, _COLLAR_STIFFNESS = 3.0, 1.0
+"""Around the fixed zones, the plate lies on springs whose stiffness falls to zero over this width,
+as the square, from this value, 1/mm⁴: so it lets go of the contact surface without a crease."""
+
+
+@dataclass(frozen=True, eq=False)
+class FinishedSurface:
+    """A contact surface with designed rim and toe zone.
+
+    Parameters
+    ----------
+    surface
+        Heights in the level of the contact surface that it was made from.
+    heel_mm
+        Level of the heel's floor, from which the rim is counted, in the level of `surface`.
+    support : (ny, nx) bool
+        Nodes that keep the shaped contact surface.
+    goal
+        What the plate is held at: the shaped contact surface, and the floor of the toe zone.
+    """
+
+    surface: HeightField
+    heel_mm: float
+    rim: Rim
+    curve: RimCurve
+    widths: BlendWidths
+    toes: ToeZone
+    arch: Arch
+    support: BoolArray
+    goal: HeightField
+    place: EdgeDistance
+    plate: SprungPlate
+
+    def with_rim(self, stations: tuple[RimStation, ...]) -> FinishedSurface:
+        """Return the surface with other stations, in the time of a drag.
+
+        The transitions keep their widths: a wall that gets too steep is widened only by
+        `finished`.
+
+        Raises
+        ------
+        DesignError
+            As `Rim.curve`.
+        """
+        curve = self.rim.curve(stations)
+        heights = _joined(self.place, self.plate, self.goal, self.heel_mm + curve.height_mm)
+        return replace(self, surface=replace(self.surface, heights_mm=heights), curve=curve)
+
+
+def finished(
+    foot: Foot,
+    design: InsoleDesign,
+    finish: Finish,
+    *,
+    sole: HeightField,
+    contact: HeightField,
+    measured: BoolArray,
+    arch_apex_mm: Place,
+) -> FinishedSurface:
+    """Finish a contact surface.
+
+    Parameters
+    ----------
+    sole
+        The level foot's.
+    contact
+        The same after posting, skive and lift.
+    measured : (ny, nx) bool
+        Nodes where the foot was measured.
+
+    Raises
+    ------
+    DesignError
+        If stations of the rim contradict each other.
+    """
+    place = edge_distance(foot, design.outline, contact)
+    arch = Arch.of(foot, contact, arch_apex_mm)
+    on_sole = measured & (place.inside_mm > 0)
+    shaped = _shaped(foot, finish, place, contact, arch)
+    even = without_folds(shaped, on_sole, finish.skin_smoothing_mm)
+    shaped = replace(shaped, heights_mm=even)
+    heel_mm = _heel_floor_mm(foot, place, even, measured)
+    toes = toe_zone(foot, place, even, measured, finish)
+    rim = Rim(
+        place.edge,
+        _along_edge(place, shaped) - heel_mm,
+        flank_heights(foot, design.outline)
+        + (_along_edge(place, shaped) - _along_edge(place, sole) - heel_mm),
+        toes.level_mm - heel_mm,
+    )
+    curve = rim.curve(finish.rim)
+    goal = replace(shaped, heights_mm=toes.joined(even))
+    rim_mm = heel_mm + curve.height_mm
+    widths = blend_widths(place, goal, rim_mm, finish)
+    support_mm, floor_mm = _within_zones(place, widths, toes)
+    stiffness = _stiffness(np.maximum(support_mm, floor_mm))
+    plate = _factorised(foot, design.outline, place, stiffness)
+    surface = replace(contact, heights_mm=_joined(place, plate, goal, rim_mm))
+    return FinishedSurface(
+        surface, heel_mm, rim, curve, widths, toes, arch, support_mm > 0, goal, place, plate
+    )
+
+
+def _shaped(
+    foot: Foot, finish: Finish, place: EdgeDistance, contact: HeightField, arch: Arch
+) -> HeightField:
+    """Return the contact surface with expansion and fill; no fill is deeper than the arch."""
+    medial = foot.side.medial_sign
+    middle = Middle.of(place.edge, contact, medial)
+    shaped = contact
+    if finish.expansion_mm > 0:
+        wider = expanded(shaped, middle, finish.expansion_mm, medial, foot.length_mm)
+        shaped = replace(shaped, heights_mm=wider)
+    fill_mm = min(finish.arch_fill_mm, arch.height_mm)
+    if fill_mm > 0:
+        shaped = replace(shaped, heights_mm=arch_filled(shaped, middle, arch, fill_mm, medial))
+    return shaped
+
+
+def _heel_floor_mm(
+    foot: Foot, place: EdgeDistance, heights_mm: FloatArray, measured: BoolArray
+) -> float:
+    """Return the lowest height of the heel, away from the edge."""
+    heel = place.y_mm <= _HEEL_SHARE * foot.length_mm
+    inside = heel & (place.inside_mm > _HEEL_INSIDE_MM)
+    for nodes in (inside & measured, inside):
+        if nodes.any():
+            return float(heights_mm[nodes].min())
+    return float(heights_mm.min())
+
+
+def _along_edge(place: EdgeDistance, field: HeightField) -> FloatArray:
+    """Return the smoothed heights (n,) of a field at the points of the edge."""
+    edge = place.edge
+    heights = field.height_at(edge.points_mm)
+    return np.asarray(gaussian_filter1d(heights, RIM_SIGMA_MM / edge.step_mm, mode="wrap"))
+
+
+def _within_zones(
+    place: EdgeDistance, widths: BlendWidths, toes: ToeZone
+) -> tuple[FloatArray, FloatArray]:
+    """Return how far (ny, nx) nodes lie within the supporting zone, and within the toe zone."""
+    from_rim_mm = place.inside_mm - place.at_edge(widths.width_mm)
+    return (
+        _within_both(from_rim_mm, toes.begin_mm - toes.ahead_mm),
+        _within_both(from_rim_mm, toes.ahead_mm - toes.end_mm),
+    )
+
+
+def _within_both(first_mm: FloatArray, second_mm: FloatArray) -> FloatArray:
+    """Return how far nodes lie within two zones, with corners rounded by a circle."""
+    missing = [np.clip(_CORNER_MM - mm, 0, 1e3) for mm in (first_mm, second_mm)]
+    return np.asarray(_CORNER_MM - np.hypot(*missing))
+
+
+def _stiffness(within_mm: FloatArray) -> FloatArray:
+    """Return the springs' stiffness by how far nodes lie within a zone; inf inside it."""
+    collar = _COLLAR_STIFFNESS * np.clip(1 + within_mm / _COLLAR_MM, 0, 1) ** 2
+    return np.asarray(np.where(within_mm > 0, np.inf, collar))
+
+
+def _factorised(
+    foot: Foot, outline: Outline, place: EdgeDistance, stiffness: FloatArray
+) -> SprungPlate:
+    """Return the plate on springs; cached with the foot."""
+    key = outline, place.grid, stiffness.tobytes()
+    return foot.derived.get("finishing plate", key, partial(place.plate.on_springs, stiffness))
+
+
+def _joined(
+    place: EdgeDistance, plate: SprungPlate, goal: HeightField, rim_mm: FloatArray
+) -> FloatArray:
+    """Return heights (ny, nx) of the plate, continued beyond it by those of its nearest nodes."""
+    heights = np.zeros_like(goal.heights_mm)
+    heights[place.plate.nodes] = plate.solve(goal.heights_mm, rim_mm)
+    return np.asarray(heights[place.nearest_in_plate])

@@ -1,0 +1,113 @@
+"""The zone in front of the metatarsal heads: a designed floor instead of the toes' imprint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import HEADS, TOE_TIPS, find_landmarks
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.finishing.edge_distance import EdgeDistance
+from insole_core.insole.prescription.finish import Finish
+from insole_core.insole.surface.blending import smoother_step
+
+TRANSITION_MM = 14.0
+"""From the toe line to where the floor of the toes is reached."""
+_LEVEL_MM = (0.0, 6.0)  # ahead of the heads: the strip whose median height is the toes' level
+_LEAST_NODES = 20
+_SULCUS_MM = ((4.0, 9.0, 13.5), (0.0, 3.0, 4.0))  # ahead of the heads, and depth there [OFF]
+_CREST_MM, _CREST_HALF_MM = 4.0, 11.0
+_CREST_PLACE = 0.45  # share of the way from the heads 2 to 4 to the tips of their toes
+_CREST_TOES = (0.15, 0.35)  # shares of the ball's width from the 1st head: the big toe lies free
+
+
+@dataclass(frozen=True, eq=False)
+class ToeZone:
+    """The toes' part of an insole.
+
+    Parameters
+    ----------
+    ahead_mm : (ny, nx) float64
+        How far each node lies ahead of the parabola through the five heads, along y.
+    level_mm
+        Median of the contact surface just ahead of the heads.
+    floor_mm : (ny, nx) float64
+        Heights of the designed floor.
+    begin_mm, end_mm
+        How far ahead of the heads the contact surface ends and the floor begins; inf where the
+        toes stay as scanned.
+    """
+
+    ahead_mm: FloatArray
+    level_mm: float
+    floor_mm: FloatArray
+    begin_mm: float
+    end_mm: float
+
+    @property
+    def contact(self) -> BoolArray:
+        """(ny, nx) nodes that keep the contact surface."""
+        return np.asarray(self.ahead_mm <= self.begin_mm)
+
+    @property
+    def floor(self) -> BoolArray:
+        """(ny, nx) nodes on the designed floor."""
+        return np.asarray(self.ahead_mm >= self.end_mm)
+
+    def joined(self, contact_mm: FloatArray) -> FloatArray:
+        """Return contact surface and floor with a plain transition: what the plate aims at."""
+        if not np.isfinite(self.end_mm):
+            return contact_mm
+        share = smoother_step(self.ahead_mm, self.begin_mm, self.end_mm)
+        return np.asarray(contact_mm + share * (self.floor_mm - contact_mm))
+
+
+def toe_zone(
+    foot: Foot, place: EdgeDistance, contact_mm: FloatArray, measured: BoolArray, finish: Finish
+) -> ToeZone:
+    """Design the toe zone of a contact surface.
+
+    Parameters
+    ----------
+    contact_mm : (ny, nx) float64
+        Heights of the contact surface.
+    measured : (ny, nx) bool
+        Nodes where the foot was measured.
+    """
+    medial = foot.side.medial_sign
+    heads, tips = (_places(foot, names) for names in (HEADS, TOE_TIPS))
+    parabola = np.polyfit(heads[:, 0], heads[:, 1], 2)
+    ahead_mm = place.y_mm - np.polyval(parabola, medial * place.x_mm)
+    level_mm = _level_mm(ahead_mm, contact_mm, measured & (place.inside_mm > 0))
+    floor_mm = np.full(ahead_mm.shape, level_mm)
+    if finish.toe_zone == "sulcus":
+        floor_mm = level_mm - np.interp(ahead_mm, *_SULCUS_MM)
+    elif finish.toe_zone == "crest":
+        reach_mm = (tips[1:4, 1] - np.polyval(parabola, tips[1:4, 0])).mean()
+        aside = (heads[0, 0] - medial * place.x_mm) / max(heads[0, 0] - heads[-1, 0], 1.0)
+        across = smoother_step(aside, *_CREST_TOES)
+        away = np.abs(ahead_mm - _CREST_PLACE * reach_mm) / _CREST_HALF_MM
+        floor_mm = level_mm + _CREST_MM * across * (1 - smoother_step(away, 0.0, 1.0))
+    begin, end = finish.toe_line_mm, finish.toe_line_mm + TRANSITION_MM
+    if finish.toe_zone == "as_scanned":
+        begin = end = np.inf
+    return ToeZone(ahead_mm, level_mm, floor_mm, begin, end)
+
+
+def _places(foot: Foot, names: tuple[str, ...]) -> FloatArray:
+    """Return landmarks (k, 2), medial = +x."""
+    landmarks = find_landmarks(foot)
+    points = np.array([landmarks[name].point[:2] for name in names])
+    return np.asarray(points * [foot.side.medial_sign, 1.0])
+
+
+def _level_mm(ahead_mm: FloatArray, contact_mm: FloatArray, on_foot: BoolArray) -> float:
+    """Return the median height just ahead of the heads; of a foot that ends before, at its end."""
+    low, high = _LEVEL_MM
+    strip = on_foot & (ahead_mm > low) & (ahead_mm < high)
+    if strip.sum() < _LEAST_NODES and on_foot.any():
+        foremost = ahead_mm[on_foot].max()
+        strip = on_foot & (ahead_mm > foremost - (high - low))
+    return float(np.median(contact_mm[strip])) if strip.any() else float(contact_mm.min())
