@@ -8,7 +8,7 @@ shape nor its ragged edge moves a form.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -46,7 +46,7 @@ class FormFrame:
     heel_y_mm, ball_y_mm
         (medial, lateral) y of these points.
     heads_y_mm
-        Of the 1st and the 5th metatarsal head.
+        Where the line through the 1st and the 5th metatarsal head meets (medial, lateral) border.
     medial_sign
         Sign of the insole frame's x at the medial border.
     """
@@ -114,12 +114,17 @@ def form_frame(foot: Foot) -> FormFrame:
             "Heel and ball of this foot lie in an impossible order, so no form of the library can "
             "be laid on it; choose a base from the foot, or scan again."
         )
-    return FormFrame(
+    frame = FormFrame(
         length_mm=foot.length_mm,
         heel_mm=(float(hm[0]), float(hl[0])),
         ball_mm=(float(bm[0]), float(bl[0])),
         heel_y_mm=(float(hm[1]), float(hl[1])),
         ball_y_mm=(float(bm[1]), float(bl[1])),
-        heads_y_mm=(float(heads[0][1]), float(heads[1][1])),
+        heads_y_mm=(0.0, 0.0),
         medial_sign=sign,
     )
+    _, across = frame.shares(np.array(heads) * [sign, 1.0])
+    y = np.array([head[1] for head in heads])
+    slope = (y[1] - y[0]) / (across[1] - across[0])
+    medial = float(y[0] - slope * across[0])
+    return replace(frame, heads_y_mm=(medial, medial + float(slope)))

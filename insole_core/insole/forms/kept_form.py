@@ -17,7 +17,7 @@ _ALONG, _ACROSS = (-0.06, 1.08), (-0.2, 1.2)
 """Shares that the stations span: the insole and its usual allowances."""
 _SUPPORT_ALONG, _SUPPORT_ACROSS = (0.05, HEADS_ALONG), (0.12, 0.88)
 """Shares within which the foot is supported: the sole behind the heads, without the rim."""
-_PITCHES_MM = (10.0, 6.0, 4.0, 3.0, 2.0)
+_PITCHES_MM = (10.0, 6.0, 4.0, 3.0, 2.0, 1.4)
 _DECIMALS = 2
 _WANTED_MM = 0.1
 """Greatest deviation from the insole; if need be the finest pitch is taken beyond it."""
