@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Generic, Protocol, TypeVar
 
 from insole_core.errors import InputError, OutputError
-from insole_core.export.atomic import make_folder_of, replacing_file
+from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import keep_unreadable
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.messages import Message
@@ -100,7 +100,7 @@ class NamedFiles(Generic[Item]):
             When the place cannot be written.
         """
         path = self._path(item.name)
-        make_folder_of(path)
+        make_output_folder(path.parent)
         if path.exists():
             keep_unreadable(path, lambda: self._read(path))
         with replacing_file(path) as beside:

@@ -9,10 +9,11 @@ from PySide6.QtCore import QObject, Signal
 from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
-from insole_core.geometry.arrays import BoolArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
+from insole_core.insole.finishing.toe_line import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
+from insole_core.insole.prescription.design import Finish, InsoleDesign, Place, RimStation
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
@@ -36,8 +37,12 @@ class RimModel(QObject):
         self._curve: RimCurve | None = None
         self._curve_of: tuple[object, ...] = ()
         """Rim and stations of the curve, which is computed once for each."""
-        self._reached = np.zeros(0, dtype=bool)
+        self._reached: BoolArray = np.zeros(0, dtype=bool)
         self._reached_of: tuple[object, ...] = ()
+        self._toe_line: tuple[Place, ...] = ()
+        self._toe_line_of: tuple[object, ...] = ()
+        self._known_outline: FloatArray | None = None
+        self._outline_of: tuple[object, ...] = ()
         case.foot_changed.connect(self._forget)
         case.changed.connect(self.changed)
         case.preview_changed.connect(self.changed)
@@ -84,16 +89,41 @@ class RimModel(QObject):
     @property
     def reached(self) -> BoolArray:
         """(n,) whether the insole reaches each point of the edge; a short one ends before."""
-        curve, record = self.curve, self._case.shown
-        if curve is None or record.foot is None or record.design is None:
+        curve, outline = self.curve, self._outline
+        if curve is None or outline is None:
             return np.zeros(0, dtype=bool)
-        design, edge = record.design, curve.edge
-        key = edge, design.outline, None if design.shell is None else design.shell.trim_mm
-        if self._reached_of != key:
-            outline = insole_outline(record.foot, design, landmarks_of(record))
-            away, _ = KDTree(outline).query(edge.points_mm)
-            self._reached_of, self._reached = key, away < BESIDE_MM
+        if self._reached_of != (curve.edge, id(outline)):
+            away, _ = KDTree(outline).query(curve.edge.points_mm)
+            self._reached_of = curve.edge, id(outline)
+            self._reached = np.asarray(away < BESIDE_MM)
         return self._reached
+
+    @property
+    def toe_line(self) -> tuple[Place, ...]:
+        """Where the toe zone of the shown design begins; empty where the toes are as scanned."""
+        finish, foot, outline = self.finish, self._case.foot, self._outline
+        if finish is None or foot is None or outline is None or finish.toe_zone == "as_scanned":
+            return ()
+        key = foot, id(outline), finish.toe_line_mm
+        if self._toe_line_of != key:
+            line = toe_line(foot, outline, finish.toe_line_mm)
+            self._toe_line = tuple((float(x), float(y)) for x, y in line)
+            self._toe_line_of = key
+        return self._toe_line
+
+    @property
+    def _outline(self) -> FloatArray | None:
+        """The outline (n, 2) of the shown insole, mm; the same array while it does not change."""
+        record = self._case.shown
+        design, foot = record.design, record.foot
+        if design is None or foot is None:
+            return None
+        trim = None if design.shell is None else design.shell.trim_mm
+        key = foot, design.outline, trim, record.annotations
+        if self._outline_of != key:
+            self._known_outline = insole_outline(foot, design, landmarks_of(record))
+            self._outline_of = key
+        return self._known_outline
 
     @property
     def selected(self) -> int | None:
@@ -117,7 +147,8 @@ class RimModel(QObject):
             self.changed.emit()
 
     def _forget(self) -> None:
-        self._selected, self._curve, self._curve_of, self._reached_of = None, None, (), ()
+        self._selected, self._curve, self._known_outline = None, None, None
+        self._curve_of = self._reached_of = self._toe_line_of = self._outline_of = ()
         self.changed.emit()
 
 

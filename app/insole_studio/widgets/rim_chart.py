@@ -391,8 +391,10 @@ class RimChart(QWidget):
         painter.setClipRect(self._frame())
         for piece in pieces:
             edge = mm2px.map(_line(graph.s_mm[piece], graph.flank_mm[piece]))
-            floor = self._frame().bottom() + 2
-            around = QPolygonF([*edge, QPointF(edge[-1].x(), floor), QPointF(edge[0].x(), floor)])
+            floor, box = self._frame().bottom() + 2, edge.boundingRect()
+            around = QPolygonF(edge)
+            around.append(QPointF(box.right(), floor))
+            around.append(QPointF(box.left(), floor))
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(fill)
             painter.drawPolygon(around)

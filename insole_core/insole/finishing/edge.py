@@ -123,11 +123,7 @@ def _measured(foot: Foot, outline: Outline) -> Edge:
     points = evenly_spread(curve, round(length_mm / _PITCH_MM))
     heel_mm = float(way_round(curve)[curve[:, 1].argmin()]) * length_mm
     heads = [find_landmarks(foot)[f"metatarsal_head_{n}"].point[:2] * [medial, 1.0] for n in (1, 5)]
-<<<<<<< HEAD
-    arc_mm = np.arange(len(points)) * (length_mm / len(points))
-=======
     arc_mm = np.asarray(np.arange(len(points)) * (length_mm / len(points)))
->>>>>>> w/finish
     borders = ((0.0, heel_mm), (heel_mm, length_mm))
     beside = [
         _nearest_mm(points, arc_mm, border, head)

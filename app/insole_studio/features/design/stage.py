@@ -149,20 +149,24 @@ class DesignStage(QObject):
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
         counterpart.failed.connect(self.insole.show_warning)
+        self._follow_changes(surface, section, rim)
+
+    def _follow_changes(self, surface: InsolePreview, section: SectionModel, rim: RimModel) -> None:
+        """Update what the stage itself shows, besides its panels."""
+        case, tool_changed = self._case, self._tool_controller.tool_changed
         case.leaving.connect(self._note_typing)
         case.opened.connect(self._fit_later)
         surface.changed.connect(self._fit_insole_once)
-        case.selection_changed.connect(self._show_hint)
-        case.changed.connect(self._show_hint)
-        case.preview_changed.connect(self._show_hint)
-        tool_controller.tool_changed.connect(self._show_hint)
-        tool_controller.tool_changed.connect(self._forget_highlight)
-        tool_controller.tool_changed.connect(self._show_rear)
-        case.changed.connect(self._forget_highlight)
+        for signal in (case.selection_changed, case.preview_changed, rim.selection_changed):
+            signal.connect(self._show_hint)
+        for signal in (tool_changed, case.changed):
+            signal.connect(self._show_hint)
+            signal.connect(self._forget_highlight)
+        for signal in (section.changed, tool_changed):
+            signal.connect(self._ask_for_section)
         section.changed.connect(self._show_hint)
-        section.changed.connect(self._ask_for_section)
-        tool_controller.tool_changed.connect(self._ask_for_section)
-        tool_controller.tool_changed.connect(self._ask_for_rim)
+        tool_changed.connect(self._show_rear)
+        tool_changed.connect(self._ask_for_rim)
 
     @property
     def panels(self) -> tuple[QWidget, ...]:

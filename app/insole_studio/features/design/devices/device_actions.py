@@ -13,11 +13,11 @@ from insole_core.insole.prescription.device import Device, apply_device, device_
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.workflows.clinic_devices import (
     AS_SCANNED,
-    DEFAULT_DEVICE,
     clinic_devices,
     clinic_forms,
     find_device,
 )
+from insole_core.workflows.default_device import DefaultDevice
 from insole_core.workflows.findings import Catalogue, ClinicFindings, Finding, apply_finding
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.pad_library import LibraryPad
@@ -64,6 +64,7 @@ class DeviceActions:
         self._behind_heads_mm = behind_heads_mm
         folder = services.paths.settings_folder
         self._devices, self._forms = clinic_devices(folder), clinic_forms(folder)
+        self._default_device = DefaultDevice(folder)
         self._findings = ClinicFindings(folder / "findings.json")
         self._view: DevicesView | None = None
         self._presenter: DevicesPresenter | None = None
@@ -81,7 +82,7 @@ class DeviceActions:
         choices = self._choices()
         self._view = DevicesView(self._services.window)
         self._presenter = DevicesPresenter(
-            self._view, self._case, choices, self._default, self._entries
+            self._view, self._case, choices, self._default_key, self._entries
         )
         self._view.apply_requested.connect(self._view.accept)
         self._view.entry_chosen.connect(self._take_entry)
@@ -136,7 +137,7 @@ class DeviceActions:
 
     def make_default(self, device: Device) -> None:
         """Start new designs with a device."""
-        set_default_device(self._services.paths.settings_folder, device.name)
+        self._default_device.save(device.name)
         self._renew("", tr("New designs start with: {name}").format(name=_shown(device)))
 
     def remove_device(self, device: Device) -> None:
@@ -161,7 +162,11 @@ class DeviceActions:
     @property
     def _default(self) -> str:
         """Name of the device that new designs start with."""
-        return DEFAULT_DEVICE
+        return self._default_device.load()
+
+    @property
+    def _default_key(self) -> str:
+        return f"device:{key_of(self._default)}"
 
     def _choices(self) -> list[Choice]:
         return [
@@ -181,7 +186,7 @@ class DeviceActions:
     def _entries(self, choice: Choice | None) -> list[MenuEntry]:
         """Return the menu below the list, for what is chosen in it."""
         is_device = choice is not None and choice.kind is Kind.DEVICE
-        is_own = is_device and choice.is_own
+        is_own = choice is not None and is_device and choice.is_own
         return [
             MenuEntry("save", tr("Save this design as a device…")),
             MenuEntry("import", tr("Import a device…")),
@@ -207,7 +212,7 @@ class DeviceActions:
         """Show what was stored in the list, if it is open, and say it."""
         self._services.messages.say(said)
         if self._presenter is not None:
-            self._presenter.renew(self._choices(), self._default, chosen)
+            self._presenter.renew(self._choices(), self._default_key, chosen)
 
     def _close(self) -> None:
         view, self._view, self._presenter = self._view, None, None

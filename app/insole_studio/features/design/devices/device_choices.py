@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import partial
 
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
@@ -58,7 +59,7 @@ def device_choices(devices: Listed[Device]) -> Iterator[Choice]:
             translate_core_message(device.name),
             (device.name, *map(translate_core_message, device.keywords), *device.keywords),
             source_notes(device.source),
-            lambda design, device=device: apply_device(device, design),
+            partial(apply_device, device),
             key in devices.own,
         )
 
@@ -71,7 +72,7 @@ def form_choices(forms: Listed[Form]) -> Iterator[Choice]:
         tr("The foot itself"),
         (tr("total contact"),),
         (tr("The insole follows the sole of the foot everywhere: total contact."),),
-        lambda design: replace(design, base=None),
+        _on_foot,
     )
     for key, form in forms.items.items():
         yield Choice(
@@ -80,7 +81,7 @@ def form_choices(forms: Listed[Form]) -> Iterator[Choice]:
             translate_core_message(form.name),
             (form.name,),
             source_notes(form.source),
-            lambda design, form=form: replace(design, base=_with_form(design.base, form)),
+            partial(_on_form, form),
             key in forms.own,
         )
 
@@ -103,7 +104,7 @@ def finding_choices(
             translate_core_message(finding.name),
             (finding.name, *map(translate_core_message, finding.keywords), *finding.keywords),
             (*advice, *source_notes(finding.source)),
-            lambda design, finding=finding: apply(finding, design),
+            partial(apply, finding),
         )
 
 
@@ -121,8 +122,14 @@ def source_notes(source: str) -> tuple[str, ...]:
     return (tr("Source: {source}").format(source=said),) if source else ()
 
 
-def _with_form(base: BaseForm | None, form: Form) -> BaseForm:
-    return BaseForm(form=form) if base is None else replace(base, form=form)
+def _on_foot(design: InsoleDesign) -> InsoleDesign:
+    return replace(design, base=None)
+
+
+def _on_form(form: Form, design: InsoleDesign) -> InsoleDesign:
+    """Return the design on a form, mixed with the foot as much as the one before."""
+    base = BaseForm(form=form) if design.base is None else replace(design.base, form=form)
+    return replace(design, base=base)
 
 
 def _searched(choice: Choice) -> str:

@@ -85,7 +85,7 @@ class DevicesPresenter:
                 kind = choice.kind
                 rows.append(ChoiceRow("", _heading(kind)))
             rows.append(ChoiceRow(choice.key, choice.name, self._note(choice)))
-        self._panel.show_rows(rows, self._chosen or f"device:{self._default}")
+        self._panel.show_rows(rows, self._chosen or self._default)
 
     def choose(self, key: str) -> None:
         """Show what a choice would change."""
@@ -115,7 +115,7 @@ class DevicesPresenter:
 
     def _note(self, choice: Choice) -> str:
         notes = []
-        if choice.key == f"device:{self._default}":
+        if choice.key == self._default:
             notes.append(tr("default"))
         if choice.is_own:
             notes.append(tr("own"))

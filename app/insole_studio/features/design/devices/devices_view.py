@@ -124,10 +124,10 @@ class DevicesView(QDialog):
         items = [self.list.item(number) for number in range(self.list.count())]
         keyed = [item for item in items if item.data(_KEY)]
         kept = next((item for item in keyed if item.data(_KEY) == chosen), None)
-        self.list.setCurrentItem(kept or (keyed[0] if keyed else None))
+        if keyed:
+            self.list.setCurrentItem(kept or keyed[0])
+            self.list.scrollToItem(kept or keyed[0])
         self.list.blockSignals(False)
-        if self.list.currentItem() is not None:
-            self.list.scrollToItem(self.list.currentItem())
         self.row_chosen.emit(self.chosen)
 
     def show_details(self, details: ChoiceDetails) -> None:

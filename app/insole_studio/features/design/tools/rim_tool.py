@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim
 from insole_core.insole.finishing.rim_edits import added_station, moved_station, raised_station
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign, Place
+from insole_core.insole.prescription.design_limits import FINISH_RANGES
 from insole_studio.document.case import Case
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.rim_texts import station_text
@@ -24,7 +28,8 @@ from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import ViewTransform
 from insole_studio.texts import tr
 
-PREFIX = "rim:"
+PREFIX, TOE_LINE = "rim:", "toe_line"
+TOE_LINE_STEP_MM = 0.5
 NEAR_MM = 12.0
 """Largest distance from the edge at which a double click adds a station."""
 LOCK_PX = 4.0
@@ -54,6 +59,11 @@ class RimTool(Tool):
         self._rim.select(None)
 
     @property
+    def sketch(self) -> tuple[Place, ...]:
+        """The line at which the toe zone begins."""
+        return self._rim.toe_line
+
+    @property
     def selection(self) -> object:
         """The selected station."""
         return self._rim.selected
@@ -70,7 +80,16 @@ class RimTool(Tool):
 
     def handles(self, _case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Return the stations as handles; the selected one is larger."""
-        return tuple(
+        line = self._rim.toe_line
+        middle = (line[len(line) // 2],) if line else ()
+        hint = tr("Drag to move the line at which the toe zone begins")
+        return (
+            *self._station_handles(surface),
+            *(Handle(TOE_LINE, surface.place(*place), hint) for place in middle),
+        )
+
+    def _station_handles(self, surface: SurfaceContext) -> Iterator[Handle]:
+        return (
             Handle(
                 f"{PREFIX}{number}",
                 surface.place(*placed.place_mm),
@@ -84,6 +103,8 @@ class RimTool(Tool):
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Select and grab a station."""
         number, rim, design = _number(event), self._rim.rim, case.record.design
+        if design is not None and event.handle == TOE_LINE:
+            return _carry_toe_line(case, design, event)
         if number is None or rim is None or design is None:
             return None
         self._rim.select(number)
@@ -104,12 +125,11 @@ class RimTool(Tool):
         """Return the items for a double click's action."""
         number, arc_mm = _number(event), self._arc_at(event)
         if number is not None:
-            text = tr("Remove this station")
-            remove = lambda: remove_station(case, self._rim, number)  # noqa: E731
-            return (ContextMenuItem(text, remove, removes=True),)
+            remove = partial(remove_station, case, self._rim, number)
+            return (ContextMenuItem(tr("Remove this station"), remove, removes=True),)
         if arc_mm is None:
             return ()
-        add = lambda: add_station(case, self._rim, arc_mm)  # noqa: E731
+        add = partial(self._add, case, arc_mm)
         return (ContextMenuItem(tr("Add a station here"), add),)
 
     def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
@@ -125,6 +145,9 @@ class RimTool(Tool):
             return False
         step = NUDGE_MM * (10.0 if event.coarse else 1.0) * (0.1 if event.fine else 1.0)
         return nudge_station(case, self._rim, self._rim.selected, right * step, up * step)
+
+    def _add(self, case: Case, arc_mm: float) -> None:
+        add_station(case, self._rim, arc_mm)
 
     def _arc_at(self, event: PointerEvent) -> float | None:
         """Return the place of the edge near the pointer, as an arc length."""
@@ -208,6 +231,23 @@ def _carry(
         changed = with_stations(design, moved)
         case.preview(changed)
     case.apply(changed, _raised() if wanted is None or wanted[0] else _moved())
+
+
+def _carry_toe_line(case: Case, design: InsoleDesign, press: PointerEvent) -> Gesture:
+    """Let the toe line follow the pointer along the foot."""
+    finish, start, event = design.finish, press.place_mm(0.0), press
+    assert finish is not None
+    allowed, changed = FINISH_RANGES["toe_line_mm"], design
+    while event.phase is not Phase.RELEASE:
+        event = yield
+        now = event.place_mm(0.0)
+        if start is None or now is None:
+            continue
+        ahead_mm = rounded(finish.toe_line_mm + float(now[1] - start[1]), TOE_LINE_STEP_MM)
+        ahead_mm = min(max(ahead_mm, allowed.least), allowed.greatest)
+        changed = replace(design, finish=replace(finish, toe_line_mm=ahead_mm))
+        case.preview(changed)
+    case.apply(changed, tr("Move the toe line"))
 
 
 def _wanted(axes: _Axes, way_mm: FloatArray, by_key: bool) -> FloatArray:
