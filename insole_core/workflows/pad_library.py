@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from insole_core.insole.pads.pad_places import PLACES
 from insole_core.insole.prescription.design import Pelott
@@ -10,7 +12,11 @@ from insole_core.insole.prescription.design_limits import CORRECTION_RANGES, PEL
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
-SIZES = ("length_mm", "width_mm", "height_mm")
+GROUPS = ("forefoot", "midfoot", "heel", "toes")
+"""Parts of the foot by which the library is listed."""
+_SIZES = ("length_mm", "width_mm", "height_mm", "blend_mm")
+_BY_SHAPE = {"egg": "pelott"}
+"""Kinds that a pad of a shape has without saying so, where they are not named like the shape."""
 
 
 @dataclass(frozen=True)
@@ -19,16 +25,19 @@ class LibraryPad:
 
     Parameters
     ----------
+    group
+        Part of the foot: one of `GROUPS`, or empty.
     kind
-        Its group: "pelott", "bar", …
+        What it is prescribed as: "pelott", "bar", "relief_head_3", …
     size
-        Its size within the group: "S", "M", "L".
+        Its size within the kind: "S", "M", "L"; empty for the only one.
     template
-        The pad, without a position.
+        The pad, without id and position; a "flat_outline" gets its outline when it is placed.
     place
         Where it is usually placed: one of `pad_places.PLACES`.
     """
 
+    group: str
     kind: str
     size: str
     template: Pelott
@@ -48,17 +57,25 @@ def load_pads() -> tuple[LibraryPad, ...]:
     return tuple(_pad(pad) for pad in library.objects("pads"))
 
 
+def default_pelott(pads: Sequence[LibraryPad]) -> Pelott:
+    """Return the pelott that is placed when nothing else was chosen, without id and position."""
+    fallback = Pelott(id="", centre_mm=(0.0, 0.0))
+    return next((pad.template for pad in pads if pad.kind == "pelott"), fallback)
+
+
 def _pad(pad: JsonObject) -> LibraryPad:
     allowed = CORRECTION_RANGES[Pelott]
-    length, width, height = (
-        pad.number(name, allowed[name].least, allowed[name].greatest) for name in SIZES
-    )
+    sizes: dict[str, Any] = {
+        name: pad.number(name, allowed[name].least, allowed[name].greatest)
+        for name in _SIZES
+        if name == "height_mm" or pad.has(name)
+    }
+    kind, shape = pad.text("kind"), pad.choice("shape", PELOTT_SHAPES)
+    is_shape = kind == _BY_SHAPE.get(shape, shape)
     template = Pelott(
-        centre_mm=(0.0, 0.0),
-        shape=pad.choice("shape", PELOTT_SHAPES),
-        length_mm=length,
-        width_mm=width,
-        height_mm=height,
+        id="", centre_mm=(0.0, 0.0), shape=shape, kind=None if is_shape else kind, **sizes
     )
+    group = pad.choice("group", GROUPS) if pad.has("group") else ""
     place = pad.choice("place", list(PLACES))
-    return LibraryPad(pad.text("kind"), pad.text("size"), template, place)
+    size = pad.text("size") if pad.has("size") else ""
+    return LibraryPad(group, kind, size, template, place)

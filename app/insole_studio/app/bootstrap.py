@@ -31,8 +31,8 @@ from insole_studio.app.theme import apply_theme
 from insole_studio.app.window_feature import WindowFeature
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
-from insole_studio.features.design.correction_names import pad_text
 from insole_studio.features.design.design import make_design_stage
+from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.jobs import Jobs
 from insole_studio.native_heap import return_freed_memory, share_one_heap
@@ -164,7 +164,7 @@ def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
     stage.pointed.connect(status.show_place)
     stage.hint_changed.connect(status.show_hint)
     status.cancel_requested.connect(jobs.cancel)
-    return MainWindow(stage, status, [pad_text(pad) for pad in stage.pads], ACTIONS)
+    return MainWindow(stage, status, pad_menu(stage.pads), ACTIONS)
 
 
 def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> bool:

@@ -38,6 +38,7 @@ from insole_studio.app.menus import (
     TOOLBAR,
 )
 from insole_studio.app.status_bar import StatusBar
+from insole_studio.features.design.pad_menu import PadMenu
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
@@ -64,7 +65,7 @@ class MainWindow(QMainWindow):
         self,
         stage: DesignStage,
         status: StatusBar,
-        pads: Sequence[str],
+        pads: PadMenu,
         records: Sequence[ActionRecord[Any]],
     ) -> None:
         super().__init__()
@@ -299,10 +300,16 @@ class MainWindow(QMainWindow):
             button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
 
     def _pad_menu(self, parent: QWidget) -> QMenu:
-        menu = QMenu(tr("Pad of the library"), parent)
-        for number, text in enumerate(self._pads):
-            action = menu.addAction(text)
-            action.setData(number)
+        return self._submenu(self._pads, parent)
+
+    def _submenu(self, pads: PadMenu, parent: QWidget) -> QMenu:
+        menu = QMenu(pads.title, parent)
+        for entry in pads.entries:
+            if isinstance(entry, PadMenu):
+                menu.addMenu(self._submenu(entry, menu))
+                continue
+            action = menu.addAction(entry.text)
+            action.setData(entry.number)
             action.triggered.connect(self._choose_pad)
         return menu
 

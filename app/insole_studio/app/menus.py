@@ -109,6 +109,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "add_heel_lift",
             "add_heel_cup",
             "add_arch_raise",
+            "add_arch_height",
             PADS,
             SEPARATOR,
             "confirm_landmarks",

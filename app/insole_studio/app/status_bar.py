@@ -23,6 +23,7 @@ class StatusBar(QStatusBar):
         self._channel = ""
         self._place = QLabel()
         self._place.setMinimumWidth(228)
+        self._place.setContentsMargins(4, 0, 0, 0)
         self._hint = QLabel()
         self._hint.setObjectName("quiet")
         self._work = QLabel()

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from insole_studio.scene.coloring import Coloring
+from insole_studio.texts import localised
 
 BAR_PX = 140
 NUMBER_PX = 72
@@ -56,7 +57,7 @@ class Legend(QWidget):
             gradient.setColorAt(number / (len(self._coloring.colors) - 1), QColor(color))
         painter.fillRect(strip, gradient)
         decimals = 0 if max(abs(limit) for limit in self._coloring.limits) >= WHOLE_FROM else 1
-        low, high = (f"{limit:.{decimals}f}" for limit in self._coloring.limits)
+        low, high = (localised(limit, f".{decimals}f") for limit in self._coloring.limits)
         left = QRectF(start, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())
         vertical = Qt.AlignmentFlag.AlignVCenter

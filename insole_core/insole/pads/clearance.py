@@ -10,8 +10,6 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.corrections import Pelott
 
-_OUTLINE_POINTS = 180
-
 
 @dataclass(frozen=True, eq=False)
 class Clearance:
@@ -44,7 +42,7 @@ def clearance(pad: Pelott, line: FloatArray) -> Clearance:
     across = across / np.hypot(*across)
     ahead = np.array([-across[1], across[0]])
     ahead = ahead * np.sign(ahead[1])
-    outline = pad_outline(pad, _OUTLINE_POINTS)
+    outline = pad_outline(pad)  # all points: fewer would not be mirrored with the pad
     front = outline[(outline @ ahead).argmax()]
     # The heads lie on an arc: the line is evaluated in front of the pad's foremost point.
     along = (line - line[0]) @ across

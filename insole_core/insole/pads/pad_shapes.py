@@ -16,9 +16,12 @@ from insole_core.memo import Memo
 
 PAD_SHAPES = (
     "egg", "outline", "drop", "bar", "arch_support", "horseshoe", "cut_out", "mortons_extension",
+    "oval", "flat_outline",
 )  # fmt: skip
-DOMED = ("egg", "drop", "arch_support", "outline")
+DOMED = ("egg", "drop", "arch_support", "outline", "oval")
 """Shapes with a single peak; the others have a flat top."""
+FREE = ("outline", "flat_outline")
+"""Shapes that are drawn or made by landmarks, and hold the corners of their outline."""
 
 _DROP_RATIO = 0.9
 _SUPPORT_FLAT, _SUPPORT_ROUND = 0.35, 0.65  # shares of the width on both sides of the apex
@@ -80,6 +83,7 @@ def _superellipse(shape: str, length_mm: float, width_mm: float) -> FloatArray:
         "bar": ((0.5, 5.0), (0.5, 5.0)),
         "mortons_extension": ((0.5, 4.0), (0.5, 4.0)),
         "cut_out": ((0.5, 2.0), (0.5, 2.0)),
+        "oval": ((0.5, 2.0), (0.5, 2.0)),
         "arch_support": ((_SUPPORT_FLAT, 4.0), (_SUPPORT_ROUND, 2.0)),
     }[shape]
     angle = (np.arange(_POINTS) + 0.5) / _POINTS * 2 * np.pi

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.foot.landmarks import Landmarks
+from insole_core.foot.landmarks import HEADS, Landmarks, find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
@@ -17,7 +17,14 @@ from insole_core.insole.build import Insole
 from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.pads.clearance import clearance
 from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.pads.pad_kinds import (
+    ends_behind_heads,
+    is_filler,
+    leaves_first_head_free,
+    pad_name,
+)
 from insole_core.insole.prescription.design import (
+    ArchRaise,
     HeelCup,
     HeelLift,
     HeelSkive,
@@ -33,15 +40,7 @@ from insole_core.json_object import JsonObject
 from insole_core.messages import Message, Value
 from insole_core.resources import resource_path
 
-_AT_HEADS = ("egg", "bar")
-"""Shapes that end behind the metatarsal heads."""
 _WORDS = {
-    "egg": "pelott",
-    "bar": "metatarsal bar",
-    "outline": "free-hand pad",
-    "arch_support": "arch support",
-    "cut_out": "cut-out",
-    "mortons_extension": "Morton's extension",
     "pternion": "rearmost point",
     "heel_centre": "heel centre",
     "metatarsal_head_1": "1st head",
@@ -50,7 +49,7 @@ _WORDS = {
     "toe_tip_1": "1st toe",
     "toe_tip_2": "2nd toe",
 }
-"""Display names of shapes and landmarks whose identifier says too little."""
+"""Display names of landmarks whose identifier says too little."""
 _ALONG = (
     ("pternion", "heel_centre"), ("heel_centre", "metatarsal_head_1"),
     ("heel_centre", "metatarsal_head_2"), ("heel_centre", "metatarsal_head_5"),
@@ -63,6 +62,10 @@ _ACROSS = (
 )  # fmt: skip
 """Pairs of landmarks of which the second lies lateral to the first."""
 _USUAL_CUP_MM = 12.0
+_FARTHEST_AHEAD_MM = 50.0
+_AT_LINE = ("egg", "bar")
+"""Shapes whose distance behind the heads is the clinic's rule; a drop may lie between the heads."""
+_ARCH_TOLERANCE_MM = 0.2
 _SHOWN = 0.1
 """Step in mm and degrees to which values are rounded, before they are compared and printed."""
 _SHOWN_HEIGHT_MM = 1.0
@@ -75,7 +78,11 @@ _MOST_OVERLAPS = (
 
 @dataclass(frozen=True, kw_only=True)
 class ClinicRules:
-    """Limits of the warnings, and the suggested posting by pronation; mm and degrees."""
+    """Limits of the warnings, and the suggested posting by pronation; mm and degrees.
+
+    The distances behind the heads are < 0 for pads that end ahead of them: trials disagree on where
+    a pad works best, so that the place is the clinic's own rule.
+    """
 
     post_unusual_deg: float
     skive_least_cup_mm: float
@@ -86,6 +93,9 @@ class ClinicRules:
     pelott_least_behind_heads_mm: float
     pelott_greatest_behind_heads_mm: float
     pelott_usual_behind_heads_mm: float
+    greatest_metatarsal_pad_height_mm: float
+    greatest_recess_depth_mm: float
+    least_beside_first_head_mm: float
     least_on_foot_share: float
     greatest_overlap_share: float
     greatest_grid_mm: float
@@ -122,12 +132,17 @@ def load_rules(path: Path | None = None) -> ClinicRules:
     rules = content.object("rules")
     limits = [f.name for f in fields(ClinicRules) if f.name != "pronation"]
     return ClinicRules(
-        **{name: rules.number(name, 0, 1000) for name in limits},
+        **{name: rules.number(name, _least(name), 1000) for name in limits},
         pronation=tuple(
             PronationStep(step.number("from_deg", 0, 90), step.number("post_deg", 0, 15))
             for step in (content.objects("pronation") if content.has("pronation") else ())
         ),
     )
+
+
+def _least(limit: str) -> float:
+    """Return the least value of a limit."""
+    return -_FARTHEST_AHEAD_MM if limit.endswith("_behind_heads_mm") else 0.0
 
 
 def design_warnings(
@@ -138,16 +153,19 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, grid, and pads; at most one about landmarks.
+        Landmarks first, then posting, heel, height, grid, arch, and pads; at most one about
+        landmarks.
     """
     design = insole.design
     pads = [c for c in design.active if isinstance(c, Pelott)]
+    arches = [c for c in design.active if isinstance(c, ArchRaise)]
     return (
         *islice(_of_landmarks(design.side, landmarks), 1),  # the first explains the others
         *_of_posting(design, rules),
         *_of_heel(design, rules),
         *_of_height(insole, rules),
         *_of_grid(design, rules),
+        *(w for arch in arches for w in _of_arch(insole, arch)),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
     )
@@ -285,20 +303,67 @@ def _of_pad(
     insole: Insole, landmarks: Landmarks, pad: Pelott, rules: ClinicRules
 ) -> Iterator[DesignWarning]:
     share = rounded(_share_on_foot(insole, pad), _SHOWN_SHARE)
-    if share < rules.least_on_foot_share:
+    if share < rules.least_on_foot_share and not is_filler(pad):
         beside = Message(
             "Only {share:.0%} of the {pad} lie below the foot; move it inwards.",
             share=share,
-            pad=_words(pad.shape),
+            pad=pad_name(pad),
         )
         yield DesignWarning(beside, pad.id, pad.centre_mm)
-    if pad.shape not in _AT_HEADS or pad.height_mm <= 0:
+    yield from _of_recess(pad, rules)
+    if leaves_first_head_free(pad):
+        yield from _of_first_head(pad, landmarks, rules)
+    if ends_behind_heads(pad) and pad.height_mm > 0:
+        yield from _of_metatarsal_pad(pad, landmarks, rules)
+
+
+def _of_recess(pad: Pelott, rules: ClinicRules) -> Iterator[DesignWarning]:
+    if -pad.height_mm > rules.greatest_recess_depth_mm:
+        deep = Message(
+            "The {pad} is {depth_mm:g} mm deep; up to {usual_mm:g} mm are usual.",
+            pad=pad_name(pad),
+            depth_mm=rounded(-pad.height_mm, _SHOWN),
+            usual_mm=rules.greatest_recess_depth_mm,
+        )
+        yield DesignWarning(deep, pad.id, pad.centre_mm)
+
+
+def _of_first_head(
+    pad: Pelott, landmarks: Landmarks, rules: ClinicRules
+) -> Iterator[DesignWarning]:
+    head = landmarks[HEADS[0]].point[:2]
+    outline = pad_outline(pad)
+    away_mm = float(np.hypot(*(outline - head).T).min())
+    away_mm = 0.0 if inside_curve(outline, head) else rounded(away_mm, _SHOWN)
+    if away_mm < rules.least_beside_first_head_mm:
+        near = Message(
+            "The {pad} comes within {distance_mm:g} mm of the 1st head, which it leaves free; keep "
+            "it at least {least_mm:g} mm away.",
+            pad=pad_name(pad),
+            distance_mm=away_mm,
+            least_mm=rules.least_beside_first_head_mm,
+        )
+        yield DesignWarning(near, pad.id, pad.centre_mm)
+
+
+def _of_metatarsal_pad(
+    pad: Pelott, landmarks: Landmarks, rules: ClinicRules
+) -> Iterator[DesignWarning]:
+    if pad.height_mm > rules.greatest_metatarsal_pad_height_mm:
+        high = Message(
+            "The {pad} is {height_mm:g} mm high; up to {usual_mm:g} mm are usual.",
+            pad=pad_name(pad),
+            height_mm=rounded(pad.height_mm, _SHOWN),
+            usual_mm=rules.greatest_metatarsal_pad_height_mm,
+        )
+        yield DesignWarning(high, pad.id, pad.centre_mm)
+    if pad.shape not in _AT_LINE:
         return
     behind = rounded(behind_heads_mm(pad, landmarks), _SHOWN)
     least, most = rules.pelott_least_behind_heads_mm, rules.pelott_greatest_behind_heads_mm
     if not least <= behind <= most:
         values: dict[str, Value] = {
-            "pad": _words(pad.shape),
+            "pad": pad_name(pad),
             "distance_mm": abs(behind),
             "least_mm": least,
             "most_mm": most,
@@ -306,17 +371,46 @@ def _of_pad(
         away = (
             Message(
                 "The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the "
-                "heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.",
+                "heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.",
                 **values,
             )
             if behind >= 0
             else Message(
-                "The front edge of the {pad} lies {distance_mm:.1f} mm before the line of the "
-                "heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.",
+                "The front edge of the {pad} lies {distance_mm:.1f} mm ahead of the line of the "
+                "heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.",
                 **values,
             )
         )
         yield DesignWarning(away, pad.id, pad.centre_mm)
+
+
+def _of_arch(insole: Insole, arch: ArchRaise) -> Iterator[DesignWarning]:
+    """Warn where the finished arch is not as high as prescribed."""
+    if arch.target_mm is None:
+        return
+    x, y = arch.apex_mm or find_landmarks(insole.foot)["arch_apex"].point[:2]
+    place = float(x), float(y)
+    finished_mm = float(insole.contact.height_at(np.array(place)))
+    if not np.isfinite(finished_mm):
+        beside = Message("The arch is to be raised beside the insole; move its place inwards.")
+        yield DesignWarning(beside, arch.id, place)
+        return
+    height_mm = rounded(finished_mm, _SHOWN)
+    values: dict[str, Value] = {"height_mm": height_mm, "target_mm": arch.target_mm}
+    if height_mm - arch.target_mm > _ARCH_TOLERANCE_MM:
+        above = Message(
+            "The arch is {height_mm:g} mm high where {target_mm:g} mm are prescribed, and an arch "
+            "raise lowers nothing; prescribe a greater height, or lower the surface there.",
+            **values,
+        )
+        yield DesignWarning(above, arch.id, place)
+    elif arch.target_mm - height_mm > _ARCH_TOLERANCE_MM:
+        below = Message(
+            "The arch is only {height_mm:g} mm high where {target_mm:g} mm are prescribed; a "
+            "recess or a stroke lowers it there.",
+            **values,
+        )
+        yield DesignWarning(below, arch.id, place)
 
 
 def _share_on_foot(insole: Insole, pad: Pelott) -> float:
@@ -340,9 +434,9 @@ def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarni
         if share > rules.greatest_overlap_share:
             overlap = Message(
                 "The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up.",
-                pad=_words(small.shape),
+                pad=pad_name(small),
                 share=share,
-                other_pad=_words(large.shape),
+                other_pad=pad_name(large),
             )
             yield DesignWarning(overlap, small.id, small.centre_mm)
 

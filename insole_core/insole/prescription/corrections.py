@@ -46,7 +46,11 @@ class Pelott(CorrectionBase):
     ----------
     shape
         One of `pad_shapes.PAD_SHAPES`: "egg" (26), "drop", "bar", "arch_support", "horseshoe",
-        "cut_out", "mortons_extension", or "outline", a free-hand shape.
+        "cut_out", "mortons_extension", "oval", or a free shape, domed ("outline") or with a flat
+        top ("flat_outline").
+    kind
+        What the pad is prescribed as, a kind of the pad library ("relief_head_3"); None if its
+        shape says it.
     centre_mm
         Position of the apex, where the added height is `height_mm`; of a horseshoe the centre of
         its arc, whose height is reached along the middle of the legs.
@@ -66,12 +70,12 @@ class Pelott(CorrectionBase):
         Breadth of the edge over which the pad falls to zero with continuous slope; by default half
         of the way from apex to outline for domed shapes, a quarter of the width for flat ones.
     outline_mm
-        Of the shape "outline": its corners relative to the centre, not turned, joined by a closed
-        curve.
+        Of a free shape: its corners relative to the centre, not turned, joined by a closed curve.
     """
 
     type: ClassVar[str] = "pelott"
     shape: str = "egg"
+    kind: str | None = None
     centre_mm: Place
     length_mm: float = 60.0
     width_mm: float = 40.0
@@ -161,13 +165,17 @@ class ArchRaise(CorrectionBase):
     Parameters
     ----------
     height_mm
-        Added at the apex.
+        Added at the apex; ignored if there is a target.
+    target_mm
+        Height over the bottom plane that the arch reaches at the apex, before pads and strokes.
+        A surface that is higher there is not lowered.
     apex_mm
         By default the apex of the foot's own arch.
     """
 
     type: ClassVar[str] = "arch_raise"
     height_mm: float = 3.0
+    target_mm: float | None = None
     apex_mm: Place | None = None
     length_mm: float = 100.0
     width_mm: float = 50.0

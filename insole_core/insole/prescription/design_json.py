@@ -38,9 +38,9 @@ _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
 _PLACE_LISTS = ("outline_mm", "points_mm", "trim_mm")
 _LISTS: dict[str, type[Any]] = {"rim": RimStation, "posts": Post}
 _NUMBER_LISTS = ("along_shares", "across_shares")
-_TEXTS = {"id", "name", "author", "created_at", "device", "material"} | {
-    key for words in CHOICES.values() for key in words
-}
+_TEXTS = {"id", "kind", "name", "author", "created_at", "device", "material"}.union(
+    *CHOICES.values()
+)
 _PARTS: dict[str, type[Any]] = {
     "outline": Outline, "layers": Layers, "base": BaseForm, "finish": Finish, "shell": Shell,
 }  # fmt: skip

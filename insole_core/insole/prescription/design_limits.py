@@ -13,7 +13,7 @@ from typing import Any
 
 from insole_core.errors import DesignError
 from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
-from insole_core.insole.pads.pad_shapes import PAD_SHAPES, encloses_centre
+from insole_core.insole.pads.pad_shapes import FREE, PAD_SHAPES, encloses_centre
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BaseForm,
@@ -129,6 +129,7 @@ CORRECTION_RANGES: dict[type[Correction], dict[str, Range]] = {
     HeelLift: {"height_mm": Range(-10, 20), "fade_start": _SHARE, "fade_end": _SHARE},
     ArchRaise: {
         "height_mm": Range(-20, 20),
+        "target_mm": Range(0, 60),
         "apex_mm": _PLACE,
         "length_mm": Range(20, 200),
         "width_mm": Range(10, 150),
@@ -155,6 +156,8 @@ CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
 POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000), "trim_mm": (2, 60)}
 """Least and greatest number of points in a list of them."""
 LEAST_DRAWN_POINTS = 4
+LONGEST_KIND = 60
+"""Most letters in the kind of a pad."""
 LEAST_STATIONS, MOST_FORM_STATIONS = 4, 400
 """Numbers of stations of a form along and across the foot; a cubic needs four."""
 MOST_STATIONS = 40
@@ -353,10 +356,18 @@ def _check_smoothing(stroke: BrushStroke, where: str) -> None:
 
 
 def _check_pad(pad: Pelott, where: str) -> None:
-    if (pad.shape == "outline") != (pad.outline_mm is not None):
+    if pad.kind is not None and not 0 < len(pad.kind) <= LONGEST_KIND:
         raise DesignError(
-            'outline_mm{where} belongs to the shape "outline" and to no other; draw an outline, or '
-            "choose another shape and leave it out.",
+            "kind{where} has {count} letters, and must have 1 to {most}; shorten it, or leave it "
+            "out.",
+            where=where,
+            count=len(pad.kind),
+            most=LONGEST_KIND,
+        )
+    if (pad.shape in FREE) != (pad.outline_mm is not None):
+        raise DesignError(
+            'outline_mm{where} belongs to the shapes "outline" and "flat_outline" and to no other; '
+            "draw an outline, or choose another shape and leave it out.",
             where=where,
         )
     if pad.outline_mm is None:

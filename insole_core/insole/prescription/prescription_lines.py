@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any
 
-from insole_core.insole.prescription.design import Correction, InsoleDesign
+from insole_core.insole.pads.pad_kinds import pad_name
+from insole_core.insole.prescription.design import ArchRaise, Correction, InsoleDesign, Pelott
 
 _UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
 _DECIMALS, _DECIMALS_OF_A_SHARE = 1, 2
@@ -13,7 +14,7 @@ _DECIMALS, _DECIMALS_OF_A_SHARE = 1, 2
 _RAISING = {"rearfoot_deg", "forefoot_deg", "angle_deg"}
 """Angles that raise the medial edge above 0, the lateral one below."""
 _LENGTH_SHARES = {"blend_start", "blend_end", "fade_start", "fade_end"}
-_SILENT = {"id", "enabled", "author", "created_at"}
+_SILENT = {"id", "enabled", "author", "created_at", "kind"}
 
 
 def correction_lines(design: InsoleDesign) -> tuple[str, ...]:
@@ -46,11 +47,25 @@ def _line(correction: Correction) -> str:
     values = [
         _value(field.name, getattr(correction, field.name))
         for field in fields(correction)
-        if field.name not in _SILENT and getattr(correction, field.name) is not None
+        if field.name not in _unsaid(correction) and getattr(correction, field.name) is not None
     ]
     signed = " ".join(word for word in (correction.author, correction.created_at[:10]) if word)
-    line = f"{_words(correction.type).capitalize()}: {'; '.join(values)}"
+    line = f"{_title(correction)}: {'; '.join(values)}"
     return f"{line} ({signed})" if signed else line
+
+
+def _unsaid(correction: Correction) -> set[str]:
+    """Return the fields that say nothing about the insole."""
+    if isinstance(correction, ArchRaise) and correction.target_mm is not None:
+        return {*_SILENT, "height_mm"}
+    return _SILENT
+
+
+def _title(correction: Correction) -> str:
+    if isinstance(correction, Pelott) and correction.kind:
+        name = pad_name(correction)
+        return name[0].upper() + name[1:]
+    return _words(correction.type).capitalize()
 
 
 def _value(name: str, value: Any) -> str:

@@ -168,24 +168,27 @@ def active_pads(design: InsoleDesign) -> list[Pelott]:
     return [c for c in design.active if isinstance(c, Pelott)]
 
 
-def as_pad(correction: Pelott | ArchRaise, arch_apex_mm: Place) -> Pelott:
-    """Convert an arch raise to the elliptical pad that it is; return a pad unchanged.
-
-    Parameters
-    ----------
-    arch_apex_mm
-        Centre, insole frame, of an arch raise without one of its own.
-    """
+def as_pad(correction: Pelott | ArchRaise, base: ContactBase) -> Pelott:
+    """Convert an arch raise to the elliptical pad that it is on a base; return a pad unchanged."""
     if isinstance(correction, Pelott):
         return correction
+    apex = correction.apex_mm or base.arch_apex_mm
     return Pelott(
         id=correction.id,
-        centre_mm=correction.apex_mm or arch_apex_mm,
+        centre_mm=apex,
         length_mm=correction.length_mm,
         width_mm=correction.width_mm,
-        height_mm=correction.height_mm,
+        height_mm=_rise(correction, apex, base.surface),
         egg_ratio=0.0,
     )
+
+
+def _rise(arch: ArchRaise, apex_mm: Place, surface: HeightField) -> float:
+    """Return by how much an arch raise lifts a surface at its apex; 0 off the surface."""
+    if arch.target_mm is None:
+        return arch.height_mm
+    missing = arch.target_mm - float(surface.height_at(np.array(apex_mm)))
+    return max(missing, 0.0) if np.isfinite(missing) else 0.0
 
 
 def _changed_window(base: ContactBase, before: list[Added], after: list[Added]) -> Window:
@@ -261,19 +264,17 @@ class _Grid:
 
 def _shape(correction: Added, base: ContactBase) -> tuple[Window, FloatArray]:
     """Return a correction's window and its height or stroke weight there; cached by the base."""
+    return base.shapes.get("shape", correction, lambda: _laid_on(base, correction))
+
+
+def _laid_on(base: ContactBase, correction: Added) -> tuple[Window, FloatArray]:
     grid = _Grid.of(base.surface)
-    return base.shapes.get(
-        "shape", correction, lambda: _laid_on(grid, correction, base.arch_apex_mm)
-    )
-
-
-def _laid_on(grid: _Grid, correction: Added, arch_apex_mm: Place) -> tuple[Window, FloatArray]:
     if isinstance(correction, BrushStroke):
         radius = correction.radius_mm * (1 + (HALO if correction.mode == "smooth" else 0.0))
         points = np.array(correction.points_mm)
         window = grid.window(points.min(axis=0) - radius, points.max(axis=0) + radius)
     else:
-        outline = pad_outline(as_pad(correction, arch_apex_mm))
+        outline = pad_outline(as_pad(correction, base))
         window = grid.window(outline.min(axis=0), outline.max(axis=0))
     if window.is_empty:
         return window, np.empty((0, 0))
@@ -283,7 +284,7 @@ def _laid_on(grid: _Grid, correction: Added, arch_apex_mm: Place) -> tuple[Windo
     if isinstance(correction, BrushStroke):
         return window, stroke_weight(correction, x, y)
     places = np.stack(np.meshgrid(x, y), axis=-1)
-    return window, pad_heights(as_pad(correction, arch_apex_mm), places)
+    return window, pad_heights(as_pad(correction, base), places)
 
 
 def _whole(field: HeightField) -> Window:

@@ -40,6 +40,10 @@
             <translation>stortån</translation>
         </message>
         <message>
+            <source>1st-ray cut-out</source>
+            <translation>urtag första strålen</translation>
+        </message>
+        <message>
             <source>2nd head</source>
             <translation>2:a huvudet</translation>
         </message>
@@ -50,6 +54,10 @@
         <message>
             <source>5th head</source>
             <translation>5:e huvudet</translation>
+        </message>
+        <message>
+            <source>5th-ray cut-out</source>
+            <translation>urtag femte strålen</translation>
         </message>
         <message>
             <source>A ChArUco marker of {marker_mm:g} mm does not fit a square of {square_mm:g} mm; give the marker's own size in mm.</source>
@@ -532,6 +540,18 @@
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
         <message>
+            <source>The arch is only {height_mm:g} mm high where {target_mm:g} mm are prescribed; a recess or a stroke lowers it there.</source>
+            <translation>Fotvalvet är bara {height_mm:g} mm högt där {target_mm:g} mm är ordinerat; ett urtag eller ett penseldrag sänker det där.</translation>
+        </message>
+        <message>
+            <source>The arch is to be raised beside the insole; move its place inwards.</source>
+            <translation>Fotvalvet ska höjas bredvid inlägget; flytta platsen inåt.</translation>
+        </message>
+        <message>
+            <source>The arch is {height_mm:g} mm high where {target_mm:g} mm are prescribed, and an arch raise lowers nothing; prescribe a greater height, or lower the surface there.</source>
+            <translation>Fotvalvet är {height_mm:g} mm högt där {target_mm:g} mm är ordinerat, och en höjning sänker ingenting; ordinera en större höjd, eller sänk ytan där.</translation>
+        </message>
+        <message>
             <source>The arrangement of the window is damaged, so it has its usual one.</source>
             <translation>Fönstrets uppställning är skadad, så det har den vanliga.</translation>
         </message>
@@ -668,12 +688,12 @@
             <translation>Framfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.1f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm ahead of the line of the heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm framför linjen genom metatarsalhuvud 2 till 4; klinikens regel är {least_mm:g} till {most_mm:g} mm bakom den.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; klinikens regel är {least_mm:g} till {most_mm:g} mm bakom den.</translation>
         </message>
         <message>
             <source>The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm are usual.</source>
@@ -1000,6 +1020,18 @@
             <translation>Bilderna ({kind}) är {width}×{height}, men sensorn ger {allowed}; använd dess bilder som de är, varken beskurna eller skalade.</translation>
         </message>
         <message>
+            <source>The {pad} comes within {distance_mm:g} mm of the 1st head, which it leaves free; keep it at least {least_mm:g} mm away.</source>
+            <translation>Avståndet ({pad}) till första metatarsalhuvudet, som ska vara fritt, är {distance_mm:g} mm; håll det minst {least_mm:g} mm bort.</translation>
+        </message>
+        <message>
+            <source>The {pad} is {depth_mm:g} mm deep; up to {usual_mm:g} mm are usual.</source>
+            <translation>Djupet ({pad}) är {depth_mm:g} mm; upp till {usual_mm:g} mm är vanligt.</translation>
+        </message>
+        <message>
+            <source>The {pad} is {height_mm:g} mm high; up to {usual_mm:g} mm are usual.</source>
+            <translation>Höjden ({pad}) är {height_mm:g} mm; upp till {usual_mm:g} mm är vanligt.</translation>
+        </message>
+        <message>
             <source>The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up.</source>
             <translation>Elementet ({pad}) ligger till {share:.0%} på ett annat ({other_pad}), och höjderna läggs ihop.</translation>
         </message>
@@ -1220,12 +1252,20 @@
             <translation>corrections måste vara en lista; sätt korrigeringarna i [ ].</translation>
         </message>
         <message>
+            <source>cuboid raise</source>
+            <translation>kuboidstöd</translation>
+        </message>
+        <message>
             <source>cut-out</source>
             <translation>urtag</translation>
         </message>
         <message>
             <source>cutter</source>
             <translation>fräs</translation>
+        </message>
+        <message>
+            <source>dancer's pad</source>
+            <translation>dansarpelott</translation>
         </message>
         <message>
             <source>dark</source>
@@ -1260,12 +1300,40 @@
             <translation>Filnamnet</translation>
         </message>
         <message>
+            <source>filler for the 1st toe</source>
+            <translation>utfyllnad för första tån</translation>
+        </message>
+        <message>
+            <source>filler for the 2nd toe</source>
+            <translation>utfyllnad för andra tån</translation>
+        </message>
+        <message>
+            <source>filler for the 3rd toe</source>
+            <translation>utfyllnad för tredje tån</translation>
+        </message>
+        <message>
+            <source>filler for the 4th toe</source>
+            <translation>utfyllnad för fjärde tån</translation>
+        </message>
+        <message>
+            <source>filler for the 5th toe</source>
+            <translation>utfyllnad för femte tån</translation>
+        </message>
+        <message>
+            <source>flat pad</source>
+            <translation>plan pelott</translation>
+        </message>
+        <message>
             <source>foot length, rounded up to 5 mm</source>
             <translation>fotlängden, avrundad uppåt till 5 mm</translation>
         </message>
         <message>
             <source>forefoot</source>
             <translation>framfot</translation>
+        </message>
+        <message>
+            <source>forefoot filler</source>
+            <translation>framfotsutfyllnad</translation>
         </message>
         <message>
             <source>format must be "{format}"; this is no design of an insole.</source>
@@ -1314,6 +1382,10 @@
         <message>
             <source>heel width of the simulated foot (mm)</source>
             <translation>den simulerade fotens hälbredd (mm)</translation>
+        </message>
+        <message>
+            <source>heel-spur recess</source>
+            <translation>hälsporreurtag</translation>
         </message>
         <message>
             <source>highest dorsal point at half of the foot length</source>
@@ -1482,6 +1554,10 @@
         <message>
             <source>its sensor.json says that it sees the markers {faces}, but it sees "{face}"; exchange the views, or correct "faces" there</source>
             <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
+        </message>
+        <message>
+            <source>kind{where} has {count} letters, and must have 1 to {most}; shorten it, or leave it out.</source>
+            <translation>kind{where} har {count} bokstäver och måste ha 1 till {most}; korta den, eller utelämna den.</translation>
         </message>
         <message>
             <source>known to about {deviation_mm:.1f} mm only</source>
@@ -1728,8 +1804,8 @@
             <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
         </message>
         <message>
-            <source>outline_mm{where} belongs to the shape "outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
-            <translation>outline_mm{where} hör till formen ”outline” och ingen annan; rita en kontur, eller välj en annan form och utelämna den.</translation>
+            <source>outline_mm{where} belongs to the shapes "outline" and "flat_outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
+            <translation>outline_mm{where} hör till formerna ”outline” och ”flat_outline” och ingen annan; rita en kontur, eller välj en annan form och utelämna den.</translation>
         </message>
         <message>
             <source>outline_mm{where} crosses itself; draw the outline again in one round.</source>
@@ -1738,6 +1814,10 @@
         <message>
             <source>outline_mm{where} does not go round the pad's centre; put the apex into the outline.</source>
             <translation>outline_mm{where} går inte runt pelottens mitt; lägg toppen innanför konturen.</translation>
+        </message>
+        <message>
+            <source>oval pad</source>
+            <translation>oval pelott</translation>
         </message>
         <message>
             <source>pelott</source>
@@ -1804,8 +1884,56 @@
             <translation>Skälet till exporten</translation>
         </message>
         <message>
+            <source>relief at the base of the 5th metatarsal</source>
+            <translation>avlastning vid femte metatarsalbenets bas</translation>
+        </message>
+        <message>
+            <source>relief under the 1st head</source>
+            <translation>avlastning under första huvudet</translation>
+        </message>
+        <message>
+            <source>relief under the 1st toe</source>
+            <translation>avlastning under första tån</translation>
+        </message>
+        <message>
+            <source>relief under the 2nd head</source>
+            <translation>avlastning under andra huvudet</translation>
+        </message>
+        <message>
+            <source>relief under the 2nd toe</source>
+            <translation>avlastning under andra tån</translation>
+        </message>
+        <message>
+            <source>relief under the 3rd head</source>
+            <translation>avlastning under tredje huvudet</translation>
+        </message>
+        <message>
+            <source>relief under the 3rd toe</source>
+            <translation>avlastning under tredje tån</translation>
+        </message>
+        <message>
+            <source>relief under the 4th head</source>
+            <translation>avlastning under fjärde huvudet</translation>
+        </message>
+        <message>
+            <source>relief under the 4th toe</source>
+            <translation>avlastning under fjärde tån</translation>
+        </message>
+        <message>
+            <source>relief under the 5th head</source>
+            <translation>avlastning under femte huvudet</translation>
+        </message>
+        <message>
+            <source>relief under the 5th toe</source>
+            <translation>avlastning under femte tån</translation>
+        </message>
+        <message>
             <source>resolution of the foot's surface (mm)</source>
             <translation>upplösningen på fotens yta (mm)</translation>
+        </message>
+        <message>
+            <source>reverse Morton's extension</source>
+            <translation>omvänd Mortons förlängning</translation>
         </message>
         <message>
             <source>right</source>

@@ -52,6 +52,10 @@
             <translation>5:e huvudet</translation>
         </message>
         <message>
+            <source>5th-ray cut-out</source>
+            <translation>Urtag femte strålen</translation>
+        </message>
+        <message>
             <source>&gt; 0 raises the medial edge of the forefoot (varus), &lt; 0 the lateral one</source>
             <translation>&gt; 0 höjer framfotens mediala kant (varus), &lt; 0 den laterala</translation>
         </message>
@@ -128,6 +132,10 @@
             <translation>Använd mall…</translation>
         </message>
         <message>
+            <source>Arch and midfoot</source>
+            <translation>Fotvalv och mellanfot</translation>
+        </message>
+        <message>
             <source>Arch apex</source>
             <translation>Valvets topp</translation>
         </message>
@@ -150,6 +158,10 @@
         <message>
             <source>Arch support</source>
             <translation>Valvstöd</translation>
+        </message>
+        <message>
+            <source>Arch to a height</source>
+            <translation>Fotvalv till en höjd</translation>
         </message>
         <message>
             <source>As the size tells</source>
@@ -348,6 +360,10 @@
             <translation>Överdrag</translation>
         </message>
         <message>
+            <source>Cuboid raise</source>
+            <translation>Kuboidstöd</translation>
+        </message>
+        <message>
             <source>Cut the insole and measure its thickness</source>
             <translation>Snitta inlägget och mät dess tjocklek</translation>
         </message>
@@ -358,6 +374,10 @@
         <message>
             <source>Cut-out</source>
             <translation>Urtag</translation>
+        </message>
+        <message>
+            <source>Dancer's pad</source>
+            <translation>Dansarpelott</translation>
         </message>
         <message>
             <source>Dark theme</source>
@@ -410,6 +430,10 @@
         <message>
             <source>Dorsal</source>
             <translation>Dorsalt</translation>
+        </message>
+        <message>
+            <source>Drag a handle to change the arch, drag beside it to turn the view</source>
+            <translation>Dra i ett handtag för att ändra fotvalvet, dra bredvid för att vrida vyn</translation>
         </message>
         <message>
             <source>Drag a handle to change the pelott, drag beside it to turn the view</source>
@@ -588,12 +612,36 @@
             <translation>Extern vrider hela inlägget, intern lämnar dess kant som den är</translation>
         </message>
         <message>
+            <source>Filler, 1st toe</source>
+            <translation>Utfyllnad, första tån</translation>
+        </message>
+        <message>
+            <source>Filler, 2nd toe</source>
+            <translation>Utfyllnad, andra tån</translation>
+        </message>
+        <message>
+            <source>Filler, 3rd toe</source>
+            <translation>Utfyllnad, tredje tån</translation>
+        </message>
+        <message>
+            <source>Filler, 4th toe</source>
+            <translation>Utfyllnad, fjärde tån</translation>
+        </message>
+        <message>
+            <source>Filler, 5th toe</source>
+            <translation>Utfyllnad, femte tån</translation>
+        </message>
+        <message>
             <source>Find landmarks anew</source>
             <translation>Sök landmärken på nytt</translation>
         </message>
         <message>
             <source>Find the landmarks anew</source>
             <translation>Sök landmärkena på nytt</translation>
+        </message>
+        <message>
+            <source>Finished height</source>
+            <translation>Färdig höjd</translation>
         </message>
         <message>
             <source>Fit map</source>
@@ -610,6 +658,10 @@
         <message>
             <source>Flat on the ground, or following the foot at an even thickness</source>
             <translation>Plan mot underlaget, eller följer foten med jämn tjocklek</translation>
+        </message>
+        <message>
+            <source>Flat pad</source>
+            <translation>Plan pelott</translation>
         </message>
         <message>
             <source>Following</source>
@@ -638,6 +690,10 @@
         <message>
             <source>Forefoot angle</source>
             <translation>Framfotsvinkel</translation>
+        </message>
+        <message>
+            <source>Forefoot filler</source>
+            <translation>Framfotsutfyllnad</translation>
         </message>
         <message>
             <source>Forefoot from</source>
@@ -732,6 +788,10 @@
             <translation>Hälbredd</translation>
         </message>
         <message>
+            <source>Heel-spur recess</source>
+            <translation>Hälsporreurtag</translation>
+        </message>
+        <message>
             <source>Height</source>
             <translation>Höjd</translation>
         </message>
@@ -742,6 +802,10 @@
         <message>
             <source>Height map</source>
             <translation>Höjdkarta</translation>
+        </message>
+        <message>
+            <source>Height of the finished arch over the underside of the insole</source>
+            <translation>Det färdiga fotvalvets höjd över inläggets undersida</translation>
         </message>
         <message>
             <source>Height of the rim over the lowest place of the heel</source>
@@ -1120,6 +1184,10 @@
             <translation>Kontur</translation>
         </message>
         <message>
+            <source>Oval pad</source>
+            <translation>Oval pelott</translation>
+        </message>
+        <message>
             <source>Parameters</source>
             <translation>Parametrar</translation>
         </message>
@@ -1166,6 +1234,10 @@
         <message>
             <source>Prescribe on this scan what an earlier case prescribes</source>
             <translation>Ordinera på denna skanning det som ett tidigare fall ordinerar</translation>
+        </message>
+        <message>
+            <source>Prescribe the height of the finished arch and its place</source>
+            <translation>Ordinera det färdiga fotvalvets höjd och plats</translation>
         </message>
         <message>
             <source>Prescribe what a template holds; one of the other side is mirrored</source>
@@ -1260,6 +1332,58 @@
             <translation>Referensplan</translation>
         </message>
         <message>
+            <source>Relief under a head</source>
+            <translation>Avlastning under ett huvud</translation>
+        </message>
+        <message>
+            <source>Relief under a toe</source>
+            <translation>Avlastning under en tå</translation>
+        </message>
+        <message>
+            <source>Relief, 1st head</source>
+            <translation>Avlastning, första huvudet</translation>
+        </message>
+        <message>
+            <source>Relief, 1st toe</source>
+            <translation>Avlastning, första tån</translation>
+        </message>
+        <message>
+            <source>Relief, 2nd head</source>
+            <translation>Avlastning, andra huvudet</translation>
+        </message>
+        <message>
+            <source>Relief, 2nd toe</source>
+            <translation>Avlastning, andra tån</translation>
+        </message>
+        <message>
+            <source>Relief, 3rd head</source>
+            <translation>Avlastning, tredje huvudet</translation>
+        </message>
+        <message>
+            <source>Relief, 3rd toe</source>
+            <translation>Avlastning, tredje tån</translation>
+        </message>
+        <message>
+            <source>Relief, 4th head</source>
+            <translation>Avlastning, fjärde huvudet</translation>
+        </message>
+        <message>
+            <source>Relief, 4th toe</source>
+            <translation>Avlastning, fjärde tån</translation>
+        </message>
+        <message>
+            <source>Relief, 5th head</source>
+            <translation>Avlastning, femte huvudet</translation>
+        </message>
+        <message>
+            <source>Relief, 5th toe</source>
+            <translation>Avlastning, femte tån</translation>
+        </message>
+        <message>
+            <source>Relief, base of the 5th metatarsal</source>
+            <translation>Avlastning, femte metatarsalbenets bas</translation>
+        </message>
+        <message>
             <source>Remove</source>
             <translation>Ta bort</translation>
         </message>
@@ -1286,6 +1410,10 @@
         <message>
             <source>Replace the file</source>
             <translation>Ersätt filen</translation>
+        </message>
+        <message>
+            <source>Reverse Morton's extension</source>
+            <translation>Omvänd Mortons förlängning</translation>
         </message>
         <message>
             <source>Right foot</source>
@@ -1644,6 +1772,10 @@
             <translation>Tåände upp</translation>
         </message>
         <message>
+            <source>Toe filler</source>
+            <translation>Tåutfyllnad</translation>
+        </message>
+        <message>
             <source>Toes</source>
             <translation>Tår</translation>
         </message>
@@ -1806,6 +1938,10 @@
         <message>
             <source>right</source>
             <translation>höger</translation>
+        </message>
+        <message>
+            <source>to {height} mm</source>
+            <translation>till {height} mm</translation>
         </message>
         <message>
             <source>valg.</source>

@@ -14,12 +14,14 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.clinic_rules import (
     behind_heads_mm,
     design_warnings,
     load_rules,
 )
 from insole_core.insole.prescription.design import (
+    ArchRaise,
     BrushStroke,
     HeelCup,
     HeelLift,
@@ -38,6 +40,8 @@ from insole_core.insole.prescription.template import (
     template_to_json,
     write_template,
 )
+from insole_core.resources import resource_path
+from insole_core.workflows.pad_library import load_pads
 
 RULES = load_rules()
 EGG = Pelott(centre_mm=(0.0, 140.0))
@@ -87,13 +91,13 @@ def test_distance_to_the_heads_is_shown_and_snapped_to(left_foot):
     pad = snapped(left_foot, EGG, 8.0)
     assert behind_heads_mm(pad, find_landmarks(left_foot)) == pytest.approx(8.0, abs=0.5)
     ahead = replace(pad, centre_mm=(pad.centre_mm[0], pad.centre_mm[1] + 20))
-    assert any("mm before the line" in w for w in warnings(left_foot, ahead))
+    assert any("mm ahead of the line" in w for w in warnings(left_foot, ahead))
 
 
 @pytest.mark.parametrize(
     ("behind_mm", "said"),
     [
-        (5.6, "lies 5.6 mm behind the line of the heads 2 to 4; 6 to 11 mm"),
+        (5.6, "lies 5.6 mm behind the line of the heads 2 to 4; the clinic's rule is 6 to 11 mm"),
         (5.97, ""),
         (11.03, ""),
         (11.4, "lies 11.4 mm behind"),
@@ -265,3 +269,88 @@ def test_template_is_a_value(left_foot):
     template = make_template("t", PRESCRIBED, find_landmarks(left_foot))
     assert isinstance(hash(template), int)
     assert isinstance(template, Template)
+
+
+def metatarsal_pad(foot, **keys) -> Pelott:
+    return snapped(foot, replace(EGG, **keys), RULES.pelott_usual_behind_heads_mm)
+
+
+@pytest.mark.parametrize(("height_mm", "warned"), [(4.0, False), (6.0, False), (6.1, True)])
+def test_a_metatarsal_pad_above_6_mm_is_warned_of(left_foot, height_mm, warned):
+    found = warnings(left_foot, metatarsal_pad(left_foot, height_mm=height_mm))
+    assert found == (["The pelott is 6.1 mm high; up to 6 mm are usual."] if warned else [])
+
+
+def test_the_place_of_a_pad_may_be_ahead_of_the_heads_by_the_clinics_rule(left_foot, tmp_path):
+    content = json.loads(resource_path("rules/rules.json").read_text(encoding="utf-8"))
+    content["rules"]["pelott_least_behind_heads_mm"] = -8
+    content["rules"]["pelott_greatest_behind_heads_mm"] = -2
+    path = tmp_path / "rules.json"
+    path.write_text(json.dumps(content), encoding="utf-8")
+    rules = load_rules(path)
+    pad = snapped(left_foot, EGG, -5.0)
+    insole = build_insole(left_foot, InsoleDesign(Side.LEFT, (pad,)))
+    assert design_warnings(insole, find_landmarks(left_foot), rules) == ()
+    assert "mm ahead of the line" in warnings(left_foot, pad)[0]
+
+
+def element(foot, kind: str, **keys) -> Pelott:
+    (pad,) = (pad for pad in load_pads() if pad.kind == kind)
+    template = replace(pad.template, id=kind, **keys)
+    return placed_pad(template, pad.place, foot.side, find_landmarks(foot), 8.0)
+
+
+@pytest.mark.parametrize("side", ["left_foot", "right_foot"])
+@pytest.mark.parametrize("kind", ["reverse_mortons_extension", "dancers_pad"])
+def test_a_pad_that_comes_under_the_1st_head_is_warned_of(request, side, kind):
+    foot = request.getfixturevalue(side)
+    pad = element(foot, kind)
+    assert warnings(foot, pad) == []
+    x, y = pad.centre_mm
+    under = replace(pad, centre_mm=(x + 20 * foot.side.medial_sign, y))
+    (found,) = (w for w in warnings(foot, under) if "1st head" in w)
+    assert "comes within 0 mm of the 1st head, which it leaves free" in found
+
+
+def test_a_recess_deeper_than_usual_is_warned_of(left_foot):
+    deep, usual = (element(left_foot, "relief_head_3", height_mm=-d) for d in (10.4, 10.0))
+    assert not [w for w in warnings(left_foot, usual, thickness_mm=14) if "deep" in w]
+    (found,) = (w for w in warnings(left_foot, deep, thickness_mm=14) if "deep" in w)
+    assert found == "The relief under the 3rd head is 10.4 mm deep; up to 10 mm are usual."
+
+
+def test_a_recess_through_the_bottom_is_refused(left_foot):
+    with pytest.raises(DesignError, match=r"would be only .* mm thick"):
+        warnings(left_foot, element(left_foot, "relief_head_3", height_mm=-5.0))
+
+
+def test_a_filler_lies_beside_the_foot_without_a_warning(left_foot):
+    assert warnings(left_foot, element(left_foot, "forefoot_filler")) == []
+    (found,) = warnings(left_foot, replace(element(left_foot, "forefoot_filler"), kind=None))
+    assert "lie below the foot" in found
+
+
+APEX = (18.0, 118.0)
+
+
+def of_arch(foot, *corrections) -> list[str]:
+    return [warning for warning in warnings(foot, *corrections) if "arch" in warning]
+
+
+@pytest.mark.parametrize(("target_mm", "said"), [
+    (30.0, ""), (5.0, "mm high where 5 mm are prescribed, and an arch raise lowers nothing"),
+])  # fmt: skip
+def test_a_target_below_the_arch_is_warned_of(left_foot, target_mm, said):
+    found = of_arch(left_foot, ArchRaise(target_mm=target_mm, apex_mm=APEX))
+    assert [said in warning for warning in found] == ([True] if said else [])
+
+
+def test_a_recess_that_takes_the_arch_away_is_warned_of(left_foot):
+    recess = Pelott(centre_mm=APEX, shape="cut_out", length_mm=20, width_mm=20, height_mm=-3)
+    (found,) = of_arch(left_foot, ArchRaise(target_mm=30.0, apex_mm=APEX), recess)
+    assert found.startswith("The arch is only 27 mm high where 30 mm are prescribed")
+
+
+def test_an_arch_raised_beside_the_insole_is_warned_of(left_foot):
+    (found,) = of_arch(left_foot, ArchRaise(target_mm=30.0, apex_mm=(300.0, 118.0)))
+    assert found == "The arch is to be raised beside the insole; move its place inwards."

@@ -15,8 +15,10 @@ from hypothesis import strategies as st
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
+from insole_core.insole.pads.pad_shapes import FREE
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
+    ArchRaise,
     BaseForm,
     BrushStroke,
     Finish,
@@ -73,7 +75,7 @@ def place(limits: Range) -> st.SearchStrategy[tuple[float, float]]:
     return st.tuples(within(limits), within(limits))
 
 
-def correction(kind: type, **extra: Any) -> st.SearchStrategy[Any]:
+def correction(kind: type, /, **extra: Any) -> st.SearchStrategy[Any]:
     ranges = CORRECTION_RANGES[kind]
     numbers = {k: within(r) for k, r in ranges.items() if k not in extra}
     words = {k: st.sampled_from(v) for k, v in CHOICES.get(kind, {}).items() if k not in extra}
@@ -87,7 +89,8 @@ PELOTT = CORRECTION_RANGES[Pelott]
 SQUARE = ((-10.0, -10.0), (10.0, -10.0), (10.0, 12.0), (-10.0, 10.0))
 PADS = correction(
     Pelott,
-    shape=st.sampled_from([s for s in CHOICES[Pelott]["shape"] if s != "outline"]),
+    shape=st.sampled_from([s for s in CHOICES[Pelott]["shape"] if s not in FREE]),
+    kind=st.none() | st.text(min_size=1, max_size=60),
     outline_mm=st.none(),
     centre_mm=place(PELOTT["centre_mm"]),
     sigma_mm=st.none() | place(PELOTT["sigma_mm"]),
@@ -95,7 +98,7 @@ PADS = correction(
 )
 FREE_PADS = correction(
     Pelott,
-    shape=st.just("outline"),
+    shape=st.sampled_from(FREE),
     outline_mm=st.just(SQUARE),
     centre_mm=place(PELOTT["centre_mm"]),
     sigma_mm=st.none(),
@@ -112,7 +115,12 @@ OTHERS = [
     correction(
         kind,
         **(
-            {"apex_mm": st.none() | place(PELOTT["centre_mm"])} if kind.type == "arch_raise" else {}
+            {
+                "apex_mm": st.none() | place(PELOTT["centre_mm"]),
+                "target_mm": st.none() | within(CORRECTION_RANGES[ArchRaise]["target_mm"]),
+            }
+            if kind is ArchRaise
+            else {}
         ),
     )
     for kind in CORRECTION_TYPES.values()
@@ -292,6 +300,15 @@ BAD = [
     (changed("corrections", 0, "egg_ratio", value=1.5), "egg_ratio.*0 to 1;"),
     (changed("corrections", 0, "enabled", value=1), "enabled.*true or false"),
     (changed("corrections", 0, "author", value=1), "author.*must be a text"),
+    (changed("corrections", 0, "kind", value=3), "kind.*must be a text"),
+    (changed("corrections", 0, "kind", value=""), "kind.*has 0 letters, and must have 1 to 60"),
+    (changed("corrections", 0, "kind", value="a" * 61), "kind.*has 61 letters"),
+    (changed("corrections", 0, "shape", value="flat_outline"), "outline_mm.*belongs"),
+    (changed("corrections", 0, "target_mm", value=30), "target_mm.*does not know"),
+    (
+        changed("corrections", 1, value={"type": "arch_raise", "target_mm": 61}),
+        "target_mm.*is 61, and must be 0 to 60 mm",
+    ),
     (
         changed("corrections", 1, "rearfoot_deg", value=-16),
         r"rearfoot_deg of corrections\[1\] \(posting\) is -16, and must be -15 to 15 degrees",
@@ -320,6 +337,20 @@ def test_reader_and_schema_refuse_the_same(content, reason):
     with pytest.raises(DesignError, match=reason):
         design_from_json(content)
     assert not VALIDATOR.is_valid(content)
+
+
+def test_a_file_without_the_newer_keys_keeps_its_meaning():
+    pad, arch = design_from_json(
+        changed("corrections", value=[
+            {"type": "pelott", "centre_mm": [1, 2]}, {"type": "arch_raise", "height_mm": 5},
+        ])
+    ).corrections  # fmt: skip
+    assert isinstance(pad, Pelott)
+    assert (pad.height_mm, pad.kind) == (6.0, None)
+    assert isinstance(arch, ArchRaise)
+    assert (arch.height_mm, arch.target_mm) == (5.0, None)
+    stored = design_to_json(InsoleDesign(Side.LEFT, (pad, arch)))["corrections"]
+    assert all({"kind", "target_mm"}.isdisjoint(correction) for correction in stored)
 
 
 def test_ids_must_differ():

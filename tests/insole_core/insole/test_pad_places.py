@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -18,6 +20,7 @@ from insole_core.insole.prescription.mirroring import mirrored_correction
 from insole_core.insole.prescription.pronation import proposed_post_deg
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
+from insole_core.workflows.pad_library import LibraryPad, load_pads
 
 NOWHERE = (0.0, 0.0)
 PADS = {
@@ -84,18 +87,27 @@ def test_mortons_extension_reaches_from_behind_the_head_below_the_toe(
     assert put.centre_mm[0] * foot.side.medial_sign > 0
 
 
-@pytest.mark.parametrize("place", PLACES)
-def test_pads_of_a_mirrored_foot_are_mirrored(foot: Foot, landmarks: Landmarks, place: str) -> None:
+def mirror(landmarks: Landmarks) -> Landmarks:
     flip = np.array([-1.0, 1.0, 1.0])
-    other = {
-        name: type(mark)(mark.point * flip, mark.confidence) for name, mark in landmarks.items()
-    }
-    here = laid(foot, landmarks, place)
-    there = placed_pad(PADS[place], place, foot.side.other, other, 8.0)
+    return {name: replace(mark, point=mark.point * flip) for name, mark in landmarks.items()}
+
+
+@pytest.mark.parametrize("pad", load_pads(), ids=lambda pad: pad.kind + pad.size)
+def test_pads_of_a_mirrored_foot_are_mirrored(
+    foot: Foot, landmarks: Landmarks, pad: LibraryPad
+) -> None:
+    here = placed_pad(pad.template, pad.place, foot.side, landmarks, 8.0)
+    there = placed_pad(pad.template, pad.place, foot.side.other, mirror(landmarks), 8.0)
     mirrored = mirrored_correction(here)
     assert isinstance(mirrored, Pelott)
-    assert there.centre_mm == pytest.approx(mirrored.centre_mm, abs=0.02)
+    assert there.centre_mm == pytest.approx(mirrored.centre_mm, abs=1e-9)
     assert (there.turn_deg - mirrored.turn_deg) % 360 == pytest.approx(0, abs=1e-6)
+    assert (there.length_mm, there.width_mm) == (mirrored.length_mm, mirrored.width_mm)
+    assert there.outline_mm == mirrored.outline_mm
+
+
+def test_every_place_is_used_by_the_library() -> None:
+    assert {pad.place for pad in load_pads()} == set(PLACES)
 
 
 @pytest.mark.parametrize(("eversion", "post"), [

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
-from insole_core.insole.pads.pad_shapes import PAD_SHAPES
+from insole_core.insole.pads.pad_shapes import FREE, PAD_SHAPES
 from insole_core.insole.prescription.design import Pelott
 from insole_core.insole.prescription.mirroring import mirrored_correction
 
@@ -111,7 +111,7 @@ LEAF = ((-14.0, -22.0), (10.0, -25.0), (16.0, 0.0), (9.0, 24.0), (-8.0, 20.0), (
 
 def pad_of(shape: str, **changes) -> Pelott:
     size = {"length_mm": 60.0, "width_mm": 46.0, "height_mm": 5.0, "turn_deg": 25.0}
-    corners = LEAF if shape == "outline" else None
+    corners = LEAF if shape in FREE else None
     return Pelott(centre_mm=(12.3, 150.4), shape=shape, outline_mm=corners, **{**size, **changes})
 
 

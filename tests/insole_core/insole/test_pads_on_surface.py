@@ -8,13 +8,21 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import ArchRaise, BrushStroke, InsoleDesign, Pelott
+from insole_core.insole.prescription.design import (
+    ArchRaise,
+    BrushStroke,
+    HeelLift,
+    InsoleDesign,
+    Pelott,
+    Posting,
+)
 from insole_core.insole.surface.contact import contact_base
 from insole_core.insole.surface.pads_on_surface import apply_pads, moved_pad
 
 PAD = Pelott(centre_mm=(5.0, 150.0))
 OTHER = Pelott(centre_mm=(-12.0, 140.0), shape="bar", length_mm=30, width_mm=30, height_mm=2)
 PUSH = BrushStroke(points_mm=((0.0, 40.0), (10.0, 80.0)), radius_mm=12, strength=1.5)
+ARCH = ArchRaise(target_mm=30.0, apex_mm=(20.0, 100.0))
 SMOOTH = BrushStroke(mode="smooth", points_mm=((0.0, 130.0), (9.0, 165.0)), strength=0.7)
 PLAIN = InsoleDesign(Side.LEFT)
 
@@ -34,15 +42,26 @@ def all_normals(field):
         (lambda d: d.with_changed(replace(PAD, height_mm=2.0, turn_deg=40.0)), 70),
         (lambda d: d.with_changed(replace(PAD, enabled=False)), 70),
         (lambda d: d.with_removed(PAD.id), 70),
+        (lambda d: d.with_changed(replace(ARCH, target_mm=36.0)), 110),
         (lambda d: d.with_changed(replace(PUSH, strength=-1.0, mode="pull")), 80),
         (lambda d: d.with_added(Pelott(centre_mm=(-5.0, 60.0), shape="cut_out", height_mm=-1)), 80),
         (lambda d: d.with_changed(replace(PAD, centre_mm=(900.0, 900.0))), 120),
         (lambda d: replace(d, corrections=d.corrections[::-1]), 400),
     ],
-    ids=["move", "reshape", "switch off", "remove", "stroke", "add", "off the foot", "reorder"],
+    ids=[
+        "move",
+        "reshape",
+        "switch off",
+        "remove",
+        "arch",
+        "stroke",
+        "add",
+        "off the foot",
+        "reorder",
+    ],
 )
 def test_update_is_what_a_rebuild_gives_to_the_bit(left_foot, change, reach):
-    old = replace(PLAIN, corrections=(OTHER, PAD, PUSH, SMOOTH, ArchRaise(height_mm=2)))
+    old = replace(PLAIN, corrections=(OTHER, PAD, PUSH, SMOOTH, ArchRaise(height_mm=2), ARCH))
     new = change(old)
     base = contact_base(left_foot, old)
     update = moved_pad(base, apply_pads(base, old), old, new)
@@ -114,6 +133,42 @@ def test_arch_raise_stands_where_it_was_put_or_on_the_foots_own_apex(left_foot):
     assert put.height_at(np.array([20.0, 90.0])) == pytest.approx(
         plain.height_at(np.array([20.0, 90.0])) + 4, abs=0.01
     )
+
+
+@pytest.mark.parametrize("corrections", [(), (HeelLift(height_mm=5),), (Posting(rearfoot_deg=6),)])
+def test_an_arch_reaches_its_target_whatever_is_below_it(left_foot, corrections):
+    apex = (18.0, 118.0)  # a node
+    arch = ArchRaise(target_mm=31.0, height_mm=9.0, apex_mm=apex)
+    design = replace(PLAIN, corrections=(*corrections, arch))
+    base = contact_base(left_foot, design)
+    raised = apply_pads(base, design)
+    assert float(raised.height_at(np.array(apex))) == pytest.approx(31.0, abs=1e-9)
+    change = raised.heights_mm - base.surface.heights_mm
+    x, y = np.meshgrid(raised.x_mm, raised.y_mm)
+    share = np.hypot((x - apex[0]) / 25.0, (y - apex[1]) / 50.0)
+    assert np.all(change[share > 1.01] == 0)
+    assert np.all(change[share < 0.9] > 0)
+
+
+def test_an_arch_above_its_target_stays_as_it_is(left_foot):
+    design = PLAIN.with_added(ArchRaise(target_mm=4.0))
+    base = contact_base(left_foot, design)
+    assert np.array_equal(apply_pads(base, design).heights_mm, base.surface.heights_mm)
+
+
+def test_an_arch_with_a_target_beside_the_grid_changes_nothing(left_foot):
+    design = PLAIN.with_added(ArchRaise(target_mm=40.0, apex_mm=(399.0, 118.0)))
+    base = contact_base(left_foot, design)
+    assert np.array_equal(apply_pads(base, design).heights_mm, base.surface.heights_mm)
+
+
+@pytest.mark.parametrize("side", ["left_foot", "right_foot"])
+def test_without_a_place_the_foots_own_arch_reaches_the_target(request, side):
+    foot = request.getfixturevalue(side)
+    design = InsoleDesign(foot.side, (ArchRaise(target_mm=32.0),))
+    apex = np.array(contact_base(foot, design).arch_apex_mm)
+    assert apex[0] * foot.side.medial_sign > 8
+    assert surface(foot, design).height_at(apex) == pytest.approx(32.0, abs=0.05)
 
 
 def test_normals_of_a_window_are_those_of_the_whole(left_foot):

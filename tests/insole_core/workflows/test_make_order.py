@@ -19,7 +19,7 @@ from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import ArchRaise, InsoleDesign, Pelott, Posting
 from insole_core.insole.prescription.prescription_lines import correction_lines, plain_number
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob
@@ -297,6 +297,19 @@ def test_a_prescription_prints_no_needless_digits() -> None:
     assert "centre 12.3, 0 mm" in line
     assert "turn 0°" in line
     assert "egg ratio 0.33" in line
+
+
+def test_a_prescription_names_an_element_and_the_height_of_an_arch() -> None:
+    relief = Pelott(
+        centre_mm=(-9, 186), shape="cut_out", kind="relief_head_3", length_mm=22, width_mm=20,
+        height_mm=-2,
+    )  # fmt: skip
+    own = replace(relief, id="own", kind="felt_pad")
+    arch = ArchRaise(target_mm=28.0, apex_mm=(16.0, 120.0))
+    lines = correction_lines(InsoleDesign(Side.LEFT, (relief, own, arch)))
+    assert lines[0].startswith("Relief under the 3rd head: shape cut out; centre -9, 186 mm;")
+    assert lines[1].startswith("Felt pad: shape cut out;")
+    assert lines[2] == ("Arch raise: target 28 mm; apex 16, 120 mm; length 100 mm; width 50 mm")
 
 
 def test_a_prescription_says_which_edge_is_raised_and_where() -> None:

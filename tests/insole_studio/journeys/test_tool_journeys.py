@@ -15,16 +15,19 @@ from round_foot import round_foot
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
-from insole_studio.features.design.tools.metatarsal_line import USUAL_MM, clearance
+from insole_studio.features.design.tools.metatarsal_line import clearance
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tour import Tour
+
+USUAL_MM = load_rules().pelott_usual_behind_heads_mm
 
 
 def ring(view: SceneView, centre: tuple[float, float], radius_mm: float) -> list[QPoint]:

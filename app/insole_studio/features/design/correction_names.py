@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from insole_core.insole.pads.pad_places import SIZED_BY_FOOT
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
@@ -27,6 +28,8 @@ PAD_NAMES: dict[str, Callable[[], str]] = {
     "horseshoe": lambda: tr("Horseshoe"),
     "cut_out": lambda: tr("Cut-out"),
     "mortons_extension": lambda: tr("Morton's extension"),
+    "oval": lambda: tr("Oval pad"),
+    "flat_outline": lambda: tr("Flat pad"),
 }
 _NAMES: dict[type[Correction], Callable[[], str]] = {
     Posting: lambda: tr("Posting"),
@@ -65,10 +68,31 @@ _OWN_WORDS: dict[tuple[str, str], Callable[[], str]] = {
 """Those of values that mean something else, or nothing, for another choice, by its name."""
 
 KIND_NAMES: dict[str, Callable[[], str]] = {
-    "pelott": PAD_NAMES["egg"],
+    "reverse_mortons_extension": lambda: tr("Reverse Morton's extension"),
+    "dancers_pad": lambda: tr("Dancer's pad"),
     "first_ray_cut_out": lambda: tr("1st-ray cut-out"),
-    **PAD_NAMES,
+    "fifth_ray_cut_out": lambda: tr("5th-ray cut-out"),
+    "relief_head_1": lambda: tr("Relief, 1st head"),
+    "relief_head_2": lambda: tr("Relief, 2nd head"),
+    "relief_head_3": lambda: tr("Relief, 3rd head"),
+    "relief_head_4": lambda: tr("Relief, 4th head"),
+    "relief_head_5": lambda: tr("Relief, 5th head"),
+    "relief_base_5": lambda: tr("Relief, base of the 5th metatarsal"),
+    "cuboid_raise": lambda: tr("Cuboid raise"),
+    "heel_spur_recess": lambda: tr("Heel-spur recess"),
+    "relief_toe_1": lambda: tr("Relief, 1st toe"),
+    "relief_toe_2": lambda: tr("Relief, 2nd toe"),
+    "relief_toe_3": lambda: tr("Relief, 3rd toe"),
+    "relief_toe_4": lambda: tr("Relief, 4th toe"),
+    "relief_toe_5": lambda: tr("Relief, 5th toe"),
+    "toe_filler_1": lambda: tr("Filler, 1st toe"),
+    "toe_filler_2": lambda: tr("Filler, 2nd toe"),
+    "toe_filler_3": lambda: tr("Filler, 3rd toe"),
+    "toe_filler_4": lambda: tr("Filler, 4th toe"),
+    "toe_filler_5": lambda: tr("Filler, 5th toe"),
+    "forefoot_filler": lambda: tr("Forefoot filler"),
 }
+"""Translated names of the kinds of pads that their shape does not name."""
 
 
 def word_of(choice: str, word: str) -> str:
@@ -77,16 +101,25 @@ def word_of(choice: str, word: str) -> str:
 
 
 def pad_text(pad: LibraryPad) -> str:
-    """Return the name of a library pad with its size."""
-    name = KIND_NAMES[pad.kind]() if pad.kind in KIND_NAMES else pad.kind
-    return f"{name} {pad.size}   {_size(pad.template)}"
+    """Return the name of a library pad with its size; of one sized by the foot only its height."""
+    of_foot = pad.place in SIZED_BY_FOOT
+    size = f"{_plain(pad.template.height_mm)} mm" if of_foot else _size(pad.template)
+    name = " ".join(word for word in (name_of(pad.template), pad.size) if word)
+    return f"{name}   {size}"
 
 
 def name_of(correction: Correction) -> str:
     """Return the name of a correction's kind."""
     if isinstance(correction, Pelott):
-        return PAD_NAMES[correction.shape]()
+        return _pad_name(correction)
     return _NAMES[type(correction)]()
+
+
+def _pad_name(pad: Pelott) -> str:
+    """Return the name of a pad; a kind of the clinic's own is named as it is written."""
+    if pad.kind is None:
+        return PAD_NAMES[pad.shape]()
+    return KIND_NAMES[pad.kind]() if pad.kind in KIND_NAMES else pad.kind.replace("_", " ")
 
 
 def describe(correction: Correction) -> str:
@@ -108,6 +141,13 @@ def _numbers(correction: Correction) -> str:
         return WORDS[correction.mode]().lower()
     if isinstance(correction, HeelSkive):
         return f"{WORDS[correction.border]().lower()} {_plain(correction.depth_mm)} mm"
+    return _rise(correction)
+
+
+def _rise(correction: ArchRaise | HeelCup | HeelLift) -> str:
+    """Write what a correction adds; of an arch with a target, the height that it reaches."""
+    if isinstance(correction, ArchRaise) and correction.target_mm is not None:
+        return tr("to {height} mm").format(height=_plain(correction.target_mm))
     height = correction.depth_mm if isinstance(correction, HeelCup) else correction.height_mm
     return f"{_plain(height)} mm"
 

@@ -59,15 +59,17 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
     """
     section, preview = SectionModel(), InsolePreview(case, jobs)
     rim = RimModel(case, preview)
+    pads, rules = load_pads(), load_rules()
+    tools = make_tools(section, rim, pads, rules)
     return DesignStage(
         case=case,
         surface=preview,
         section=section,
         rim=rim,
         counterpart=SideBySide(case, jobs, preview.builder),
-        tool_controller=ToolController(case, make_tools(section, rim)),
-        pads=load_pads(),
-        rules=load_rules(),
+        tool_controller=ToolController(case, tools),
+        pads=pads,
+        rules=rules,
         dark=dark,
     )
 

@@ -4,11 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import (
+    QMargins,
+    QModelIndex,
+    QPersistentModelIndex,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    Signal,
+)
 from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QTableWidget,
     QTableWidgetItem,
     QWidget,
@@ -20,6 +30,7 @@ from insole_studio.view_names import view_text
 
 _NAME = Qt.ItemDataRole.UserRole
 _CHIP_PX = 12
+_TICK_PX = 8
 _ROW_PX = 26
 _MOST_LINES = 5
 
@@ -48,6 +59,7 @@ class ViewTable(QTableWidget):
         self.setShowGrid(False)
         # An empty box would be invisible in the dark theme.
         self.setStyleSheet("QTableView::indicator:unchecked { border: 1px solid palette(text); }")
+        self.setItemDelegateForColumn(0, _TickedDelegate(self))
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(len(columns) - 1, QHeaderView.ResizeMode.Stretch)
@@ -90,6 +102,16 @@ class ViewTable(QTableWidget):
         if item.column() == 0:
             on = item.checkState() is Qt.CheckState.Checked
             self.view_switched.emit(item.data(_NAME), on)
+
+
+class _TickedDelegate(QStyledItemDelegate):
+    """Makes room for a tick of the theme, which Qt takes for one of the usual size."""
+
+    def sizeHint(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> QSize:
+        """Return a size that cuts no name off."""
+        return super().sizeHint(option, index).grownBy(QMargins(0, 0, _TICK_PX, 0))
 
 
 def _columns() -> tuple[tuple[str, str, Callable[[ViewRow], str]], ...]:
@@ -142,7 +164,7 @@ def _remark(row: ViewRow) -> str:
 
 
 def _number(value: float | None, decimals: int) -> str:
-    return "–" if value is None else f"{value:.{decimals}f}"
+    return "–" if value is None else localised(value, f".{decimals}f")
 
 
 def _chip(color: tuple[int, int, int]) -> QIcon:

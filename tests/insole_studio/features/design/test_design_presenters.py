@@ -97,7 +97,7 @@ def case() -> Case:
 
 @pytest.fixture
 def tool_controller(case: Case, section: SectionModel) -> ToolController:
-    return ToolController(case, make_tools(section))
+    return ToolController(case, make_tools(section, load_pads(), load_rules()))
 
 
 @pytest.fixture
@@ -295,7 +295,7 @@ class TestParameters:
         assert case.record.design is not None
         (pad,) = case.record.design.corrections
         assert isinstance(pad, Pelott)
-        assert (pad.length_mm, pad.width_mm, pad.height_mm) == (70, 50, 8)
+        assert (pad.length_mm, pad.width_mm, pad.height_mm) == (70, 50, 4)
 
     def test_the_pelott_tool_shows_and_takes_the_next_size(
         self,

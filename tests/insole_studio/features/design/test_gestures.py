@@ -11,7 +11,9 @@ import pytest
 from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane, ScanSource
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.all_tools import make_tools
@@ -65,7 +67,7 @@ def case(make_foot: Any) -> Case:
 
 @pytest.fixture
 def tool_controller(case: Case, section: SectionModel) -> ToolController:
-    return ToolController(case, make_tools(section))
+    return ToolController(case, make_tools(section, load_pads(), load_rules()))
 
 
 @pytest.fixture
@@ -141,7 +143,7 @@ def test_escape_restores(case: Case, tool_controller: ToolController, tool: str)
     [
         ("width", (20.0, 150.0), (25.0, 150.0), "width_mm", 50.0),
         ("turn", (0.0, 190.0), (-40.0, 190.0), "turn_deg", 45.0),
-        ("height", (0.0, 120.0), (0.0, 128.0), "height_mm", 8.0),
+        ("height", (0.0, 120.0), (0.0, 128.0), "height_mm", 6.0),
         ("move", (0.0, 150.0), (-7.0, 148.0), "centre_mm", (-7.0, 148.0)),
     ],
 )
@@ -186,7 +188,7 @@ def test_the_wheel_raises_by_half_a_millimetre_in_one_undo(
     drag(tool_controller, (0.0, 150.0))
     for _ in range(3):
         assert tool_controller.wheel(at(Phase.MOVE, 1.0, 150.0), 1.0)
-    assert only_pelott(case).height_mm == 7.5
+    assert only_pelott(case).height_mm == 5.5
     assert len(case.history) == 2
     assert not tool_controller.wheel(at(Phase.MOVE, 35.0, 30.0), 1.0)
 

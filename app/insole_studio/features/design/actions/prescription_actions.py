@@ -10,10 +10,13 @@ from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import Correction, InsoleDesign
+from insole_core.insole.prescription.design import ArchRaise, Correction, InsoleDesign
+from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.prescription.template import (
     make_template,
     read_template,
@@ -30,6 +33,8 @@ from insole_studio.services.file_kinds import TEMPLATE_SUFFIX, case_kinds, templ
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.user_messages import LONG_MS, UserMessages
 from insole_studio.texts import tr
+
+_ABOVE_ARCH_MM = 3.0
 
 
 class PrescriptionActions:
@@ -58,17 +63,28 @@ class PrescriptionActions:
         self._case.apply(design.with_added(new), tr("Add: {name}").format(name=name_of(new)))
         self._case.select(new.id)
 
+    def prescribe_arch_height(self) -> None:
+        """Add an arch raise to a height, by default a little above the foot's own arch."""
+        foot, design = self._case.foot, self._case.record.design
+        if foot is None or design is None:
+            return
+        x, y, z = (float(part) for part in find_landmarks(foot)["arch_apex"].point)
+        height = rounded(z + design.least_thickness_mm + _ABOVE_ARCH_MM, 0.5)
+        allowed = CORRECTION_RANGES[ArchRaise]["target_mm"]
+        target = min(max(height, allowed.least), allowed.greatest)
+        self.prescribe(ArchRaise(target_mm=target, apex_mm=(round(x, 1), round(y, 1))))
+
     def take_pad(self, number: int) -> None:
         """Add a pad of the library at its usual place, and choose the pad tool."""
         tool, pad = self._tool_controller.tools["pelott"], self._pads[number]
         design, side = self._case.record.design, self._case.side
         assert isinstance(tool, PelottTool)
-        tool.template = pad.template
         self._tool_controller.take("pelott")
         if design is None or side is None:
             return
         landmarks = landmarks_of(self._case.record)
         laid = placed_pad(pad.template, pad.place, side, landmarks, self._behind_heads_mm)
+        tool.template = laid
         new = self._case.stamped(replace(laid, id=CorrectionBase().id))
         self._case.apply(design.with_added(new), tr("Place: {name}").format(name=name_of(new)))
         self._case.select(new.id)

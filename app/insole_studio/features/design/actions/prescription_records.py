@@ -72,6 +72,13 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda: tr("Arch raise"), lambda: tr("Raise the medial arch about its apex"), ArchRaise
     ),
     ActionRecord(
+        "add_arch_height",
+        lambda: tr("Arch to a height"),
+        lambda: tr("Prescribe the height of the finished arch and its place"),
+        lambda design, _on: design.prescription.prescribe_arch_height(),
+        needs_foot=True,
+    ),
+    ActionRecord(
         "confirm_landmarks",
         lambda: tr("Confirm landmarks"),
         lambda: tr("Take all landmarks as they are shown"),

@@ -38,10 +38,10 @@ from insole_studio.features.design.models.side_by_side_layout import (
     pair_text,
     placed_beside,
 )
+from insole_studio.features.design.tools.editable_pads import selected_pelott, selected_zone
 from insole_studio.features.design.tools.key_point_tool import confidence, point_text, shown_points
 from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearance
 from insole_studio.features.design.tools.outline_tool import curve_of
-from insole_studio.features.design.tools.pelott_tool import selected_pelott
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring
@@ -156,7 +156,7 @@ class ModelPresenter:
 
     def start(self) -> tuple[float, float, float] | None:
         """Return where the keyboard cursor starts: where the tool asks, or at the selection."""
-        pad = selected_pelott(self._case)
+        pad = selected_zone(self._case)
         place = self._tool_controller.tool.start(self._case) or (
             None if pad is None else pad.centre_mm
         )
@@ -302,10 +302,13 @@ class ModelPresenter:
     def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
         design = self._case.shown.design
         pads = [c for c in design.corrections if isinstance(c, Pelott)] if design else []
+        selected = selected_zone(self._case)
         lines: dict[bool, list[FloatArray]] = {True: [], False: []}
         for pad in pads:
-            if pad.enabled:
-                lines[pad.id == self._case.selection].append(self._outline(pad))
+            if pad.enabled and pad != selected:
+                lines[False].append(self._outline(pad))
+        if selected is not None and selected.enabled:
+            lines[True].append(self._outline(selected))
         if self._tool_controller.tool.key in ("outline", "rim"):
             lines[True] = [self._insole_outline()]
         return lines[False], lines[True]

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from insole_core.geometry.side import Side
-from insole_core.insole.pads.pad_shapes import local_outline
+from insole_core.insole.pads.pad_shapes import DOMED, local_outline
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
@@ -231,6 +231,11 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
     ),
     ArchRaise: (
         _height(lambda: tr("How much the arch is raised at its highest place")),
+        Editable(
+            "target_mm",
+            lambda: tr("Finished height"),
+            lambda: tr("Height of the finished arch over the underside of the insole"),
+        ),
         _length(lambda: tr("Length of the zone that is raised")),
         _width(lambda: tr("Width of the zone that is raised")),
         *_place("apex_mm"),
@@ -503,6 +508,8 @@ def _decimals(editable: Editable) -> int:
 def _number(part: Any, editable: Editable) -> float | None:
     if isinstance(part, Pelott) and not _has(part, editable.name):
         return None
+    if isinstance(part, ArchRaise) and editable.name == "height_mm" and part.target_mm is not None:
+        return None
     if editable.number is not None:
         pair = _pair(part, editable.name)
         return None if pair is None else float(pair[editable.number])
@@ -532,5 +539,5 @@ def _has(pad: Pelott, name: str) -> bool:
     if name == "egg_ratio":
         return pad.shape == "egg"
     if name == "sigma_mm":
-        return pad.shape in ("egg", "drop", "arch_support", "outline")
+        return pad.shape in DOMED
     return name not in ("length_mm", "width_mm") or pad.outline_mm is None

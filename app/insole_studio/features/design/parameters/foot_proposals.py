@@ -32,9 +32,10 @@ _ANGLE = Range(-45, 45, "degrees")
 class FootProposals:
     """The field groups of the landmark and pronation tools, and the actions of their buttons."""
 
-    def __init__(self, case: Case, rules: ClinicRules) -> None:
+    def __init__(self, case: Case, rules: ClinicRules, pelott: Pelott) -> None:
         self._case = case
         self._rules = rules
+        self._pelott = pelott
         self._marks = PenMarks()
         self._measured: WeakKeyDictionary[Foot, tuple[Annotations, float | None]] = (
             WeakKeyDictionary()
@@ -133,7 +134,7 @@ class FootProposals:
             return
         point = self._marks.of(self._case.record)[int(name)].mark.point
         centre = (round(float(point[0]), 1), round(float(point[1]), 1))
-        pad = self._case.stamped(Pelott(id=CorrectionBase().id, centre_mm=centre))
+        pad = self._case.stamped(replace(self._pelott, id=CorrectionBase().id, centre_mm=centre))
         self._case.apply(design.with_added(pad), tr("Place: {name}").format(name=name_of(pad)))
         self._case.select(pad.id)
 

@@ -17,7 +17,7 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.insole.prescription.design_limits import Range
-from insole_core.workflows.pad_library import LibraryPad
+from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.case import Case
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.correction_names import name_of, pad_text
@@ -31,8 +31,9 @@ from insole_studio.features.design.parameters.foot_proposals import FootProposal
 from insole_studio.features.design.rim_texts import place_text
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.brush_tool import BrushTool
+from insole_studio.features.design.tools.editable_pads import selected_pelott
 from insole_studio.features.design.tools.outline_tool import with_source
-from insole_studio.features.design.tools.pelott_tool import PelottTool, selected_pelott
+from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
 from insole_studio.features.design.tools.rim_tool import remove_station
 from insole_studio.features.design.tools.tool import with_number
@@ -78,7 +79,7 @@ class ParametersPresenter:
         self._case = case
         self._tool_controller = tool_controller
         self._pads = pads
-        self._foot_offers = FootProposals(case, rules)
+        self._foot_offers = FootProposals(case, rules, default_pelott(pads))
         panel.field_edited.connect(self.edit)
         panel.field_moved.connect(self.slide)
         panel.move_cancelled.connect(tool_controller.cancel)
@@ -217,13 +218,14 @@ class ParametersPresenter:
         return FieldGroup(title, fields, offers, caption=_size_caption(offers))
 
     def _size_offers(self, correction: Correction) -> tuple[Proposal, ...]:
-        """Return the other sizes of the same shape in the library."""
+        """Return the sizes in the library of what the pad is prescribed as."""
         if not isinstance(correction, Pelott):
             return ()
+        kind = correction.kind, correction.shape
         return tuple(
             Proposal(f"size.{number}", pad.size, pad_text(pad))
             for number, pad in enumerate(self._pads)
-            if pad.template.shape == correction.shape
+            if pad.size and (pad.template.kind, pad.template.shape) == kind
         )
 
     def _take_size(self, size: Pelott) -> None:

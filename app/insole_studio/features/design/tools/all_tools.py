@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from insole_core.insole.prescription.clinic_rules import ClinicRules
+from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.features.design.tools.brush_tool import BrushTool
@@ -18,13 +22,28 @@ from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.turn_tool import TurnTool
 
 
-def make_tools(section: SectionModel, rim: RimModel) -> tuple[Tool, ...]:
-    """Construct one instance of every tool."""
+def make_tools(
+    section: SectionModel, rim: RimModel, pads: Sequence[LibraryPad], rules: ClinicRules
+) -> tuple[Tool, ...]:
+    """Construct one instance of every tool.
+
+    Parameters
+    ----------
+    section
+        Plane of the section tool.
+    rim
+        Rim that its tool shapes.
+    pads
+        Library of the clinic.
+    rules
+        Of the clinic: the usual distance of a pelott behind the metatarsal heads.
+    """
+    behind_heads_mm = rules.pelott_usual_behind_heads_mm
     return (
-        OrbitTool(),
+        OrbitTool(behind_heads_mm),
         KeyPointTool(),
         TurnTool(),
-        PelottTool(),
+        PelottTool(default_pelott(pads), behind_heads_mm),
         FreeHandTool(),
         PostingTool(),
         OutlineTool(),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from insole_studio.document.case import Case
+from insole_studio.features.design.tools.editable_pads import is_arch, selected_pelott
 from insole_studio.features.design.tools.pelott_tool import (
     grab_pelott,
     nudge_pelott,
@@ -10,7 +11,6 @@ from insole_studio.features.design.tools.pelott_tool import (
     pelott_handles,
     pelott_offers,
     raise_pelott,
-    selected_pelott,
 )
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
 from insole_studio.scene.gesture import Gesture
@@ -23,8 +23,13 @@ class OrbitTool(Tool):
 
     key = "orbit"
 
+    def __init__(self, behind_heads_mm: float) -> None:
+        self._behind_heads_mm = behind_heads_mm
+
     def hint(self, case: Case) -> str:
         """Return one short sentence on what the user can do now."""
+        if is_arch(case):
+            return tr("Drag a handle to change the arch, drag beside it to turn the view")
         if selected_pelott(case) is not None:
             return tr("Drag a handle to change the pelott, drag beside it to turn the view")
         return tr("Drag to turn, Shift and drag to move, wheel to zoom, double click to centre")
@@ -46,7 +51,7 @@ class OrbitTool(Tool):
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a handle, or update the selection and let the camera rotate."""
         if event.handle is not None:
-            return grab_pelott(case, event)
+            return grab_pelott(case, event, self._behind_heads_mm)
         design = case.record.design
         pad = pelott_at(design, event) if design is not None else None
         case.select(pad.id if pad is not None else None)

@@ -18,6 +18,12 @@ from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of
+from insole_studio.features.design.tools.editable_pads import (
+    is_arch,
+    selected_pelott,
+    selected_zone,
+    with_zone,
+)
 from insole_studio.features.design.tools.metatarsal_line import (
     NEAR_MM,
     clearance,
@@ -50,16 +56,18 @@ class PelottTool(Tool):
 
     key = "pelott"
 
-    def __init__(self) -> None:
+    def __init__(self, pelott: Pelott, behind_heads_mm: float) -> None:
+        self._pelott = pelott
+        self._behind_heads_mm = behind_heads_mm
         self.reset()
 
     def reset(self) -> None:
         """Forget what was set for the case before."""
-        self.template = Pelott(centre_mm=(0.0, 0.0))
+        self.template = self._pelott
 
     def hint(self, case: Case) -> str:
         """Return one short sentence on what the user can do now."""
-        if selected_pelott(case) is None:
+        if selected_zone(case) is None:
             return tr("Click on the sole to place: {name}").format(name=name_of(self.template))
         distance = clearance_text(case)
         if distance:
@@ -72,7 +80,7 @@ class PelottTool(Tool):
 
     def start(self, case: Case) -> Place | None:
         """Return the usual position of such a pad."""
-        return usual_place(case.record, self.template)
+        return usual_place(case.record, self.template, self._behind_heads_mm)
 
     def offers(
         self, case: Case, event: PointerEvent, _surface: SurfaceContext
@@ -82,7 +90,8 @@ class PelottTool(Tool):
 
     def press(self, case: Case, event: PointerEvent, surface: SurfaceContext) -> Gesture | None:
         """Grab a handle or a pad, or place a new pad."""
-        return grab_pelott(case, event) or self._place(case, event, surface)
+        grabbed = grab_pelott(case, event, self._behind_heads_mm)
+        return grabbed or self._place(case, event, surface)
 
     def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
         """Raise the pad under the pointer."""
@@ -100,31 +109,18 @@ class PelottTool(Tool):
             return None
         fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
         new = replace(fresh, centre_mm=place_at(place))
-        sentence = tr("Place: {name}").format(name=name_of(new))
-        return _follow(case, event, new, case.record.design.with_added, sentence)
-
-
-def selected_pelott(case: Case) -> Pelott | None:
-    """Return the selected correction if it is a pad of the shown design."""
-    design = case.shown.design
-    if design is None or case.selection is None:
-        return None
-    correction = design.correction(case.selection)
-    return correction if isinstance(correction, Pelott) else None
+        return _follow(case, event, new, case.record.design, self._behind_heads_mm)
 
 
 def pelott_handles(case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-    """Return the handles of the selected pad, including the corners of a free outline."""
-    pad = selected_pelott(case)
-    if pad is None:
-        return ()
+    """Return the handles of the selected pad or arch, including the corners of a free outline."""
     return tuple(
         Handle(name, surface.place(*spot), _hint(name), "move" if name == "move" else "size")
-        for name, spot in _spots(pad).items()
+        for name, spot in _selected_spots(case).items()
     )
 
 
-def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
+def grab_pelott(case: Case, event: PointerEvent, behind_heads_mm: float) -> Gesture | None:
     """Start dragging the handle or the pad under the pointer.
 
     Parameters
@@ -133,6 +129,8 @@ def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
         The open case.
     event
         The press.
+    behind_heads_mm
+        Distance behind the heads to which a pelott snaps.
 
     Returns
     -------
@@ -142,15 +140,17 @@ def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
     design = case.record.design
     if design is None:
         return None
-    pad = selected_pelott(case)
-    if pad is not None and event.handle in _spots(pad):
+    pad = selected_zone(case)
+    if pad is not None and event.handle in _selected_spots(case):
+        if event.handle == "move":
+            return _move(case, event, pad, behind_heads_mm)
         reshape, sentence = _reshape_of(event.handle)
         return _reshape(case, event, pad, reshape, sentence)
     pad = pelott_at(design, event)
     if pad is None:
         return None
     case.select(pad.id)
-    return _reshape(case, event, pad, _moved, tr("Move the pad"))
+    return _move(case, event, pad, behind_heads_mm)
 
 
 def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
@@ -185,7 +185,7 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
         False if the event is not used.
     """
     design = case.record.design
-    pad = selected_pelott(case)
+    pad = selected_zone(case)
     if design is None or pad is None:
         return False
     if not event.by_key and pelott_at(design, event) != pad:
@@ -194,18 +194,18 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
     raised = replace(
         pad, height_mm=_within("height_mm", rounded(pad.height_mm + steps * step, 0.1))
     )
-    case.apply(design.with_changed(raised), tr("Raise the pad"), f"{pad.id}:wheel")
+    case.apply(with_zone(design, pad, raised), tr("Raise the pad"), f"{pad.id}:wheel")
     return True
 
 
 def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
     """Move the selected pad by 0.5 mm in the image's direction; return False without one."""
     design = case.record.design
-    pad = selected_pelott(case)
+    pad = selected_zone(case)
     if design is None or pad is None:
         return False
     moved = _at(pad, np.array(pad.centre_mm) + nudge_mm(event, right, up), 0.01)
-    case.apply(design.with_changed(moved), tr("Move the pad"), f"{pad.id}:nudge")
+    case.apply(with_zone(design, pad, moved), tr("Move the pad"), f"{pad.id}:nudge")
     return True
 
 
@@ -242,6 +242,14 @@ def _remove(case: Case, pad: Pelott) -> None:
         case.apply(design.with_removed(pad.id), tr("Remove a correction"))
 
 
+def _selected_spots(case: Case) -> dict[str, FloatArray]:
+    """Return the positions of the handles of the selected pad or arch, which does not turn."""
+    pad = selected_zone(case)
+    if pad is None:
+        return {}
+    return {name: spot for name, spot in _spots(pad).items() if name != "turn" or not is_arch(case)}
+
+
 def _spots(pad: Pelott) -> dict[str, FloatArray]:
     """Return the positions (3,) of the handles, by name."""
     front, back = _reach(pad)
@@ -262,11 +270,7 @@ def _spots(pad: Pelott) -> dict[str, FloatArray]:
 
 
 def _follow(
-    case: Case,
-    event: PointerEvent,
-    pad: Pelott,
-    into: Callable[[Pelott], InsoleDesign],
-    sentence: str,
+    case: Case, event: PointerEvent, pad: Pelott, design: InsoleDesign, behind_heads_mm: float
 ) -> Gesture:
     """Place a new pad that follows the pointer until release.
 
@@ -278,19 +282,19 @@ def _follow(
         The press.
     pad
         The new pad.
-    into
-        Returns the design with the pad.
-    sentence
-        Description of the undo step.
+    design
+        The design without the pad.
+    behind_heads_mm
+        Distance behind the heads to which a pelott snaps.
     """
     case.select(pad.id)
-    case.preview(into(pad))
+    case.preview(design.with_added(pad))
     while event.phase is not Phase.RELEASE:
         event = yield
         if event.surface_mm is not None:
-            pad = _settled(case, _at(pad, event.surface_mm[:2]), event)
-            case.preview(into(pad))
-    case.apply(into(pad), sentence)
+            pad = _settled(case, _at(pad, event.surface_mm[:2]), event, behind_heads_mm)
+            case.preview(design.with_added(pad))
+    case.apply(design.with_added(pad), tr("Place: {name}").format(name=name_of(pad)))
 
 
 def _reshape(
@@ -317,22 +321,28 @@ def _reshape(
     while event.phase is not Phase.RELEASE:
         event = yield
         changed = reshape(pad, press, event)
-        if reshape is _moved and changed != pad:
-            changed = _settled(case, changed, event)
-        case.preview(design.with_changed(changed))
-    case.apply(design.with_changed(changed), sentence)
+        case.preview(with_zone(design, pad, changed))
+    case.apply(with_zone(design, pad, changed), sentence)
 
 
-def _moved(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
-    start, now = press.place_mm(0.0), event.place_mm(0.0)
-    if start is None or now is None:
-        return pad
-    return _at(pad, np.array(pad.centre_mm) + (now - start)[:2])
+def _move(case: Case, press: PointerEvent, pad: Pelott, behind_heads_mm: float) -> Gesture:
+    """Move a pad by dragging; a pelott snaps to its usual distance behind the heads."""
+
+    def moved(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
+        start, now = press.place_mm(0.0), event.place_mm(0.0)
+        if start is None or now is None or np.array_equal(start, now):
+            return pad
+        there = _at(pad, np.array(pad.centre_mm) + (now - start)[:2])
+        return _settled(case, there, event, behind_heads_mm)
+
+    return _reshape(case, press, pad, moved, tr("Move the pad"))
 
 
-def _settled(case: Case, pad: Pelott, event: PointerEvent) -> Pelott:
+def _settled(case: Case, pad: Pelott, event: PointerEvent, behind_heads_mm: float) -> Pelott:
     """Return the moved pad, snapped to the metatarsal line unless Ctrl is held."""
-    return pad if event.fine else snapped(case.record, pad)
+    if event.fine or is_arch(case):
+        return pad
+    return snapped(case.record, pad, behind_heads_mm)
 
 
 def _lengthened(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:
@@ -420,7 +430,6 @@ _HINTS: dict[str, Callable[[], str]] = {
     "corner": lambda: tr("Drag to change the outline"),
 }
 _RESHAPES: dict[str, tuple[Reshape, Callable[[], str]]] = {
-    "move": (_moved, lambda: tr("Move the pad")),
     "length": (_lengthened, lambda: tr("Stretch the pad")),
     "width": (_widened, lambda: tr("Widen the pad")),
     "turn": (_turned, lambda: tr("Turn the pad")),
