@@ -11,6 +11,7 @@ from typing import Literal, get_type_hints
 from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import Complain, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
+from insole_core.workflows.clinic_devices import DEFAULT_DEVICE
 
 log = logging.getLogger(__name__)
 
@@ -25,9 +26,10 @@ class Settings:
     """All settings of the window, with their defaults.
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
-    which sensor gives which view (``left=SERIAL``); `author`, `clinic`, `maker` and
-    `maker_address` stand on the prescription; file dialogs start in the folder of their kind. A
-    view is refused if its pose exceeds the largest residuals or displacement.
+    which sensor gives which view (``left=SERIAL``); `device` is that of new designs; `author`,
+    `clinic`, `maker` and `maker_address` stand on the prescription; file dialogs start in the
+    folder of their kind. A view is refused if its pose exceeds the largest residuals or
+    displacement.
     """
 
     theme: Theme = "system"
@@ -35,6 +37,7 @@ class Settings:
     language: Language = "system"
     touch: bool = False
     tour_seen: bool = False
+    device: str = DEFAULT_DEVICE
     author: str = ""
     clinic: str = ""
     maker: str = ""

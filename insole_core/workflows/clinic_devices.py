@@ -10,6 +10,7 @@ from insole_core.insole.forms.form_file import read_form, write_form
 from insole_core.insole.prescription.base_form import Form
 from insole_core.insole.prescription.device import Device, read_device, write_device
 from insole_core.insole.prescription.item_name import key_of
+from insole_core.messages import Message
 from insole_core.resources import resource_path
 from insole_core.workflows.named_files import NamedFiles
 
@@ -62,3 +63,33 @@ def find_device(devices: Mapping[str, Device], name: str) -> Device:
             known=", ".join(devices),
         )
     return device
+
+
+def default_device(devices: Mapping[str, Device], name: str) -> tuple[Device, Message | None]:
+    """Return the device of new designs.
+
+    Parameters
+    ----------
+    devices
+        As `clinic_devices(folder).load().items`.
+    name
+        The clinic's choice.
+
+    Returns
+    -------
+    device : Device
+        The one of this name, or that of the product if it is gone.
+    problem : Message or None
+        A sentence that says so.
+    """
+    chosen = devices.get(key_of(name))
+    if chosen is not None:
+        return chosen, None
+    usual = find_device(devices, DEFAULT_DEVICE)
+    problem = Message(
+        'The clinic\'s device "{name}" is gone, so new designs start with "{usual}"; choose '
+        "another one as the clinic's.",
+        name=name,
+        usual=usual.name,
+    )
+    return usual, problem

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.cli import export_arguments, foot_argument
+from insole_studio.cli import export_arguments, foot_argument, prescribed
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--kind", choices=["insole", "block", "positive"], default="insole",
         help="the insole (default), the contact surface in a block, or the foot as a mould",
     )  # fmt: skip
+    prescribed.add_arguments(parser)
     foot_argument.add_arguments(parser)
     export_arguments.add_arguments(parser)
 
@@ -72,10 +73,11 @@ def _insole(
     """Read a foot and build its insole, printing the warnings about both."""
     from insole_core.insole.build import build_insole
 
-    design = _read_prescription(prescription)
-    side = _agreed_side(named, design)
+    given = _read_prescription(prescription)
+    side = _agreed_side(named, given)
     foot = foot_argument.read_foot(path, side, arguments, progress.part(0.0, 0.8))
-    insole = build_insole(foot, design or _plain(foot.side), progress.part(0.8, 1.0))
+    design = prescribed.prescribed(foot, given, arguments)
+    insole = build_insole(foot, design, progress.part(0.8, 1.0))
     _print_warnings(insole)
     return insole
 
@@ -106,9 +108,3 @@ def _print_warnings(insole: Insole) -> None:
     landmarks = find_landmarks(insole.foot)
     for warning in design_warnings(insole, landmarks, load_rules()):
         print(f"Warning: {warning.sentence}", file=sys.stderr)
-
-
-def _plain(side: Side) -> InsoleDesign:
-    from insole_core.insole.prescription.design import InsoleDesign
-
-    return InsoleDesign(side)

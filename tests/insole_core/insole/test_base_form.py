@@ -161,7 +161,7 @@ def test_exchanging_the_base_keeps_pads_and_postings(left_foot):
 
 def test_a_form_of_another_length_by_a_half_is_refused(left_foot):
     other = form(lambda u, v: 0, length_mm=left_foot.length_mm / 1.5)
-    with pytest.raises(DesignError, match='"Test" is that of a foot of .* choose a form of about'):
+    with pytest.raises(DesignError, match=r'"Test" is that of a foot of .* choose a form of about'):
         build_insole(left_foot, on_base(left_foot, other))
     near = form(lambda u, v: 0, length_mm=left_foot.length_mm / 1.49)
     build_insole(left_foot, on_base(left_foot, near))

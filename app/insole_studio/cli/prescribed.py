@@ -1,0 +1,88 @@
+"""What `insole-studio design` makes where no prescription says it: devices and findings."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from insole_core.foot.foot import Foot
+    from insole_core.insole.prescription.design import InsoleDesign
+    from insole_core.workflows.findings import Catalogue, Finding
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options that name a device and findings."""
+    parser.add_argument(
+        "--device", metavar="NAME",
+        help="make this device (see: insole-studio devices); as-scanned leaves the surface as it is"
+        " (default: that of the clinic, or of the prescription)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--finding", action="append", default=[], metavar="NAME",
+        help="apply what is proposed for a finding; may be given several times",
+    )  # fmt: skip
+
+
+def prescribed(
+    foot: Foot, prescription: InsoleDesign | None, arguments: argparse.Namespace
+) -> InsoleDesign:
+    """Return the design of a foot: its prescription, or a new one, with device and findings.
+
+    Parameters
+    ----------
+    arguments
+        With those that `add_arguments` adds.
+
+    Raises
+    ------
+    InputError
+        When there is no device or finding of this name.
+    """
+    from insole_core.foot.landmarks import find_landmarks
+    from insole_core.insole.prescription.design import InsoleDesign
+    from insole_core.insole.prescription.device import apply_device
+    from insole_core.workflows.clinic_devices import find_device
+    from insole_core.workflows.findings import apply_finding, find_finding
+
+    design = prescription or InsoleDesign(foot.side)
+    if arguments.device is None and not arguments.finding:
+        return design
+    catalogue = clinic_catalogue()
+    if arguments.device is not None:
+        design = apply_device(find_device(catalogue.devices, arguments.device), design)
+    findings = clinic_findings() if arguments.finding else ()
+    for name in arguments.finding:
+        finding = find_finding(findings, name)
+        design = apply_finding(finding, design, find_landmarks(foot), catalogue)
+    return design
+
+
+def clinic_catalogue() -> Catalogue:
+    """Return the devices of the clinic and what else findings refer to.
+
+    What the clinic keeps and cannot be read is told on stderr.
+    """
+    from insole_core.insole.prescription.clinic_rules import load_rules
+    from insole_core.workflows.clinic_devices import clinic_devices, default_device
+    from insole_core.workflows.findings import Catalogue
+    from insole_core.workflows.pad_library import load_pads
+    from insole_studio.settings import load_settings
+    from insole_studio.user_paths import UserPaths
+
+    paths = UserPaths.of_user()
+    listed = clinic_devices(paths.settings_folder).load()
+    default, problem = default_device(listed.items, load_settings(paths.settings_file).device)
+    for sentence in (*listed.unreadable, *((problem,) if problem else ())):
+        print(f"Warning: {sentence}", file=sys.stderr)
+    usual_mm = load_rules().pelott_usual_behind_heads_mm
+    return Catalogue(listed.items, default.name, load_pads(), usual_mm)
+
+
+def clinic_findings() -> tuple[Finding, ...]:
+    """Return the findings of product and clinic."""
+    from insole_core.workflows.findings import ClinicFindings
+    from insole_studio.user_paths import UserPaths
+
+    return ClinicFindings(UserPaths.of_user().settings_folder / "findings.json").load()

@@ -1,0 +1,203 @@
+"""Findings and what they propose."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from insole_core.errors import InputError
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.geometry.side import Side
+from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.prescription.clinic_rules import load_rules
+from insole_core.insole.prescription.design import (
+    HeelSkive,
+    InsoleDesign,
+    Pelott,
+    Posting,
+)
+from insole_core.insole.prescription.design_differences import design_differences
+from insole_core.insole.prescription.design_limits import check_design
+from insole_core.insole.prescription.device import apply_device
+from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
+from insole_core.workflows.clinic_devices import DEFAULT_DEVICE, clinic_devices
+from insole_core.workflows.findings import (
+    Catalogue,
+    ClinicFindings,
+    Finding,
+    ProposedPad,
+    apply_finding,
+    find_finding,
+)
+from insole_core.workflows.pad_library import load_pads
+
+NOWHERE = Path("/nowhere/findings.json")
+FINDINGS = ClinicFindings(NOWHERE).load()
+CATALOGUE = Catalogue(clinic_devices(NOWHERE).load().items, DEFAULT_DEVICE, load_pads(), 8.0)
+
+
+def eva(side: Side) -> InsoleDesign:
+    return apply_device(CATALOGUE.devices["eva-full-length"], InsoleDesign(side))
+
+
+def proposed(name: str, design: InsoleDesign, foot) -> InsoleDesign:
+    finding = find_finding(FINDINGS, name)
+    return apply_finding(finding, design, find_landmarks(foot), CATALOGUE)
+
+
+def lines(old: InsoleDesign, new: InsoleDesign) -> list[str]:
+    told = (str(line) for line in design_differences(old, new))
+    return [line for line in told if " rim, " not in line]
+
+
+@pytest.mark.parametrize("finding", FINDINGS, ids=lambda finding: finding.name)
+def test_every_finding_applies_once_to_both_feet(finding: Finding, left_foot, right_foot):
+    assert finding.source
+    made = []
+    for foot in (left_foot, right_foot):
+        design = eva(foot.side)
+        once = apply_finding(finding, design, find_landmarks(foot), CATALOGUE)
+        check_design(once)
+        assert design_differences(design, once)
+        assert apply_finding(finding, once, find_landmarks(foot), CATALOGUE) == once
+        made.append(once)
+    left, right = made
+    assert replace(left, side=Side.RIGHT, corrections=()) == replace(right, corrections=())
+    for a, b in zip(left.corrections, right.corrections, strict=True):
+        assert a.type == b.type
+        if isinstance(a, Pelott) and isinstance(b, Pelott):
+            x, y = a.centre_mm
+            assert b.centre_mm == pytest.approx((-x, y), abs=0.05)
+
+
+def test_tibialis_posterior_sets_cup_flange_and_fill(left_foot):
+    design = eva(Side.LEFT)
+    made = proposed("Tibialis posterior dysfunction, flexible", design, left_foot)
+    assert lines(design, made) == [
+        "Heel cup: 12 mm → 20 mm",
+        "Medial flange: 16 mm → 22 mm",
+        "Arch fill: 0 mm → 3.2 mm",
+    ]
+    assert made.finish is not None
+    assert (cup_depth_mm(made.finish), medial_flange_mm(made.finish)) == (20, 22)
+
+
+def test_lateral_instability_adds_skive_posting_and_post(right_foot):
+    design = eva(Side.RIGHT)
+    told = lines(design, proposed("lateral instability", design, right_foot))
+    assert told[0] == "Heel cup: 12 mm → 16 mm"
+    assert "Rearfoot post: none → 0°, edge 4 mm" in told
+    assert told[-2:] == [
+        "Heel skive: added, lateral, 2.5 mm",
+        "Posting: added, 0° at the rearfoot, 3° lateral at the forefoot",
+    ]
+
+
+def test_a_finding_may_bring_its_device(left_foot):
+    made = proposed("flatfoot of a child", InsoleDesign(Side.LEFT), left_foot)
+    assert made.device == "UCBL, child"
+    assert made.finish is not None
+    assert cup_depth_mm(made.finish) == 20
+
+
+def test_a_rim_on_a_design_as_scanned_starts_with_the_clinics_device(left_foot):
+    plain = InsoleDesign(Side.LEFT)
+    assert proposed("Cavus foot", plain, left_foot).device == DEFAULT_DEVICE
+    assert proposed("Metatarsalgia", plain, left_foot).finish is None
+
+
+def test_what_the_patient_has_stays(left_foot):
+    own = (
+        Posting(id="p", rearfoot_deg=5, blend_end=0.6),
+        HeelSkive(id="m", border="medial", depth_mm=4),
+    )
+    design = replace(eva(Side.LEFT), corrections=own)
+    made = proposed("Lateral instability", design, left_foot)
+    posting, medial, lateral = made.corrections
+    assert posting == replace(own[0], forefoot_deg=-3)
+    assert medial == own[1]
+    assert (lateral.type, lateral.border) == ("heel_skive", "lateral")
+
+
+def test_a_pad_lies_at_its_usual_place(left_foot):
+    made = proposed("Morton's neuroma, hammer toes", eva(Side.LEFT), left_foot)
+    (pad,) = made.corrections
+    (usual,) = (pad for pad in CATALOGUE.pads if (pad.kind, pad.size) == ("pelott", "S"))
+    laid = placed_pad(usual.template, usual.place, Side.LEFT, find_landmarks(left_foot), 8.0)
+    assert pad == replace(laid, id=pad.id, height_mm=3)
+
+
+def test_new_corrections_are_stamped(left_foot):
+    finding = find_finding(FINDINGS, "Metatarsalgia")
+    made = apply_finding(
+        finding, eva(Side.LEFT), find_landmarks(left_foot), CATALOGUE,
+        lambda correction: replace(correction, author="Dr A"),
+    )  # fmt: skip
+    assert [c.author for c in made.corrections] == ["Dr A"]
+
+
+def test_every_skive_that_is_proposed_has_the_cup_it_wants(left_foot):
+    least = load_rules().skive_least_cup_mm
+    for finding in FINDINGS:
+        if any(isinstance(c, HeelSkive) for c in finding.corrections):
+            assert finding.cup_mm is not None
+            assert finding.cup_mm >= least
+
+
+@pytest.mark.parametrize(
+    ("finding", "sentence"),
+    [
+        (Finding("Odd", pads=(ProposedPad("clog", "M"),)), 'finding "Odd" proposes the pad clog M'),
+        (Finding("Odd", device="Clog"), 'no device "Clog"'),
+    ],
+)
+def test_what_the_clinic_does_not_have_is_refused(left_foot, finding, sentence):
+    with pytest.raises(InputError, match=sentence):
+        apply_finding(finding, eva(Side.LEFT), find_landmarks(left_foot), CATALOGUE)
+
+
+def test_a_finding_that_there_is_not():
+    with pytest.raises(InputError, match=r'no finding "cold feet"; choose one of .*cavus-foot'):
+        find_finding(FINDINGS, "cold feet")
+
+
+def written(path: Path, *findings: Any) -> ClinicFindings:
+    content = {"format": "insole-findings", "version": 1, "findings": findings}
+    path.write_text(json.dumps(content), "utf-8")
+    return ClinicFindings(path)
+
+
+def test_the_clinics_findings_replace_and_add(tmp_path: Path):
+    own = written(
+        tmp_path / "f.json",
+        {"name": "cavus foot", "cup_mm": 15},
+        {"name": "Cold feet", "advice": "Wool."},
+    )
+    found = own.load()
+    assert len(found) == len(FINDINGS) + 1
+    assert find_finding(found, "Cavus foot") == Finding("cavus foot", cup_mm=15)
+    assert find_finding(found, "cold feet").advice == "Wool."
+
+
+BAD = [
+    ({}, r"findings\[0\].name is missing"),
+    ({"name": "A", "cup": 3}, "cup is no key of a finding"),
+    ({"name": "A", "cup_mm": 90}, "cup_mm is 90"),
+    ({"name": "A", "corrections": [{"type": "clog"}]}, 'type "clog"'),
+    ({"name": "A", "corrections": [{"type": "heel_skive", "depth_mm": 50}]}, "depth_mm.* is 50"),
+    ({"name": "A", "posts": [{"region": "toes"}]}, 'region.*"toes"'),
+    ({"name": "A", "pads": [{"kind": "pelott"}]}, "size is missing"),
+    ({"name": "A", "pads": [{"kind": "pelott", "size": "M", "height_mm": 99}]}, "height_mm is 99"),
+]
+
+
+@pytest.mark.parametrize(("bad", "sentence"), BAD, ids=[sentence for _, sentence in BAD])
+def test_findings_are_read_strictly(tmp_path: Path, bad: dict[str, Any], sentence: str):
+    path = tmp_path / "f.json"
+    with pytest.raises(InputError, match=sentence) as refused:
+        written(path, bad).load()
+    assert str(path) in str(refused.value)
