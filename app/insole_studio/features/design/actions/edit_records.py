@@ -99,7 +99,7 @@ EDIT_ACTIONS: tuple[ActionRecord[Design], ...] = (
         "rim",
         lambda: tr("Rim"),
         lambda: tr("Shape the rim by its stations, in the views and in the graph below"),
-        "I",
+        "E",
     ),
     _tool(
         "brush",

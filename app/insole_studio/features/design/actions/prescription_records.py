@@ -48,7 +48,7 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda: tr("As scanned / designed"),
         lambda: tr("Change between the imprint of the foot and the designed device"),
         lambda design, _on: design.devices.toggle_as_scanned(),
-        shortcut="J",
+        shortcut="Y",
         needs_foot=True,
     ),
     _prescription(
