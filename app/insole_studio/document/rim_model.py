@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any, Protocol
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -16,10 +17,18 @@ from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import Finish, InsoleDesign, Place, RimStation
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
-from insole_studio.document.insole_preview import InsolePreview
 
 BESIDE_MM = 2.5
 """The edge of a full-length insole, this far from that of a short one, is part of it."""
+
+
+class FinishedInsole(Protocol):
+    """What the rim is read from: the preview."""
+
+    changed: Any
+
+    @property
+    def rim(self) -> Rim | None: ...  # noqa: D102
 
 
 class RimModel(QObject):
@@ -29,7 +38,7 @@ class RimModel(QObject):
     """Rim, stations or selection have changed."""
     selection_changed = Signal()
 
-    def __init__(self, case: Case, surface: InsolePreview, parent: QObject | None = None) -> None:
+    def __init__(self, case: Case, surface: FinishedInsole, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._case = case
         self._surface = surface

@@ -124,7 +124,7 @@ def _share(name: str, label: Callable[[], str], tip: Callable[[], str]) -> Edita
 
 def _blend(name: str, label: Callable[[], str], where: Callable[[], str]) -> Editable:
     def tip() -> str:
-        text = tr("Width of the transition from the supporting surface to the rim {where}")
+        text = tr("Width of the transition from support to rim {where}")
         return text.format(where=where())
 
     return Editable(name, label, tip, expert=True)
@@ -350,16 +350,15 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             lambda: tr("How far ahead of the metatarsal heads the toe zone begins"),
             expert=True,
         ),
-        _blend("heel_blend_mm", lambda: tr("Heel blend"), lambda: tr("at the heel")),
-        _blend("arch_blend_mm", lambda: tr("Arch blend"), lambda: tr("in the arch")),
-        _blend("forefoot_blend_mm", lambda: tr("Forefoot blend"), lambda: tr("at the forefoot")),
+        _blend("heel_blend_mm", lambda: tr("Heel transition"), lambda: tr("at the heel")),
+        _blend("arch_blend_mm", lambda: tr("Arch transition"), lambda: tr("in the arch")),
+        _blend(
+            "forefoot_blend_mm", lambda: tr("Forefoot transition"), lambda: tr("at the forefoot")
+        ),
         Editable(
             "expansion_mm",
             lambda: tr("Soft tissue"),
-            lambda: tr(
-                "How much heel and lateral border are widened on each side: soft tissue spreads in "
-                "stance"
-            ),
+            lambda: tr("Widening of heel and lateral border: soft tissue spreads in stance"),
             expert=True,
         ),
         Editable(
@@ -381,10 +380,7 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
         Editable(
             "along",
             lambda: tr("Place"),
-            lambda: tr(
-                "Way along the border: 0 % behind the heel, 70 % beside the metatarsal head, 100 % "
-                "at the toes"
-            ),
+            lambda: tr("0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes"),
             step=1,
             is_share=True,
         ),
