@@ -11,7 +11,6 @@ from typing import Literal, get_type_hints
 from insole_core.export.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import Complain, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
-from insole_core.workflows.clinic_devices import DEFAULT_DEVICE
 
 log = logging.getLogger(__name__)
 
@@ -37,7 +36,6 @@ class Settings:
     language: Language = "system"
     touch: bool = False
     tour_seen: bool = False
-    device: str = DEFAULT_DEVICE
     author: str = ""
     clinic: str = ""
     maker: str = ""

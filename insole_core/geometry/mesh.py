@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from scipy import sparse
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
 from insole_core.geometry.contour_constraints import ContourConstraints
@@ -84,11 +85,15 @@ class TriangleMesh:
         """Whether every edge has exactly two triangles that traverse it in opposite directions."""
         if len(self.triangles) == 0:
             return False
-        edges = np.concatenate([self.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
-        key = edges.astype(np.int64) @ np.array([len(self.vertices), 1])
-        back = edges[:, ::-1].astype(np.int64) @ np.array([len(self.vertices), 1])
-        key, back = np.sort(key), np.sort(back)
-        return bool((key[1:] != key[:-1]).all()) and np.array_equal(key, back)
+        starts, ends = self.triangles.ravel(), self.triangles[:, [1, 2, 0]].ravel()
+        shape = len(self.vertices), len(self.vertices)
+        edges = sparse.csr_array((np.ones(len(starts), np.int32), (starts, ends)), shape=shape)
+        back = edges.T.tocsr()
+        return bool(
+            (edges.data == 1).all()
+            and np.array_equal(edges.indptr, back.indptr)
+            and np.array_equal(edges.indices, back.indices)
+        )
 
     def transformed(self, a2b: FloatArray) -> TriangleMesh:
         """Transform the mesh by `a2b` (4, 4), rigid, from frame a to frame b."""

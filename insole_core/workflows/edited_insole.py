@@ -1,4 +1,4 @@
-"""An insole during editing: pads and strokes are moved and checked interactively."""
+"""An insole during editing: pads, strokes and the rim are moved and checked interactively."""
 
 from __future__ import annotations
 
@@ -7,22 +7,26 @@ from functools import cached_property
 
 import numpy as np
 
+from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import material_problem
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.surface.contact import ContactBase, with_rim
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import Window, apply_pads, moved_pad
 from insole_core.insole.surface.posting import posted_mesh, posting_angles
-from insole_core.workflows.insole_builder import BareInsole, bare_key
+from insole_core.workflows.insole_builder import BareInsole, BareKey, bare_key
 
 
 class EditedInsole:
     """The insole of a design, updated as the design is edited.
 
     A change of a pad updates only the part of surface and mesh that it covers; contact surface and
-    findings are those of `build_insole`, bit for bit.
+    findings are those of `build_insole`, bit for bit. A change of the rim's stations updates the
+    whole top at once; until the insole is built anew, its walls keep the widths of `bare`, and so
+    does a bottom that follows the surface: see `is_exact`.
 
     Parameters
     ----------
@@ -32,29 +36,56 @@ class EditedInsole:
 
     def __init__(self, bare: BareInsole, design: InsoleDesign) -> None:
         self.bare = bare
+        self.base: ContactBase = bare.base
+        """The contact surface before pads: that of `bare`, or with another rim."""
         self.design = design
+        self._rimless_key = _rimless_key(bare.foot, design)
         self.contact: HeightField = apply_pads(bare.base, design)
         self.mesh = replace(bare.solid, vertices=bare.solid.vertices.copy())
         """Its vertices are overwritten by the next change of a pad."""
         self.normals: FloatArray = bare.solid.vertex_normals.copy()
-        rows, columns = self.contact.heights_mm.shape
-        self._move_vertices(Window(0, rows, 0, columns))
+        self._move_vertices(_whole(self.contact))
         self.moved: IntArray | None = None
         """Indices of the vertices that the last change moved; None before the first."""
         self.problem = self._problem()
         """Why the insole cannot be made, a sentence; empty when it can."""
 
+    @property
+    def is_exact(self) -> bool:
+        """Whether the surface is that of `build_insole`, and not only close to it."""
+        return self.base is self.bare.base
+
     def can_follow(self, foot: Foot, design: InsoleDesign) -> bool:
         """Return whether a design is for the same foot and differs only in pads and strokes."""
         return self.bare.key == bare_key(foot, design)
 
+    def can_follow_rim(self, foot: Foot, design: InsoleDesign) -> bool:
+        """Return whether a design differs only in pads, strokes and the stations of the rim."""
+        return self.base.finished is not None and self._rimless_key == _rimless_key(foot, design)
+
     def follow(self, design: InsoleDesign) -> None:
-        """Update the insole to another design, for which `can_follow` is true."""
-        change = moved_pad(self.bare.base, self.contact, self.design, design)
-        self.design = design
-        self.contact = change.surface
-        self.moved = self._move_vertices(change.window)
+        """Update the insole to another design, for which one of the two above is true."""
+        try:
+            base = self._base_of(design)
+        except DesignError as error:
+            self.problem = str(error)
+            return
+        if base is self.base:
+            change = moved_pad(base, self.contact, self.design, design)
+            self.contact, window = change.surface, change.window
+        else:
+            self.contact = apply_pads(base, design)
+            window = _whole(self.contact)
+        self.base, self.design = base, design
+        self.moved = self._move_vertices(window)
         self.problem = self._problem()
+
+    def _base_of(self, design: InsoleDesign) -> ContactBase:
+        if self.can_follow(self.bare.foot, design):
+            return self.bare.base
+        if design.finish == self.design.finish:
+            return self.base
+        return with_rim(self.bare.base, design)
 
     @property
     def bottom_heights_mm(self) -> FloatArray:
@@ -127,6 +158,17 @@ class EditedInsole:
         vertices[walls, 2] = vertices[bare.rim, 2]
         self.mesh = TriangleMesh(vertices, self.mesh.triangles)
         return np.concatenate([moved, walls])
+
+
+def _whole(field: HeightField) -> Window:
+    rows, columns = field.heights_mm.shape
+    return Window(0, rows, 0, columns)
+
+
+def _rimless_key(foot: Foot, design: InsoleDesign) -> BareKey:
+    """Return the `bare_key` of a design whose rim has no stations."""
+    finish = None if design.finish is None else replace(design.finish, rim=())
+    return bare_key(foot, replace(design, finish=finish))
 
 
 def _normals_at(field: HeightField, window: Window, xy: FloatArray) -> FloatArray:

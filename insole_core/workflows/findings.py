@@ -43,7 +43,7 @@ class ProposedPad:
     """A pad of the library by its kind and size; by default as high as there."""
 
     kind: str
-    size: str
+    size: str = ""
     height_mm: float | None = None
 
 
@@ -220,7 +220,7 @@ def _placed(
 
 
 def _is_at(pad: Pelott, other: Correction) -> bool:
-    if not isinstance(other, Pelott) or other.shape != pad.shape:
+    if not isinstance(other, Pelott) or (other.shape, other.kind) != (pad.shape, pad.kind):
         return False
     (x, y), (u, v) = pad.centre_mm, other.centre_mm
     return math.hypot(x - u, y - v) < _SAME_PLACE_MM
@@ -319,7 +319,7 @@ def _prescribed(item: JsonObject) -> InsoleDesign:
 
 def _pad(item: JsonObject) -> ProposedPad:
     allowed = CORRECTION_RANGES[Pelott]["height_mm"]
-    return ProposedPad(item.text("kind"), item.text("size"), _number(item, "height_mm", allowed))
+    return ProposedPad(item.text("kind"), _text(item, "size"), _number(item, "height_mm", allowed))
 
 
 def _text(item: JsonObject, key: str) -> str:

@@ -7,6 +7,7 @@ Exit codes: 0 success, 2 usage error, 128 + n stopped by signal n, 1 any other e
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import traceback
 from importlib.metadata import version
@@ -49,6 +50,8 @@ COMMANDS: tuple[Command, ...] = (
     simulate,
 )
 
+_SIGPIPE = 13  # Windows has no signal of this name
+
 
 def run(arguments: list[str]) -> int:
     """Run one command and return its exit code."""
@@ -58,17 +61,26 @@ def run(arguments: list[str]) -> int:
         check_paths(parsed)
         settle_interrupted(journals_folder_of_user())
         parsed.command.run(parsed, Progress(_print_progress))
+        sys.stdout.flush()
     except InsoleError as error:
         print(error, file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
     except Stopped as stopped:
         print(f"Stopped on request; {stopped.outcome}", file=sys.stderr)
         return stopped.exit_code
+    except BrokenPipeError:
+        return _left_by_reader()
     except OSError as error:
         return _report(error, _reason(error))
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
         return _report(error, f"An error in the program itself ({error}); please report it")
     return 0
+
+
+def _left_by_reader() -> int:
+    """End as other programs do when the reader of a pipe, such as head, has read enough."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the flush at the exit
+    return 128 + _SIGPIPE
 
 
 def _reason(error: OSError) -> str:

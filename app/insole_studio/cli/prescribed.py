@@ -46,12 +46,13 @@ def prescribed(
     from insole_core.workflows.clinic_devices import find_device
     from insole_core.workflows.findings import apply_finding, find_finding
 
-    design = prescription or InsoleDesign(foot.side)
-    if arguments.device is None and not arguments.finding:
-        return design
+    if prescription is not None and arguments.device is None and not arguments.finding:
+        return prescription
     catalogue = clinic_catalogue()
-    if arguments.device is not None:
-        design = apply_device(find_device(catalogue.devices, arguments.device), design)
+    design = prescription or InsoleDesign(foot.side)
+    if prescription is None or arguments.device is not None:
+        name = arguments.device or catalogue.default_device
+        design = apply_device(find_device(catalogue.devices, name), design)
     findings = clinic_findings() if arguments.finding else ()
     for name in arguments.finding:
         finding = find_finding(findings, name)
@@ -66,14 +67,14 @@ def clinic_catalogue() -> Catalogue:
     """
     from insole_core.insole.prescription.clinic_rules import load_rules
     from insole_core.workflows.clinic_devices import clinic_devices, default_device
+    from insole_core.workflows.default_device import DefaultDevice
     from insole_core.workflows.findings import Catalogue
     from insole_core.workflows.pad_library import load_pads
-    from insole_studio.settings import load_settings
     from insole_studio.user_paths import UserPaths
 
-    paths = UserPaths.of_user()
-    listed = clinic_devices(paths.settings_folder).load()
-    default, problem = default_device(listed.items, load_settings(paths.settings_file).device)
+    folder = UserPaths.of_user().settings_folder
+    listed = clinic_devices(folder).load()
+    default, problem = default_device(listed.items, DefaultDevice(folder).load())
     for sentence in (*listed.unreadable, *((problem,) if problem else ())):
         print(f"Warning: {sentence}", file=sys.stderr)
     usual_mm = load_rules().pelott_usual_behind_heads_mm

@@ -188,16 +188,18 @@ class Case(QObject):
         self.path, self.digest, self.is_read_only = path, digest, read_only
         self._begin(record, unsaved)
 
-    def open_foot(self, foot: Foot, source: ScanSource) -> None:
+    def open_foot(self, foot: Foot, source: ScanSource, design: InsoleDesign | None = None) -> None:
         """Begin a design on a new foot alone; the patient stays.
 
         Parameters
         ----------
         source
             The scan that the foot was made from.
+        design
+            Where it begins; by default as scanned, without corrections.
         """
         self.leaving.emit()
-        record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
+        record = CaseRecord.of_foot(FootRecord.begun(foot, source, design), self._record.patient)
         self._begin(record, unsaved=True)
 
     def _begin(self, record: CaseRecord, unsaved: bool) -> None:

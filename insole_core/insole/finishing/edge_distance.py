@@ -22,6 +22,26 @@ Grid: TypeAlias = tuple[float, float, float, tuple[int, int]]
 _BEYOND_STEPS = 1.6
 """How far the plate reaches beyond the edge, in steps of the grid: the edge's cells are whole."""
 _OUTSIDE_STEPS = 3
+LEAST_DEPTH_MM, DEPTH_PITCH_MM, _MOST_DEPTH_MM = 4.0, 0.5, 46.0
+_NEAREST_MM = 1.5  # by which a node may lie nearer to another part of the edge
+
+
+@dataclass(frozen=True, eq=False)
+class InwardLines:
+    """Lines from the points of an edge inwards, with a place every 0.5 mm.
+
+    Parameters
+    ----------
+    depth_mm : (k,) float64
+        Distances of the places from the edge, from 4 mm on.
+    places_mm : (n, k, 2) float64
+    room_mm : (n,) float64
+        Up to which depth a line is nearest to its own point: half the local width.
+    """
+
+    depth_mm: FloatArray
+    places_mm: FloatArray
+    room_mm: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,14 +68,17 @@ class EdgeDistance:
     y_mm: FloatArray
     plate: Plate
 
-    def inside_at(self, places: FloatArray, outside_mm: float) -> FloatArray:
-        """Return `inside_mm` of the nodes nearest to places (..., 2); far outside a given value."""
-        x0, y0, step, (rows, columns) = self.grid
-        j, i = (
-            np.rint((places - [x0, y0]) / step).astype(int).transpose(-1, *range(places.ndim - 1))
-        )
-        found = self.inside_mm[np.clip(i, 0, rows - 1), np.clip(j, 0, columns - 1)]
-        return np.asarray(np.maximum(found, outside_mm))
+    @cached_property
+    def lines_inward(self) -> InwardLines:
+        """The lines normal to the edge."""
+        points = self.edge.points_mm
+        along = np.roll(points, -2, axis=0) - np.roll(points, 2, axis=0)
+        inward = along[:, ::-1] * [-1.0, 1.0] / np.linalg.norm(along, axis=1, keepdims=True)
+        depth_mm = np.arange(LEAST_DEPTH_MM, _MOST_DEPTH_MM, DEPTH_PITCH_MM)
+        places = points[:, None] + depth_mm[:, None] * (inward * self.edge.turn)[:, None]
+        far = self._inside_near(places) < depth_mm - _NEAREST_MM
+        room_mm = np.where(far.any(axis=1), depth_mm[far.argmax(axis=1)], _MOST_DEPTH_MM)
+        return InwardLines(depth_mm, places, room_mm)
 
     @cached_property
     def nearest_in_plate(self) -> tuple[IntArray, IntArray]:
@@ -68,6 +91,13 @@ class EdgeDistance:
     def at_edge(self, values: FloatArray) -> FloatArray:
         """Interpolate values (n,) at the edge's points at the nodes' nearest ones, (ny, nx)."""
         return np.asarray(np.interp(self.arc_mm, *_closed(self.edge, values)))
+
+    def _inside_near(self, places: FloatArray) -> FloatArray:
+        """Return `inside_mm` at the nodes nearest to places (..., 2)."""
+        x0, y0, step, (rows, columns) = self.grid
+        at = np.rint((places - [x0, y0]) / step).astype(int)
+        row, column = np.clip(at[..., 1], 0, rows - 1), np.clip(at[..., 0], 0, columns - 1)
+        return np.asarray(self.inside_mm[row, column])
 
 
 def edge_distance(foot: Foot, outline: Outline, field: HeightField) -> EdgeDistance:

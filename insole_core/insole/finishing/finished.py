@@ -27,16 +27,13 @@ from insole_core.insole.finishing.flank import flank_heights
 from insole_core.insole.finishing.rim_curve import RIM_SIGMA_MM, Rim, RimCurve
 from insole_core.insole.finishing.thin_plate import SprungPlate
 from insole_core.insole.finishing.toe_zone import ToeZone, toe_zone
+from insole_core.insole.finishing.zones import Zones, zones_of
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Place, RimStation
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.surface.height_field import HeightField
 
 _HEEL_SHARE = 0.22
 _HEEL_INSIDE_MM = 6.0  # the floor of the heel lies at least so far from the edge
-_CORNER_MM = 10.0  # radius of a zone's corners, where toe line and rim meet
-_COLLAR_MM, _COLLAR_STIFFNESS = 3.0, 1.0
-"""Around the fixed zones, the plate lies on springs whose stiffness falls to zero over this width,
-as the square, from this value, 1/mm⁴: so it lets go of the contact surface without a crease."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,8 +46,6 @@ class FinishedSurface:
         Heights in the level of the contact surface that it was made from.
     heel_mm
         Level of the heel's floor, from which the rim is counted, in the level of `surface`.
-    support : (ny, nx) bool
-        Nodes that keep the shaped contact surface.
     goal
         What the plate is held at: the shaped contact surface, and the floor of the toe zone.
     """
@@ -62,7 +57,7 @@ class FinishedSurface:
     widths: BlendWidths
     toes: ToeZone
     arch: Arch
-    support: BoolArray
+    zones: Zones
     goal: HeightField
     place: EdgeDistance
     plate: SprungPlate
@@ -128,12 +123,11 @@ def finished(
     goal = replace(shaped, heights_mm=toes.joined(even))
     rim_mm = heel_mm + curve.height_mm
     widths = blend_widths(place, goal, rim_mm, finish)
-    support_mm, floor_mm = _within_zones(place, widths, toes)
-    stiffness = _stiffness(np.maximum(support_mm, floor_mm))
-    plate = _factorised(foot, design.outline, place, stiffness)
+    zones = zones_of(place, widths, toes, goal)
+    plate = _factorised(foot, design.outline, place, zones.stiffness())
     surface = replace(contact, heights_mm=_joined(place, plate, goal, rim_mm))
     return FinishedSurface(
-        surface, heel_mm, rim, curve, widths, toes, arch, support_mm > 0, goal, place, plate
+        surface, heel_mm, rim, curve, widths, toes, arch, zones, goal, place, plate
     )
 
 
@@ -170,29 +164,6 @@ def _along_edge(place: EdgeDistance, field: HeightField) -> FloatArray:
     edge = place.edge
     heights = field.height_at(edge.points_mm)
     return np.asarray(gaussian_filter1d(heights, RIM_SIGMA_MM / edge.step_mm, mode="wrap"))
-
-
-def _within_zones(
-    place: EdgeDistance, widths: BlendWidths, toes: ToeZone
-) -> tuple[FloatArray, FloatArray]:
-    """Return how far (ny, nx) nodes lie within the supporting zone, and within the toe zone."""
-    from_rim_mm = place.inside_mm - place.at_edge(widths.width_mm)
-    return (
-        _within_both(from_rim_mm, toes.begin_mm - toes.ahead_mm),
-        _within_both(from_rim_mm, toes.ahead_mm - toes.end_mm),
-    )
-
-
-def _within_both(first_mm: FloatArray, second_mm: FloatArray) -> FloatArray:
-    """Return how far nodes lie within two zones, with corners rounded by a circle."""
-    missing = [np.clip(_CORNER_MM - mm, 0, 1e3) for mm in (first_mm, second_mm)]
-    return np.asarray(_CORNER_MM - np.hypot(*missing))
-
-
-def _stiffness(within_mm: FloatArray) -> FloatArray:
-    """Return the springs' stiffness by how far nodes lie within a zone; inf inside it."""
-    collar = _COLLAR_STIFFNESS * np.clip(1 + within_mm / _COLLAR_MM, 0, 1) ** 2
-    return np.asarray(np.where(within_mm > 0, np.inf, collar))
 
 
 def _factorised(

@@ -13,12 +13,12 @@ from insole_core.insole.finishing.edge_distance import EdgeDistance
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.surface.blending import smoother_step
 
-TRANSITION_MM = 14.0
-"""From the toe line to where the floor of the toes is reached."""
+_TRANSITION_MM, _SULCUS_TRANSITION_MM = 14.0, 18.0
+"""From the toe line to where the floor of the toes is reached, and the lower one of a sulcus."""
 _LEVEL_MM = (0.0, 6.0)  # ahead of the heads: the strip whose median height is the toes' level
 _LEAST_NODES = 20
-_SULCUS_MM = ((4.0, 9.0, 13.5), (0.0, 3.0, 4.0))  # ahead of the heads, and depth there [OFF]
-_CREST_MM, _CREST_HALF_MM = 4.0, 11.0
+_SULCUS_DEPTH_MM, _SULCUS_MM = 4.0, (4.0, 13.5)  # and where, ahead of the heads, it falls [OFF]
+_CREST_MM, _CREST_HALF_MM = 4.0, 15.0
 _CREST_PLACE = 0.45  # share of the way from the heads 2 to 4 to the tips of their toes
 _CREST_TOES = (0.15, 0.35)  # shares of the ball's width from the 1st head: the big toe lies free
 
@@ -32,7 +32,8 @@ class ToeZone:
     ahead_mm : (ny, nx) float64
         How far each node lies ahead of the parabola through the five heads, along y.
     level_mm
-        Median of the contact surface just ahead of the heads.
+        On which the toes lie: the median of the contact surface just ahead of the heads, less the
+        depth of a sulcus.
     floor_mm : (ny, nx) float64
         Heights of the designed floor.
     begin_mm, end_mm
@@ -83,14 +84,16 @@ def toe_zone(
     level_mm = _level_mm(ahead_mm, contact_mm, measured & (place.inside_mm > 0))
     floor_mm = np.full(ahead_mm.shape, level_mm)
     if finish.toe_zone == "sulcus":
-        floor_mm = level_mm - np.interp(ahead_mm, *_SULCUS_MM)
+        floor_mm = level_mm - _SULCUS_DEPTH_MM * smoother_step(ahead_mm, *_SULCUS_MM)
+        level_mm -= _SULCUS_DEPTH_MM
     elif finish.toe_zone == "crest":
         reach_mm = (tips[1:4, 1] - np.polyval(parabola, tips[1:4, 0])).mean()
         aside = (heads[0, 0] - medial * place.x_mm) / max(heads[0, 0] - heads[-1, 0], 1.0)
         across = smoother_step(aside, *_CREST_TOES)
         away = np.abs(ahead_mm - _CREST_PLACE * reach_mm) / _CREST_HALF_MM
         floor_mm = level_mm + _CREST_MM * across * (1 - smoother_step(away, 0.0, 1.0))
-    begin, end = finish.toe_line_mm, finish.toe_line_mm + TRANSITION_MM
+    transition_mm = _SULCUS_TRANSITION_MM if finish.toe_zone == "sulcus" else _TRANSITION_MM
+    begin, end = finish.toe_line_mm, finish.toe_line_mm + transition_mm
     if finish.toe_zone == "as_scanned":
         begin = end = np.inf
     return ToeZone(ahead_mm, level_mm, floor_mm, begin, end)

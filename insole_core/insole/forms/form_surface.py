@@ -12,6 +12,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.forms.form_frame import FormFrame, form_frame
 from insole_core.insole.prescription.base_form import BaseForm, Form
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.surface.height_field import HeightField
 
 MOST_GRADING = 0.5
@@ -39,6 +40,23 @@ def base_surface(foot: Foot, sole: HeightField, base: BaseForm) -> HeightField:
     form = foot.derived.get("form", (base.form, _grid_of(sole)), lambda: _graded(foot, sole, base))
     share = base.contact_share
     return replace(sole, heights_mm=share * sole.heights_mm + (1 - share) * form)
+
+
+def finish_on_base(finish: Finish, base: BaseForm | None) -> Finish:
+    """Return the finish of a surface that starts from a base.
+
+    Expansion, fill and smoothing of folds correct a scan, and a form is none: they count by the
+    share of the foot's own sole, and without it not at all.
+    """
+    if base is None:
+        return finish
+    share = base.contact_share
+    return replace(
+        finish,
+        expansion_mm=share * finish.expansion_mm,
+        arch_fill_mm=share * finish.arch_fill_mm,
+        skin_smoothing_mm=finish.skin_smoothing_mm if share > 0 else 0.0,
+    )
 
 
 def form_heights(form: Form, frame: FormFrame, xy: FloatArray) -> FloatArray:

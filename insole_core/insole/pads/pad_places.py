@@ -20,6 +20,7 @@ _MIDDLE_HEADS = HEADS[1:4]
 _BAND_BEHIND_MM = 12.0  # a pad under heads 2 to 5 begins this far behind them
 _DANCERS_AHEAD_MM = 10.0  # a dancer's pad ends this far ahead of heads 2 to 5
 _DANCERS_GAP_MM = 14.0  # and this far behind the 1st
+_WEB = 0.65  # of the way from head 1 to head 2: the medial corners of such pads
 _SULCUS_MM = 12.0  # the toes begin this far ahead of their heads
 _STYLOID_INSIDE_MM = 8.0  # from the foot's lateral border to the base of the 5th metatarsal
 _TUBERCLE = 0.15  # of the heel's width, from its centre to the medial tubercle
@@ -95,17 +96,26 @@ def _around_first_head(pad: Pelott, _side: Side, at: _Places, _behind: float) ->
     line, first = _lesser_heads(at), at[HEADS[0]]
     front, gap = np.array([0.0, _DANCERS_AHEAD_MM]), np.array([0.0, -_DANCERS_GAP_MM])
     rear = front - np.array([0.0, pad.length_mm])
-    border = np.array([at["metatarsale_tibiale"][0], first[1]])
+    border = _towards_border(first, at["metatarsale_tibiale"])
     web = np.array([line[0, 0], first[1]])
-    around = np.array([border + rear, border + gap, first + gap, web + gap])
-    return _outlined(pad, np.concatenate([line + front, line[:0:-1] + rear, around]))
+    around = np.array([border + rear, border + gap, web + gap])
+    return _outlined(pad, np.concatenate([line + front, line[-1:] + rear, around]))
 
 
 def _lesser_heads(at: _Places) -> FloatArray:
-    """Return the line (6, 2) from between heads 1 and 2 over heads 2 to 5 to the border."""
-    heads = [at[name] for name in HEADS]
-    border = np.array([at["metatarsale_fibulare"][0], heads[-1][1]])
-    return np.array([(heads[0] + heads[1]) / 2, *heads[1:], border])
+    """Return the line (3, 2) from between heads 1 and 2 over head 3 to beside head 5.
+
+    The curve through these few corners follows the heads, has few handles, and reaches farther than
+    they do: from halfway between heads 1 and 2 to the border of the foot.
+    """
+    first, second, third, _, fifth = (at[name] for name in HEADS)
+    web = first + _WEB * (second - first)
+    return np.array([web, third, _towards_border(fifth, at["metatarsale_fibulare"])])
+
+
+def _towards_border(head: FloatArray, border: FloatArray) -> FloatArray:
+    """Return the place beside a head halfway to the border of the foot."""
+    return np.array([(head[0] + border[0]) / 2, head[1]])
 
 
 def _outlined(pad: Pelott, corners: FloatArray) -> Pelott:

@@ -6,6 +6,8 @@ are data (resources/pads/library.json); shapes are code, so that a prescription 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
@@ -38,6 +40,23 @@ def local_outline(pad: Pelott) -> FloatArray:
     ratio = {"egg": pad.egg_ratio, "drop": _DROP_RATIO}.get(pad.shape, 0.0)
     key = pad.shape, pad.length_mm, pad.width_mm, ratio, pad.outline_mm
     return _outlines.get("outline", key, lambda: _outline(*key))
+
+
+def pad_size(pad: Pelott) -> tuple[float, float]:
+    """Return length and width of the outline before it is turned, mm."""
+    if pad.outline_mm is None:
+        return pad.length_mm, pad.width_mm
+    width, length = np.ptp(local_outline(pad), axis=0)
+    return float(length), float(width)
+
+
+def resized(pad: Pelott, length_mm: float, width_mm: float) -> Pelott:
+    """Return the pad with another length and width; a free outline is stretched about its apex."""
+    if pad.outline_mm is None:
+        return replace(pad, length_mm=length_mm, width_mm=width_mm)
+    length, width = pad_size(pad)
+    along, across = length_mm / length, width_mm / width
+    return replace(pad, outline_mm=tuple((x * across, y * along) for x, y in pad.outline_mm))
 
 
 def pad2insole(pad: Pelott) -> FloatArray:

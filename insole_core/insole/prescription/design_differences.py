@@ -10,6 +10,7 @@ from dataclasses import fields, replace
 from itertools import groupby
 from typing import Any
 
+from insole_core.insole.pads.pad_kinds import pad_name
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.corrections import Correction, Pelott
 from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
@@ -86,14 +87,6 @@ _CORRECTIONS = {
     "arch_raise": "Arch raise",
     "heel_cup": "Heel cup",
     "brush": "Stroke",
-    "egg": "Pelott",
-    "drop": "Drop",
-    "bar": "Metatarsal bar",
-    "arch_support": "Arch support",
-    "horseshoe": "Horseshoe",
-    "cut_out": "Recess",
-    "mortons_extension": "Morton's extension",
-    "outline": "Free-hand pad",
 }
 _PARTS = ("outline", "layers", "finish", "shell")
 _UNITS = {"_mm": "mm", "_deg": "°", "_kg": "kg"}
@@ -274,8 +267,10 @@ def _unsigned(correction: Correction) -> Correction:
 
 
 def _name(correction: Correction) -> Message:
-    kind = correction.shape if isinstance(correction, Pelott) else correction.type
-    return Message(_CORRECTIONS.get(kind, _as_words(kind)))
+    if isinstance(correction, Pelott):
+        name = pad_name(correction)
+        return Message(name[0].upper() + name[1:])
+    return Message(_CORRECTIONS.get(correction.type, _as_words(correction.type)))
 
 
 def _main(correction: Correction) -> Message:

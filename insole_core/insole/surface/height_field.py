@@ -74,6 +74,13 @@ class HeightField:
         upward /= np.sqrt(np.einsum("ijc,ijc->ij", upward, upward))[..., None]
         return np.asarray(upward)
 
+    def laplacian(self) -> FloatArray:
+        """Compute the sum of both second differences per step², (ny, nx), 1/mm; 0 at the rim."""
+        h, bend = self.heights_mm, np.zeros_like(self.heights_mm)
+        around = h[:-2, 1:-1] + h[2:, 1:-1] + (h[1:-1, :-2] + h[1:-1, 2:])
+        bend[1:-1, 1:-1] = (around - 4 * h[1:-1, 1:-1]) / self.step_mm**2
+        return bend
+
     def height_at(self, xy: FloatArray) -> FloatArray:
         """Interpolate heights at points (..., 2) bilinearly; NaN beyond the field."""
         xy = np.asarray(xy, dtype=float)

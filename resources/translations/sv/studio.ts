@@ -1956,6 +1956,10 @@
             <translation>varm om {minutes:.0f} min</translation>
         </message>
         <message>
+            <source>{depth} mm deep</source>
+            <translation>{depth} mm djup</translation>
+        </message>
+        <message>
             <source>{fps:.0f} frames/s, {lost} lost</source>
             <translation>{fps:.0f} bilder/s, {lost} förlorade</translation>
         </message>

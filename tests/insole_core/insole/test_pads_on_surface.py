@@ -11,6 +11,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
+    Finish,
     HeelLift,
     InsoleDesign,
     Pelott,
@@ -135,11 +136,12 @@ def test_arch_raise_stands_where_it_was_put_or_on_the_foots_own_apex(left_foot):
     )
 
 
+@pytest.mark.parametrize("finish", [None, Finish(arch_fill_mm=3.2)], ids=["plain", "finished"])
 @pytest.mark.parametrize("corrections", [(), (HeelLift(height_mm=5),), (Posting(rearfoot_deg=6),)])
-def test_an_arch_reaches_its_target_whatever_is_below_it(left_foot, corrections):
+def test_an_arch_reaches_its_target_whatever_is_below_it(left_foot, corrections, finish):
     apex = (18.0, 118.0)  # a node
     arch = ArchRaise(target_mm=31.0, height_mm=9.0, apex_mm=apex)
-    design = replace(PLAIN, corrections=(*corrections, arch))
+    design = replace(PLAIN, corrections=(*corrections, arch), finish=finish)
     base = contact_base(left_foot, design)
     raised = apply_pads(base, design)
     assert float(raised.height_at(np.array(apex))) == pytest.approx(31.0, abs=1e-9)

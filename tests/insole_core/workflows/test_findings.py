@@ -190,7 +190,7 @@ BAD = [
     ({"name": "A", "corrections": [{"type": "clog"}]}, 'type "clog"'),
     ({"name": "A", "corrections": [{"type": "heel_skive", "depth_mm": 50}]}, "depth_mm.* is 50"),
     ({"name": "A", "posts": [{"region": "toes"}]}, 'region.*"toes"'),
-    ({"name": "A", "pads": [{"kind": "pelott"}]}, "size is missing"),
+    ({"name": "A", "pads": [{"size": "M"}]}, "kind is missing"),
     ({"name": "A", "pads": [{"kind": "pelott", "size": "M", "height_mm": 99}]}, "height_mm is 99"),
 ]
 

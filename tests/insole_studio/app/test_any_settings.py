@@ -267,5 +267,6 @@ def test_damaged_copies_are_kept_aside_beside_intact_ones(tmp_path: Path) -> Non
     assert recovered.record.patient.name == "Anna"
     assert len(complaints) == 3
     assert (tmp_path / "cut.insole.broken-1").read_bytes() == b"cut off"
+    recovered.release()
     assert find_recovered(tmp_path, complaints.append)
     assert len(complaints) == 3  # told once

@@ -346,3 +346,15 @@ def test_the_command_sets_the_threads_of_linear_algebra_before_numpy_reads_them(
     code = "import sys, insole_studio.__main__; print('numpy' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes of Windows end without a signal")
+def test_reader_that_has_read_enough_ends_a_command_without_a_complaint() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    code = "import sys; from insole_studio.cli.main import run; sys.exit(run(['devices']))"
+    done = subprocess.run(
+        [sys.executable, "-c", code], stdout=write, stderr=subprocess.PIPE, text=True, check=False
+    )
+    os.close(write)
+    assert (done.returncode, done.stderr) == (128 + signal.SIGPIPE, "")

@@ -18,6 +18,7 @@ from insole_core.resources import resource_path
 from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.starting_design import starting_device
 from insole_core.workflows.template_transfer import last_design
 from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.features.case_files.case_guard import CaseGuard, FileState
@@ -217,19 +218,19 @@ class OpenActions:
 
     def _put_on_bench(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one of the same side is replaced, or kept in the old case."""
-        foot = FootRecord.begun(scanned.foot, scanned.source)
+        foot = self._begun(scanned)
         record = self._case.record
         before = record.of_side(foot.side)
         if not record.feet:
             self._tell(scanned)
-            self._case.open_foot(scanned.foot, scanned.source)
+            self._case.open_foot(foot.foot, foot.source, foot.design)
             return
         if before is None:
             self._tell(scanned)
             self._case.apply(foot, _sentence_of_adding(foot.side))
             return
         answer = SameSide.REPLACE
-        if not _is_untouched(before):
+        if not self._is_untouched(before):
             answer = self._messages.questions.about_same_side(foot.side)
         if answer is SameSide.REPLACE:
             foot = replace(foot, earlier=last_design(before))
@@ -239,15 +240,27 @@ class OpenActions:
             self._saver.after_unsaved(lambda: self._begin_case(scanned))
 
     def _begin_case(self, scanned: ScannedFoot) -> None:
-        foot = FootRecord.begun(scanned.foot, scanned.source)
+        foot = self._begun(scanned)
         self._case.open(CaseRecord.of_foot(foot), None, unsaved=True)
         self._tell(scanned)
 
+    def _begun(self, scanned: ScannedFoot) -> FootRecord:
+        """Return a foot whose design begins with the clinic's device."""
+        starting = starting_device(self._services.paths.settings_folder)
+        if starting.problem is not None:
+            self._messages.show_sentence(translate_core_message(starting.problem))
+        design = starting.design(scanned.foot.side)
+        return FootRecord.begun(scanned.foot, scanned.source, design)
 
-def _is_untouched(foot: FootRecord) -> bool:
-    """Return whether a foot has not been edited yet."""
-    begun = FootRecord.begun(foot.foot, foot.source)
-    return (foot.variants, foot.annotations) == (begun.variants, begun.annotations)
+    def _is_untouched(self, foot: FootRecord) -> bool:
+        """Return whether a foot has not been edited since its design began."""
+        device = starting_device(self._services.paths.settings_folder)
+        begun = (
+            FootRecord.begun(foot.foot, foot.source, design)
+            for design in (device.design(foot.side), None)
+        )
+        edited = foot.variants, foot.annotations
+        return any(edited == (record.variants, record.annotations) for record in begun)
 
 
 def _sentence_of_adding(side: Side) -> str:

@@ -103,7 +103,7 @@ def word_of(choice: str, word: str) -> str:
 def pad_text(pad: LibraryPad) -> str:
     """Return the name of a library pad with its size; of one sized by the foot only its height."""
     of_foot = pad.place in SIZED_BY_FOOT
-    size = f"{_plain(pad.template.height_mm)} mm" if of_foot else _size(pad.template)
+    size = _height(pad.template) if of_foot else _size(pad.template)
     name = " ".join(word for word in (name_of(pad.template), pad.size) if word)
     return f"{name}   {size}"
 
@@ -130,9 +130,7 @@ def describe(correction: Correction) -> str:
 def _numbers(correction: Correction) -> str:
     if isinstance(correction, Pelott):
         size = f" ({_plain(correction.length_mm)} × {_plain(correction.width_mm)})"
-        return f"{_plain(correction.height_mm)} mm" + (
-            size if correction.outline_mm is None else ""
-        )
+        return _height(correction) + (size if correction.outline_mm is None else "")
     if isinstance(correction, Posting):
         return f"{_edge(correction.rearfoot_deg)} / {_edge(correction.forefoot_deg)}"
     if isinstance(correction, ForefootTwist):
@@ -166,5 +164,12 @@ def _edge(angle_deg: float) -> str:
 
 
 def _size(pad: Pelott) -> str:
-    sizes = (pad.length_mm, pad.width_mm) if pad.outline_mm is None else ()
-    return " × ".join(_plain(length) for length in (*sizes, pad.height_mm)) + " mm"
+    size = f"{_plain(pad.length_mm)} × {_plain(pad.width_mm)}"
+    return f"{size} × {_height(pad)}" if pad.height_mm >= 0 else f"{size} mm, {_height(pad)}"
+
+
+def _height(pad: Pelott) -> str:
+    """Write the height of a pad, or the depth of a recess."""
+    if pad.height_mm >= 0:
+        return f"{_plain(pad.height_mm)} mm"
+    return tr("{depth} mm deep").format(depth=_plain(-pad.height_mm))

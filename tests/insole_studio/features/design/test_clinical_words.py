@@ -37,8 +37,13 @@ from insole_studio.features.design.rows import FieldSpec
 from insole_studio.widgets.number_field import NumberField
 
 PAD = Pelott(centre_mm=(-3.0, 153.3), sigma_mm=(20.0, 30.0))
+FREE_PAD = Pelott(
+    centre_mm=(-3.0, 153.3), shape="flat_outline",
+    outline_mm=((-14.0, -22.0), (16.0, -25.0), (12.0, 24.0), (-18.0, 20.0)),
+)  # fmt: skip
 PARTS = (
-    PAD, Posting(rearfoot_deg=4.0), ForefootTwist(angle_deg=-2.0), HeelSkive(), HeelLift(),
+    PAD, FREE_PAD, Posting(rearfoot_deg=4.0), ForefootTwist(angle_deg=-2.0), HeelSkive(),
+    HeelLift(),
     ArchRaise(apex_mm=(20.0, 110.0)), HeelCup(), BrushStroke(points_mm=((0.0, 50.0),)),
     InsoleDesign(Side.RIGHT), Layers(), Outline(source="shoe_size", shoe_size_eu=42.0),
 )  # fmt: skip

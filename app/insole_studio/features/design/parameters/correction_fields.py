@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from insole_core.geometry.side import Side
-from insole_core.insole.pads.pad_shapes import DOMED, local_outline
+from insole_core.insole.pads.pad_shapes import DOMED, local_outline, pad_size, resized
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
@@ -45,6 +45,7 @@ from insole_studio.features.design.rows import ChoiceSpec, FieldSpec
 from insole_studio.texts import tr
 
 Part = TypeVar("Part")
+_SIZES = ("length_mm", "width_mm")
 
 
 @dataclass(frozen=True)
@@ -439,6 +440,9 @@ def with_value(part: Part, key: str, value: float | str, side: Side) -> Part:
         return _within(replace(part, **{key: value}))  # type: ignore[type-var]
     (editable,) = (editable for editable in EDITABLE[type(part)] if editable.key == key)
     stored = value / editable.factor(side)
+    if isinstance(part, Pelott) and editable.name in _SIZES:
+        sizes = dict(zip(_SIZES, pad_size(part), strict=True)) | {editable.name: stored}
+        return resized(part, **sizes)  # type: ignore[return-value]
     if editable.number is None:
         return replace(part, **{editable.name: stored})  # type: ignore[type-var]
     pair = list(_pair(part, editable.name) or (0.0, 0.0))
@@ -506,6 +510,8 @@ def _number(part: Any, editable: Editable) -> float | None:
         return None
     if isinstance(part, ArchRaise) and editable.name == "height_mm" and part.target_mm is not None:
         return None
+    if isinstance(part, Pelott) and editable.name in _SIZES:
+        return pad_size(part)[_SIZES.index(editable.name)]
     if editable.number is not None:
         pair = _pair(part, editable.name)
         return None if pair is None else float(pair[editable.number])
@@ -536,4 +542,4 @@ def _has(pad: Pelott, name: str) -> bool:
         return pad.shape == "egg"
     if name == "sigma_mm":
         return pad.shape in DOMED
-    return name not in ("length_mm", "width_mm") or pad.outline_mm is None
+    return True

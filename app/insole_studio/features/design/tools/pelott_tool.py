@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.pads.pad_shapes import local_outline, pad2insole
+from insole_core.insole.pads.pad_shapes import local_outline, pad2insole, pad_size, resized
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
@@ -46,6 +46,7 @@ from insole_studio.texts import localised, tr
 HEIGHT_STEP_MM = 0.5
 TURN_STEP_DEG = 0.5
 TURN_HANDLE_GAP_MM = 12.0
+CORNER_GAP_MM = 6.0
 OUTLINE_POINTS = 120
 
 Reshape = Callable[[Pelott, PointerEvent, PointerEvent], Pelott]
@@ -188,7 +189,7 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
     pad = selected_zone(case)
     if design is None or pad is None:
         return False
-    if not event.by_key and pelott_at(design, event) != pad:
+    if not event.by_key and not _is_on(design, pad, event):
         return False
     step = 0.1 if event.fine else HEIGHT_STEP_MM
     raised = replace(
@@ -196,6 +197,14 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
     )
     case.apply(with_zone(design, pad, raised), tr("Raise the pad"), f"{pad.id}:wheel")
     return True
+
+
+def _is_on(design: InsoleDesign, pad: Pelott, event: PointerEvent) -> bool:
+    """Return whether the pointer is on a pad, or in an arch raise and on no pad."""
+    found = pelott_at(design, event)
+    if found is not None or event.surface_mm is None or seen_from_above(event):
+        return found == pad
+    return bool(inside_curve(pad_outline(pad, OUTLINE_POINTS), event.surface_mm[:2]))
 
 
 def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
@@ -255,15 +264,15 @@ def _spots(pad: Pelott) -> dict[str, FloatArray]:
     front, back = _reach(pad)
     along, across = _axes(pad)
     centre = np.array(pad.centre_mm)
+    beside = _beside_corners_mm(pad)
     spots = {
         "move": centre,
-        "turn": centre + (front + TURN_HANDLE_GAP_MM) * along,
-        "height": centre - (back if pad.outline_mm is None else back + 6.0) * along,
+        "turn": centre + (front + beside + TURN_HANDLE_GAP_MM) * along,
+        "height": centre - (back + beside) * along,
+        "length": centre + (front + beside) * along,
+        "width": centre + (_breadth(pad) + beside) * across,
     }
-    if pad.outline_mm is None:
-        spots["length"] = centre + front * along
-        spots["width"] = centre + float(local_outline(pad)[:, 0].max()) * across
-    else:
+    if pad.outline_mm is not None:
         corners = np.array(pad.outline_mm) @ pad2insole(pad).T + centre
         spots.update({f"corner:{number}": corner for number, corner in enumerate(corners)})
     return spots
@@ -349,18 +358,18 @@ def _lengthened(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelot
     offset = _offset(pad, event)
     if offset is None:
         return pad
-    share = float(offset @ _axes(pad)[0]) / _reach(pad)[0]
-    length = rounded(pad.length_mm * share, HEIGHT_STEP_MM)
-    return replace(pad, length_mm=_within("length_mm", length))
+    length, width = pad_size(pad)
+    share = (float(offset @ _axes(pad)[0]) - _beside_corners_mm(pad)) / _reach(pad)[0]
+    return resized(pad, _within("length_mm", rounded(length * share, HEIGHT_STEP_MM)), width)
 
 
 def _widened(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:
     offset = _offset(pad, event)
     if offset is None:
         return pad
-    share = float(offset @ _axes(pad)[1]) / float(local_outline(pad)[:, 0].max())
-    width = rounded(pad.width_mm * share, HEIGHT_STEP_MM)
-    return replace(pad, width_mm=_within("width_mm", width))
+    length, width = pad_size(pad)
+    share = (float(offset @ _axes(pad)[1]) - _beside_corners_mm(pad)) / _breadth(pad)
+    return resized(pad, length, _within("width_mm", rounded(width * share, HEIGHT_STEP_MM)))
 
 
 def _turned(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:
@@ -405,6 +414,16 @@ def _reach(pad: Pelott) -> tuple[float, float]:
     """Return the extent of the outline in front of and behind the apex, mm."""
     y = local_outline(pad)[:, 1]
     return float(y.max()), float(-y.min())
+
+
+def _breadth(pad: Pelott) -> float:
+    """Return the extent of the outline to +x of the apex, mm."""
+    return float(local_outline(pad)[:, 0].max())
+
+
+def _beside_corners_mm(pad: Pelott) -> float:
+    """Return how far outside the outline handles stand, so that they cover no corner."""
+    return 0.0 if pad.outline_mm is None else CORNER_GAP_MM
 
 
 def _within(name: str, value: float) -> float:

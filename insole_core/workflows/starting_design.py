@@ -1,0 +1,43 @@
+"""The design that a new foot begins with: one of the clinic's usual device, without corrections."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.device import Device, apply_device
+from insole_core.messages import Message
+from insole_core.workflows.clinic_devices import clinic_devices, default_device
+from insole_core.workflows.default_device import DefaultDevice
+
+
+@dataclass(frozen=True)
+class StartingDevice:
+    """The device of new designs.
+
+    Parameters
+    ----------
+    problem
+        Why it is not the clinic's choice, a sentence; None if it is.
+    """
+
+    device: Device
+    problem: Message | None = None
+
+    def design(self, side: Side) -> InsoleDesign:
+        """Return a new design for a foot."""
+        return apply_device(self.device, InsoleDesign(side))
+
+
+def starting_device(folder: Path) -> StartingDevice:
+    """Return the device of new designs.
+
+    Parameters
+    ----------
+    folder
+        Of the clinic's settings.
+    """
+    devices = clinic_devices(folder).load().items
+    return StartingDevice(*default_device(devices, DefaultDevice(folder).load()))
