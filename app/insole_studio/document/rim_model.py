@@ -11,6 +11,7 @@ from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
 from insole_core.insole.finishing.toe_line import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
@@ -28,7 +29,7 @@ class FinishedInsole(Protocol):
     changed: Any
 
     @property
-    def rim(self) -> Rim | None: ...  # noqa: D102
+    def finished(self) -> FinishedSurface | None: ...  # noqa: D102
 
 
 class RimModel(QObject):
@@ -66,7 +67,8 @@ class RimModel(QObject):
     @property
     def rim(self) -> Rim | None:
         """What the stations refer to; None while no finished insole is built."""
-        return None if self.finish is None else self._surface.rim
+        finished = self._surface.finished
+        return None if self.finish is None or finished is None else finished.rim
 
     @property
     def curve(self) -> RimCurve | None:
@@ -76,11 +78,16 @@ class RimModel(QObject):
             return None
         if self._curve_of != (rim, finish.rim):
             self._curve_of = rim, finish.rim
-            try:
-                self._curve = rim.curve(finish.rim)
-            except DesignError:  # the preview says why, and how to get out of it
-                self._curve = None
+            self._curve = self._built_curve(finish) or _curve_through(rim, finish.rim)
         return self._curve
+
+    def _built_curve(self, finish: Finish) -> RimCurve | None:
+        """Return the rim that the insole was just built with, if it has these stations."""
+        built = self._surface.finished
+        if built is None:
+            return None
+        stations = {placed.number: placed.station for placed in built.curve.stations}
+        return built.curve if stations == dict(enumerate(finish.rim)) else None
 
     @property
     def placed(self) -> dict[int, PlacedStation]:
@@ -88,12 +95,18 @@ class RimModel(QObject):
         curve = self.curve
         return {} if curve is None else {placed.number: placed for placed in curve.stations}
 
-    def is_reached(self, placed: PlacedStation) -> bool:
-        """Return whether the insole reaches a station."""
-        curve = self.curve
-        assert curve is not None, "a station is placed on a curve"
-        nearest = round(placed.arc_mm / curve.edge.step_mm) % len(self.reached)
-        return bool(self.reached[nearest])
+    @property
+    def placed_in_reach(self) -> dict[int, PlacedStation]:
+        """Those of the stations that the insole reaches."""
+        curve, reached = self.curve, self.reached
+        if curve is None:
+            return {}
+        step_mm, count = curve.edge.step_mm, len(reached)
+        return {
+            number: placed
+            for number, placed in self.placed.items()
+            if reached[round(placed.arc_mm / step_mm) % count]
+        }
 
     @property
     def reached(self) -> BoolArray:
@@ -159,6 +172,13 @@ class RimModel(QObject):
         self._selected, self._curve, self._known_outline = None, None, None
         self._curve_of = self._reached_of = self._toe_line_of = self._outline_of = ()
         self.changed.emit()
+
+
+def _curve_through(rim: Rim, stations: tuple[RimStation, ...]) -> RimCurve | None:
+    try:
+        return rim.curve(stations)
+    except DesignError:  # the preview says why, and how to get out of it
+        return None
 
 
 def with_stations(design: InsoleDesign, stations: tuple[RimStation, ...]) -> InsoleDesign:

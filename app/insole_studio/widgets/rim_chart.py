@@ -39,11 +39,10 @@ SKIN = "#c4684a"
 
 @dataclass(frozen=True)
 class ChartStation:
-    """A station of the rim: where it stands in the graph, and what it says, for its tooltip."""
+    """A station of the rim: where it stands in the graph."""
 
     s_mm: float
     height_mm: float
-    text: str
 
 
 @dataclass(frozen=True)
@@ -67,6 +66,8 @@ class RimGraph:
         Height of the rim, and of the foot's flank beside it; NaN where the foot has none.
     stations
         In the order of the prescription.
+    describe
+        Returns place and height of a station in words, by its number.
     zones
         The anatomical parts of the edge.
     cut_off
@@ -78,6 +79,7 @@ class RimGraph:
     flank_mm: FloatArray
     stations: tuple[ChartStation, ...]
     zones: tuple[ChartZone, ...]
+    describe: Callable[[int], str]
     cut_off: tuple[tuple[float, float], ...] = ()
 
 
@@ -136,8 +138,7 @@ class RimChart(QWidget):
         self._graph, self._selected = graph, selected
         if self._drag is None:
             self._range_mm = _range_of(graph)
-        station = None if selected is None else graph.stations[selected]
-        self.setAccessibleDescription("" if station is None else station.text)
+        self.setAccessibleDescription("" if selected is None else graph.describe(selected))
         self.update()
 
     def set_touch(self, touch: bool) -> None:
@@ -351,7 +352,7 @@ class RimChart(QWidget):
         if self._graph is None:
             return ""
         if number is not None:
-            return self._graph.stations[number].text
+            return self._graph.describe(number)
         return tr("Drag a station to shape the rim; double click adds one, Delete removes it")
 
     def _paint_grid(self, painter: QPainter, graph: RimGraph, mm2px: QTransform) -> None:

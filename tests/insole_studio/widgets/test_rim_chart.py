@@ -13,10 +13,11 @@ from insole_studio.widgets.rim_chart import ChartStation, ChartZone, RimChart, R
 LEFT = Qt.MouseButton.LeftButton
 S_MM = np.linspace(0.0, 600.0, 601)
 STATIONS = (
-    ChartStation(100.0, 20.0, "Medial, 40 %: 20.0 mm over the heel"),
-    ChartStation(300.0, 12.0, "Behind the heel: 12.0 mm over the heel"),
-    ChartStation(450.0, 8.0, "Lateral, 40 %: 8.0 mm over the heel"),
+    ChartStation(100.0, 20.0),
+    ChartStation(300.0, 12.0),
+    ChartStation(450.0, 8.0),
 )
+TEXTS = ("Medial, 40 %", "Behind the heel", "Lateral, 40 %")
 ZONES = (
     ChartZone("Medial", 0.0, 220.0),
     ChartZone("Heel", 220.0, 380.0),
@@ -26,9 +27,10 @@ ZONES = (
 
 
 def graph(stations: tuple[ChartStation, ...] = STATIONS) -> RimGraph:
-    rim = np.interp(S_MM, [s.s_mm for s in stations], [s.height_mm for s in stations])
+    knots = sorted((s.s_mm, s.height_mm) for s in stations)
+    rim = np.interp(S_MM, *np.transpose(knots))
     flank = np.where(S_MM < 540, 25.0, np.nan)
-    return RimGraph(S_MM, rim, flank, stations, ZONES)
+    return RimGraph(S_MM, rim, flank, stations, ZONES, TEXTS.__getitem__)
 
 
 @pytest.fixture
@@ -71,7 +73,7 @@ def test_a_drag_moves_the_station_by_its_way(
 def test_the_scale_stays_during_a_drag(chart: RimChart) -> None:
     QTest.mousePress(chart, LEFT, pos=pixel(chart, 1))
     before = chart.pixel_of(0.0, 10.0)
-    higher = (STATIONS[0], ChartStation(300.0, 40.0, ""), STATIONS[2])
+    higher = (STATIONS[0], ChartStation(300.0, 40.0), STATIONS[2])
     chart.show_graph(graph(higher), 1)
     assert chart.pixel_of(0.0, 10.0) == before
     QTest.mouseRelease(chart, LEFT, pos=pixel(chart, 1))
@@ -109,12 +111,17 @@ def test_arrow_keys_nudge_the_selected_station(
 def test_page_keys_choose_in_the_order_along_the_edge(chart: RimChart) -> None:
     shuffled = (STATIONS[2], STATIONS[0], STATIONS[1])
     chart.show_graph(graph(tuple(sorted(shuffled, key=lambda s: s.s_mm))), None)
-    chart.show_graph(RimGraph(S_MM, S_MM * 0 + 9.0, S_MM * np.nan, shuffled, ZONES), None)
+    chart.show_graph(
+        RimGraph(S_MM, S_MM * 0 + 9.0, S_MM * np.nan, shuffled, ZONES, TEXTS.__getitem__), None
+    )
     chosen: list[int] = []
 
     def take(number: int) -> None:
         chosen.append(number)
-        chart.show_graph(RimGraph(S_MM, S_MM * 0 + 9.0, S_MM * np.nan, shuffled, ZONES), number)
+        chart.show_graph(
+            RimGraph(S_MM, S_MM * 0 + 9.0, S_MM * np.nan, shuffled, ZONES, TEXTS.__getitem__),
+            number,
+        )
 
     chart.chosen.connect(take)
     for _ in range(4):
@@ -142,7 +149,9 @@ def test_stations_are_added_and_removed(chart: RimChart, qtbot: QtBot) -> None:
 
 def test_rim_flank_and_stations_are_painted_and_a_sentence_in_their_place(chart: RimChart) -> None:
     shown = chart.grab().toImage()
-    without_flank = RimGraph(S_MM, graph().rim_mm, S_MM * np.nan, STATIONS, ZONES)
+    without_flank = RimGraph(
+        S_MM, graph().rim_mm, S_MM * np.nan, STATIONS, ZONES, TEXTS.__getitem__
+    )
     chart.show_graph(without_flank, None)
     assert chart.grab().toImage() != shown
     chart.show_sentence("As scanned")
@@ -154,4 +163,4 @@ def test_rim_flank_and_stations_are_painted_and_a_sentence_in_their_place(chart:
 
 def test_what_is_selected_is_said_to_a_screen_reader(chart: RimChart) -> None:
     chart.show_graph(graph(), 1)
-    assert chart.accessibleDescription() == STATIONS[1].text
+    assert chart.accessibleDescription() == TEXTS[1]

@@ -77,7 +77,7 @@ class AsScanned(QObject):
     """The preview of an insole without a rim of its own."""
 
     changed = Signal()
-    rim = None
+    finished = None
 
 
 @pytest.fixture

@@ -220,7 +220,7 @@ class ModelPresenter:
         self.panel.show_turned(tool.foot_step if is_foot else None)
         self._show_plane(record.annotations.plane)
         self.panel.show_section(self._section_line())
-        self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
+        self.panel.show_sketch(self.places(np.array(tool.sketch).reshape(-1, 2)))
 
     def press(self, event: PointerEvent) -> bool:
         """Start a gesture of the tool."""
@@ -285,8 +285,8 @@ class ModelPresenter:
         if pad is None or found is None or abs(found.distance_mm) > NEAR_MM:
             self.panel.show_guide((), "")
             return
-        way = self._on_surface(np.stack([found.front, found.nearest]))
-        lines = self._on_surface(found.line), way
+        way = self.places(np.stack([found.front, found.nearest]))
+        lines = self.places(found.line), way
         self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", self._outline(pad))
 
     def _section_line(self) -> FloatArray | None:
@@ -315,13 +315,14 @@ class ModelPresenter:
 
     def _insole_outline(self) -> FloatArray:
         curve = curve_of(self._case.shown)[::OUTLINE_STRIDE]
-        return self._on_surface(np.concatenate([curve, curve[:1]]))
+        return self.places(np.concatenate([curve, curve[:1]]))
 
     def _outline(self, pad: Pelott) -> FloatArray:
         around = pad_outline(pad, OUTLINE_POINTS)
-        return self._on_surface(np.concatenate([around, around[:1]]))
+        return self.places(np.concatenate([around, around[:1]]))
 
-    def _on_surface(self, xy: FloatArray) -> FloatArray:
+    def places(self, xy: FloatArray) -> FloatArray:
+        """Return the points (n, 3) of the shown surface at positions (n, 2)."""
         return np.column_stack([xy, self._surface.heights_mm(xy) + self._lift_mm])
 
 

@@ -61,6 +61,7 @@ class RimPresenter:
         self._case = case
         self._rim = rim
         self._tool_controller = tool_controller
+        self._shown: tuple[object, ...] = ()
         panel.chosen.connect(self.choose)
         panel.grabbed.connect(self.grab)
         panel.dragged.connect(self.drag)
@@ -74,11 +75,17 @@ class RimPresenter:
 
     def show(self) -> None:
         """Show the rim, or how to obtain one."""
-        rim, curve = self._rim.rim, self._rim.curve
+        rim, curve, selected = self._rim.rim, self._rim.curve, self._rim.selected
         if rim is None or curve is None:
+            self._shown = ()
             self._panel.show_sentence(self._next_step())
-        else:
-            self._panel.show_graph(_graph(rim, curve, self._rim.reached), self._rim.selected)
+            return
+        state = curve, self._rim.reached, selected
+        if len(self._shown) != len(state) or any(
+            a is not b for a, b in zip(self._shown, state, strict=True)
+        ):
+            self._shown = state  # one change may be told by several signals
+            self._panel.show_graph(_graph(rim, curve, self._rim.reached), selected)
 
     def choose(self, number: int) -> None:
         """Select a station everywhere, and offer it in the views as well."""
@@ -142,12 +149,14 @@ def _graph(rim: Rim, curve: RimCurve, reached: BoolArray) -> RimGraph:
         rolled = np.roll(values, -first)
         return np.append(rolled, rolled[0])
 
+    stations = sorted(curve.stations, key=lambda placed: placed.number)
     return RimGraph(
         s_mm,
         unrolled(curve.height_mm),
         unrolled(rim.flank_mm),
-        tuple(_station(edge, placed) for placed in _in_order(curve)),
+        tuple(_station(edge, placed) for placed in stations),
         _zones(edge),
+        lambda number: station_text(stations[number]),
         tuple(_parts(s_mm, ~unrolled(reached))),
     )
 
@@ -159,13 +168,9 @@ def _parts(s_mm: FloatArray, wanted: BoolArray) -> Iterator[tuple[float, float]]
         yield float(s_mm[first]), float(s_mm[end - 1])
 
 
-def _in_order(curve: RimCurve) -> list[PlacedStation]:
-    return sorted(curve.stations, key=lambda placed: placed.number)
-
-
 def _station(edge: Edge, placed: PlacedStation) -> ChartStation:
     s_mm = float(_s_mm(edge, np.array(placed.arc_mm)))
-    return ChartStation(s_mm, placed.height_mm, station_text(placed))
+    return ChartStation(s_mm, placed.height_mm)
 
 
 def _zones(edge: Edge) -> tuple[ChartZone, ...]:

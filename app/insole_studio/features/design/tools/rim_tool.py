@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -79,25 +78,26 @@ class RimTool(Tool):
         )
 
     def handles(self, _case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Return the stations as handles; the selected one is larger."""
+        """Return the stations as handles, the selected one larger, and one of the toe line."""
+        hint = tr("Drag to raise the rim here, or to move the station along the edge")
+        placed, selected = self._rim.placed_in_reach, self._rim.selected
         line = self._rim.toe_line
-        middle = (line[len(line) // 2],) if line else ()
-        hint = tr("Drag to move the line at which the toe zone begins")
-        return (
-            *self._station_handles(surface),
-            *(Handle(TOE_LINE, surface.place(*place), hint) for place in middle),
-        )
-
-    def _station_handles(self, surface: SurfaceContext) -> Iterator[Handle]:
-        return (
+        spots = {f"{PREFIX}{number}": station.place_mm for number, station in placed.items()}
+        hints = dict.fromkeys(spots, hint)
+        if selected in placed:
+            hints[f"{PREFIX}{selected}"] = station_text(placed[selected])
+        if line:
+            spots[TOE_LINE] = line[len(line) // 2]
+            hints[TOE_LINE] = tr("Drag to move the line at which the toe zone begins")
+        places = surface.places(np.array(list(spots.values())).reshape(-1, 2))
+        return tuple(
             Handle(
-                f"{PREFIX}{number}",
-                surface.place(*placed.place_mm),
-                station_text(placed),
-                "move" if number == self._rim.selected else "size",
+                name,
+                (float(x), float(y), float(z)),
+                hints[name],
+                "move" if name == f"{PREFIX}{selected}" else "size",
             )
-            for number, placed in self._rim.placed.items()
-            if self._rim.is_reached(placed)
+            for name, (x, y, z) in zip(spots, places, strict=True)
         )
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:

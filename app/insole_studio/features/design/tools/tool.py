@@ -68,6 +68,10 @@ class SurfaceContext(Protocol):
         """
         ...
 
+    def places(self, xy: FloatArray) -> FloatArray:
+        """Return the points (n, 3) of the surface at positions (n, 2), mm, insole frame."""
+        ...
+
     def covers(self, x_mm: float, y_mm: float) -> bool:
         """Return whether the surface covers a position of the insole frame."""
         ...
