@@ -320,7 +320,7 @@ class MainWindow(QMainWindow):
         button.setToolTip(tr("Colour maps, contour lines and wireframe"))
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(button)
-        for key in (*MAP_KEYS, *BESIDE_KEYS, "contours", "ghost", "wireframe"):
+        for key in (*MAP_KEYS, *BESIDE_KEYS, "contours", "grazing_light", "ghost", "wireframe"):
             menu.addAction(self.actions_by_key[key])
         button.setMenu(menu)
         self._maps = button

@@ -106,6 +106,11 @@ class InsolePreview(QObject):
         return None if self._insole is None else self._insole.bottom_heights_mm
 
     @property
+    def cover_mm(self) -> float:
+        """Return the thickness of the cover, the uppermost layer; 0 without one."""
+        return 0.0 if self._insole is None else self._insole.design.layers.cover_mm
+
+    @property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh] | None:
         """Return top (without pads) and bottom of the trimmed insole."""
         return None if self._insole is None else self._insole.bare.skins

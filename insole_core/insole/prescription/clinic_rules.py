@@ -30,11 +30,13 @@ from insole_core.insole.prescription.design import (
     HeelSkive,
     InsoleDesign,
     Pelott,
-    Place,
     Posting,
 )
+from insole_core.insole.prescription.design_warning import DesignWarning
+from insole_core.insole.prescription.materials import read_materials
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm
+from insole_core.insole.prescription.shell_warnings import shell_warnings
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, Value
@@ -102,23 +104,6 @@ class ClinicRules:
     pronation: tuple[PronationStep, ...] = ()
 
 
-@dataclass(frozen=True)
-class DesignWarning:
-    """A property of an insole that can be built but is unusual.
-
-    Parameters
-    ----------
-    correction_id
-        The correction that causes it; empty if the insole as a whole does.
-    place_mm
-        Position to look at, insole frame.
-    """
-
-    sentence: Message
-    correction_id: str = ""
-    place_mm: Place | None = None
-
-
 def load_rules(path: Path | None = None) -> ClinicRules:
     """Read the clinic's rules, by default those shipped with the product.
 
@@ -153,7 +138,7 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, grid, arch, and pads; at most one about
+        Landmarks first, then posting, heel, height, grid, arch, pads, and shell; at most one about
         landmarks.
     """
     design = insole.design
@@ -168,6 +153,7 @@ def design_warnings(
         *(w for arch in arches for w in _of_arch(insole, arch)),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
+        *shell_warnings(insole, landmarks, read_materials()),
     )
 
 

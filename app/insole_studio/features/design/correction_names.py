@@ -77,7 +77,7 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
     "relief_head_3": lambda: tr("Relief, 3rd head"),
     "relief_head_4": lambda: tr("Relief, 4th head"),
     "relief_head_5": lambda: tr("Relief, 5th head"),
-    "relief_base_5": lambda: tr("Relief, base of the 5th metatarsal"),
+    "relief_base_5": lambda: tr("Relief, base of the 5th"),
     "cuboid_raise": lambda: tr("Cuboid raise"),
     "heel_spur_recess": lambda: tr("Heel-spur recess"),
     "relief_toe_1": lambda: tr("Relief, 1st toe"),

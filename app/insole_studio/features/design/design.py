@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
@@ -64,6 +65,7 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
     return DesignStage(
         case=case,
         surface=preview,
+        foot_display=FootDisplay(case, jobs),
         section=section,
         rim=rim,
         counterpart=SideBySide(case, jobs, preview.builder),

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
@@ -22,6 +23,7 @@ from insole_studio.features.design.models.model_presenter import (
 )
 from insole_studio.features.design.models.rear_lines import rear_lines
 from insole_studio.features.design.models.rim_presenter import RimPresenter
+from insole_studio.features.design.models.section_follower import SectionFollower
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
@@ -59,6 +61,7 @@ class DesignStage(QObject):
         *,
         case: Case,
         surface: InsolePreview,
+        foot_display: FootDisplay,
         section: SectionModel,
         rim: RimModel,
         counterpart: SideBySide,
@@ -94,6 +97,7 @@ class DesignStage(QObject):
             section=section,
             tool_controller=tool_controller,
             counterpart=counterpart,
+            display=foot_display,
         )
         self.insole_presenter = InsolePresenter(
             self.insole,
@@ -139,6 +143,7 @@ class DesignStage(QObject):
             self._connect(view, presenter)
             rim.selection_changed.connect(presenter.show_marks)
         self.insole.listed_chosen.connect(self.recent_chosen)
+        self.section_follower = SectionFollower(section, tool_controller, self)
         self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
         self._keeps_focus = False
@@ -255,6 +260,7 @@ class DesignStage(QObject):
     def clear(self) -> None:
         """Take away what is shown of the case, and what was chosen for looking at it."""
         self._tool_controller.reset()
+        self.section_follower.stop()
         self._cut.show(None)
         self._forget_highlight()
         for view, presenter in self._presenters.values():
@@ -267,6 +273,7 @@ class DesignStage(QObject):
 
     def close(self) -> None:
         """Free the renderers."""
+        self.section_follower.stop()
         for view, _ in self._presenters.values():
             view.scene.close_scene()
 
@@ -359,8 +366,8 @@ class DesignStage(QObject):
             view.show_scale()
 
     def _ask_for_section(self) -> None:
-        wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
-        self.section_wanted.emit(wanted)
+        is_tool = self._tool_controller.tool.key == "section"
+        self.section_wanted.emit(self._cut.plane is not None or self._cut.follows or is_tool)
 
     def _ask_for_rim(self) -> None:
         self.rim_wanted.emit(self._tool_controller.tool.key == "rim")
@@ -371,6 +378,7 @@ class DesignStage(QObject):
 
     def _point(self, event: PointerEvent) -> None:
         self.pointed.emit(_describe(event))
+        self.section_follower.point(event)
         view, _ = self._presenters[event.subject]
         grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
         if grabbed is not None and not self._tool_controller.is_busy:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,7 @@ from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
@@ -70,7 +72,7 @@ class MockView:
         if name not in ("clear", "forget_typed") and not name.startswith("show_"):
             raise AttributeError(name)
 
-        def show(*arguments: Any) -> None:
+        def show(*arguments: Any, **_named: Any) -> None:
             self.shown[name] = arguments
 
         return show
@@ -133,6 +135,13 @@ def facts(
         "tool_controller": tool_controller,
         "counterpart": SideBySide(case, jobs, surface.builder),
     }
+    jobs.close()
+
+
+@pytest.fixture
+def display(case: Case) -> Iterator[FootDisplay]:
+    jobs = Jobs()
+    yield FootDisplay(case, jobs)
     jobs.close()
 
 
@@ -375,8 +384,10 @@ class TestParameters:
 
 
 class TestModels:
-    def test_no_foot_offers_what_comes_next(self, view: Any, facts: dict[str, Any]) -> None:
-        FootPresenter(view, **facts).show_all()
+    def test_no_foot_offers_what_comes_next(
+        self, view: Any, facts: dict[str, Any], display: FootDisplay
+    ) -> None:
+        FootPresenter(view, display=display, **facts).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
         assert list(offers) == ["capture", "open_session", "open_mesh", "open_example"]
@@ -388,13 +399,17 @@ class TestModels:
         case: Case,
         surface: InsolePreview,
         facts: dict[str, Any],
-        open_foot: Any,
+        display: FootDisplay,
+        make_foot: Any,
+        qtbot: QtBot,
         side: Side,
     ) -> None:
-        presenter = FootPresenter(view, **facts)
-        open_foot(side)
-        assert case.foot is not None
-        assert view.shown["show_mesh"] == (case.foot.mesh, None)
+        presenter = FootPresenter(view, display=display, **facts)
+        foot = replace(make_foot(side))  # whose surface for display is not known yet
+        case.open_foot(foot, NOWHERE)
+        assert view.shown["show_mesh"] == (foot.mesh, None)
+        qtbot.waitUntil(lambda: view.shown["show_mesh"][0] is not foot.mesh, timeout=20_000)
+        assert view.shown["show_mesh"] == (foot.display_surface().mesh, None)
         assert view.shown["show_side"] == (side,)
         assert view.shown["show_directions"][0] is side
         assert presenter.side is side
