@@ -73,9 +73,9 @@ def test_a_finished_device_takes_six_actions(
     hands.studio.open(small_session)
     case = hands.app.case
     hands.choose("choose_device")
-    hands.pick_device("eva full")
+    hands.pick_device("sport")
     assert case.record.design is not None
-    assert case.record.design.device == "EVA, full length"
+    assert case.record.design.device == "Sport, full length"
 
     hands.choose("tool_pelott")
     line = metatarsal_line(case.record)

@@ -21,6 +21,7 @@ from insole_core.workflows.default_device import DefaultDevice
 from insole_core.workflows.findings import Catalogue, ClinicFindings, Finding, apply_finding
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.pad_library import LibraryPad
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.features.design.devices.device_choices import (
     Choice,
@@ -162,7 +163,7 @@ class DeviceActions:
     @property
     def _default(self) -> str:
         """Name of the device that new designs start with."""
-        return self._default_device.load()
+        return starting_device(self._services.paths.settings_folder).device.name
 
     @property
     def _default_key(self) -> str:

@@ -126,7 +126,7 @@ def _details(choice: Choice, design: InsoleDesign, changed: InsoleDesign) -> Cho
     lines = design_differences(design, changed)
     changes = tuple(_change(line) for line in lines)
     same = () if changes else (tr("The design is like this already; nothing would change."),)
-    return ChoiceDetails(choice.name, changes, (*same, *choice.notes), may_apply=bool(changes))
+    return ChoiceDetails(choice.name, changes, (*same, *choice.notes))
 
 
 def _change(line: Message) -> tuple[str, str, str]:
