@@ -873,7 +873,7 @@
         </message>
         <message>
             <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
-            <translation>Klinikens inlägg "{name}" finns inte längre, så nya förskrivningar börjar med "{usual}"; välj ett annat som klinikens.</translation>
+            <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
         <message>
             <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>

@@ -59,7 +59,15 @@ WORDS: dict[str, Callable[[], str]] = {
     "three_quarter": lambda: tr("Three-quarter"),
 }
 """Translated names of the values of choices in a prescription."""
-
+_OWN_WORDS: dict[tuple[str, str], Callable[[], str]] = {
+    ("over", "heel"): lambda: tr("Heel"),
+    ("over", "toes"): lambda: tr("Toe zone"),
+    ("over", "foot"): lambda: tr("The foot itself"),
+    ("toe_zone", "sulcus"): lambda: tr("Sulcus"),
+    ("toe_zone", "crest"): lambda: tr("Toe crest"),
+    ("toe_zone", "as_scanned"): lambda: tr("As scanned"),
+}
+"""Those of values that mean something else, or nothing, for another choice, by its name."""
 
 KIND_NAMES: dict[str, Callable[[], str]] = {
     "reverse_mortons_extension": lambda: tr("Reverse Morton's extension"),
@@ -87,6 +95,11 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
     "forefoot_filler": lambda: tr("Forefoot filler"),
 }
 """Translated names of the kinds of pads that their shape does not name."""
+
+
+def word_of(choice: str, word: str) -> str:
+    """Return the name of a value of a choice."""
+    return _OWN_WORDS.get((choice, word), WORDS.get(word, lambda: word))()
 
 
 def pad_text(pad: LibraryPad) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane, ScanSource
 from insole_core.foot.landmarks import HEADS
@@ -15,6 +16,7 @@ from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import ArchRaise, InsoleDesign, Pelott, Posting
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.key_point_tool import confidence, distances, shown_points
@@ -67,7 +69,15 @@ def case(make_foot: Any) -> Case:
 
 @pytest.fixture
 def tool_controller(case: Case, section: SectionModel) -> ToolController:
-    return ToolController(case, make_tools(section, load_pads(), load_rules()))
+    rim = RimModel(case, AsScanned())
+    return ToolController(case, make_tools(section, rim, load_pads(), load_rules()))
+
+
+class AsScanned(QObject):
+    """The preview of an insole without a rim of its own."""
+
+    changed = Signal()
+    finished = None
 
 
 @pytest.fixture

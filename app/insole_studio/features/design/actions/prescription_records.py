@@ -35,6 +35,23 @@ def _prescription(
 
 
 PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
+    ActionRecord(
+        "choose_device",
+        lambda: tr("Device or finding…"),
+        lambda: tr("Choose a device, a base form, or what is proposed for a finding"),
+        lambda design, _on: design.devices.open(),
+        icon="device",
+        shortcut="Ctrl+F",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "toggle_as_scanned",
+        lambda: tr("As scanned / designed"),
+        lambda: tr("Change between the imprint of the foot and the designed device"),
+        lambda design, _on: design.devices.toggle_as_scanned(),
+        shortcut="Y",
+        needs_foot=True,
+    ),
     _prescription(
         lambda: tr("Posting"),
         lambda: tr("Tilt rear- and forefoot by degrees"),
