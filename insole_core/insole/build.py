@@ -20,6 +20,7 @@ from insole_core.insole.prescription.design_totals import check_totals
 from insole_core.insole.surface.contact import ContactBase, contact_base
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import active_pads, apply_pads
+from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.progress import SILENT, Progress
 
 __all__ = [
@@ -98,7 +99,7 @@ def build_insole(
     base = base_of(foot, design, progress.part(0.0, 0.9))
     progress.step(0.9, "Adding pads")
     insole = Insole(design, foot, apply_pads(base, design), base.measured, base.finished)
-    problem = material_problem(insole.contact)
+    problem = material_problem(insole.contact, design, foot.length_mm)
     if problem is not None:
         raise problem
     progress.step(1.0, "Insole built")
@@ -124,10 +125,19 @@ def check_design_for(foot: Foot, design: InsoleDesign) -> None:
     check_totals(design)
 
 
-def material_problem(contact: HeightField) -> DesignError | None:
+def material_problem(
+    contact: HeightField, design: InsoleDesign, length_mm: float
+) -> DesignError | None:
     """Return an error saying where the insole is too thin or too high to be made, or None.
 
     It is fast enough to be called at every step of a drag.
+
+    Parameters
+    ----------
+    contact
+        The surface with its pads.
+    length_mm
+        Of the foot.
     """
     highest = float(contact.heights_mm.max())
     if highest > GREATEST_HEIGHT_MM:
@@ -137,8 +147,9 @@ def material_problem(contact: HeightField) -> DesignError | None:
             height_mm=highest,
             most_mm=GREATEST_HEIGHT_MM,
         )
-    row, column = np.unravel_index(contact.heights_mm.argmin(), contact.heights_mm.shape)
-    lowest = round(float(contact.heights_mm[row, column]), 1)  # as it is printed
+    material = contact.heights_mm - last_heights_mm(design, contact.y_mm, length_mm)[:, None]
+    row, column = np.unravel_index(material.argmin(), material.shape)
+    lowest = round(float(material[row, column]) - design.taken_off_mm, 1)  # as it is printed
     if lowest >= LEAST_MATERIAL_MM:
         return None
     return DesignError(

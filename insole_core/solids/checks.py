@@ -16,6 +16,7 @@ from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import transform
+from insole_core.insole.surface.height_field import HeightField
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball_offset import left_by_cutter
@@ -109,6 +110,7 @@ def check_solid(
     *,
     unmarked: TriangleMesh | None = None,
     grid_mm: float = 0.0,
+    least_thickness: HeightField | None = None,
 ) -> tuple[Finding, ...]:
     """Run every check that is not switched off.
 
@@ -120,13 +122,15 @@ def check_solid(
         The solid before letters were put on its bottom, which no cutter from above need reach.
     grid_mm
         Of the surface that the solid was made of; 0 for one that was made without a grid.
+    least_thickness : mm, frame of the solid, optional
+        What the material needs at each place, where that is more than the rule's limit.
 
     Returns
     -------
     tuple of Finding
         One for each check, passed or not.
     """
-    survey = _Survey(solid, unmarked, grid_mm)
+    survey = _Survey(solid, unmarked, grid_mm, least_thickness)
     policies = dict(rules.policies)
     if rules.block_mm is None:
         policies.pop("block", None)
@@ -202,11 +206,16 @@ class _Survey:
     """The solid as seen from above, on a grid."""
 
     def __init__(
-        self, solid: TriangleMesh, unmarked: TriangleMesh | None = None, grid_mm: float = 0.0
+        self,
+        solid: TriangleMesh,
+        unmarked: TriangleMesh | None = None,
+        grid_mm: float = 0.0,
+        least_thickness: HeightField | None = None,
     ) -> None:
         self.solid = solid
         self.unmarked = unmarked or solid
         self.grid_mm = grid_mm
+        self.least_thickness = least_thickness
         self.caster = RayCaster(solid)
         low, high = solid.bounds_mm[:, :2]
         first = np.floor(low) - 2 + _OFF_LATTICE
@@ -265,7 +274,7 @@ def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     is no thickness: the rim tapers to an edge.
     """
     heights, normals = survey.seen
-    limit = rules.limits["thickness"]
+    limit: float | FloatArray = rules.limits["thickness"]
     thickness = np.full(heights.shape, np.nan)
     inner = np.flatnonzero(survey.inner)
     into = -normals.reshape(-1, 3)[inner]
@@ -275,6 +284,9 @@ def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     ray, triangle, weights = hits.ray[below], hits.triangle[below], hits.weights[below]
     ends = np.einsum("nk,nkc->nc", weights, survey.solid.vertices[survey.solid.triangles[triangle]])
     thickness.flat[inner[ray]] = np.linalg.norm(ends - points[ray], axis=1)
+    if survey.least_thickness is not None:
+        needed = survey.least_thickness.height_at(survey.places).round(DECIMALS["thickness"])
+        limit = np.fmax(limit, needed)
     return _graded(survey, "thickness", policy, -thickness, limit, unit="mm thick", least=True)
 
 
@@ -308,22 +320,28 @@ def _graded(
     name: CheckName,
     policy: Policy,
     badness: FloatArray,
-    limit: float,
+    limits: FloatArray | float,
     *,
     unit: str,
     least: bool = False,
 ) -> Finding:
-    """Judge the worst value of a map; with `least` the map holds the negative of the quantity."""
+    """Judge the value of a map that is worst against its limit, the same or one for each place.
+
+    With `least` the map holds the negative of the quantity.
+    """
+    limits = np.broadcast_to(limits, badness.shape)
     if not np.isfinite(badness).any():
         sentence = Message(
             "Too little of the solid is seen from above to check its {what}.", what=name
         )
-        return Finding(name, policy, False, 0.0, limit, unit, sentence)
-    worst, badness = _worst(badness), badness.round(DECIMALS[name])
+        return Finding(name, policy, False, 0.0, float(limits.min()), unit, sentence)
+    over = badness + limits if least else badness - limits
+    worst, badness = _worst(over), badness.round(DECIMALS[name])
     value = float(-badness[worst] if least else badness[worst])
+    limit = float(limits[worst])
     passed = value >= limit if least else value <= limit
     place = survey.place(worst)
-    bad = badness > (-limit if least else limit)
+    bad = badness > (-limits if least else limits)
     spots = np.dstack([survey.places, survey.seen[0]])[bad]
     sentence = Message(
         "{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.",

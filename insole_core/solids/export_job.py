@@ -330,8 +330,9 @@ def _make(job: ExportJob, part: Part) -> dict[str, str]:
         "material": job.material or "–",
         "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
         **make_facts(part.insole.design),
-        "draft of the walls": f"{plain_number(part.order.options.draft_deg)}°",
     }
+    if part.insole.design.shell is None or part.order.kind == "positive":
+        facts["draft of the walls"] = f"{plain_number(part.order.options.draft_deg)}°"
     if job.block is not None:
         size = " × ".join(map(plain_number, job.block.size_mm))
         facts["stock"] = f"{job.block.name}, {size} mm"

@@ -17,6 +17,7 @@ from insole_core.solids.export_rules import CHECK_NAMES, CheckName, ExportRules,
 from insole_core.solids.layers import layer_parts
 from insole_core.solids.marking import Relief, mark
 from insole_core.solids.nesting import Nest, closest_nest, nest_pair
+from insole_core.solids.shell_body import least_thickness
 from insole_core.solids.shop import Shop
 from insole_core.solids.simplification import Simplified, simplify
 from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, make_solid
@@ -104,7 +105,8 @@ def make_part(
     Parameters
     ----------
     rules
-        Only the checks in `CHECKS_OF` for this kind are made.
+        Only the checks in `CHECKS_OF` for this kind are made. An insole with a shell is at least as
+        thick as its material needs, too.
 
     Returns
     -------
@@ -122,12 +124,14 @@ def make_part(
     marked = _marked(plain, insole, order)
     progress.step(0.4, "Reducing the triangles")
     simple = _reduced(marked, order)
+    shell = insole.design.shell if order.kind == "insole" else None
     findings = check_solid(
         simple.mesh,
         rules.only(CHECKS_OF[order.kind]),
         progress.part(0.7, 1.0),
         unmarked=plain,
         grid_mm=insole.design.grid_mm,
+        least_thickness=None if shell is None else least_thickness(insole, shell),
     )
     return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
 

@@ -2,21 +2,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from insole_core.geometry.arrays import FloatArray, IndexArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.solids.solid_outline import OutlineDistance
 from insole_core.solids.trimmed_grid import Plan
 
+LEAST_WALL_MM = 0.3
+"""Least height of a wall, so that top and bottom never meet."""
 _ROUNDS = 300
 _FADE = 1.3  # above 1, so that the border, within a step of the outline, gets the full lean
 _LEAST_SHARE = 0.05  # share of its area that a triangle keeps
 _BAND_SHARE = 4.0
 """Width of the band in which the bottom makes way for an inward wall, relative to its lean."""
+
+
+@dataclass(frozen=True, eq=False)
+class Walls:
+    """Sides of a prism that differ from place to place; they end on its underside, which stays.
+
+    Parameters
+    ----------
+    draft_deg : (ny, nx) float64
+        Inclination of the wall that is nearest to each node, from the vertical; positive: wider at
+        the bottom.
+    cut_mm
+        By how much the upper edge is cut off at distances (n,) from it; the wall keeps at least
+        half of its height.
+    """
+
+    draft_deg: FloatArray
+    cut_mm: Callable[[FloatArray], FloatArray]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +58,11 @@ class Faces:
 
 
 def prism(
-    plan: Plan, field: HeightField, faces: Faces, outline: OutlineDistance, draft_deg: float
+    plan: Plan,
+    field: HeightField,
+    faces: Faces,
+    outline: OutlineDistance,
+    walls: Walls | float,
 ) -> TriangleMesh:
     """Close the space between two faces by walls.
 
@@ -49,9 +74,9 @@ def prism(
         Provides the positions of the lattice's nodes.
     outline
         Exact within `band_mm` of the draft.
-    draft_deg
-        Inclination of the walls from the vertical; positive: wider at the bottom. It is reduced
-        where walls would cross, in tight concave corners.
+    walls
+        Or the draft of plain ones: their inclination from the vertical in degrees; positive: wider
+        at the bottom. It is reduced where walls would cross, in tight concave corners.
 
     Returns
     -------
@@ -60,18 +85,35 @@ def prism(
     """
     places = plan.carry(field.nodes[:, :2].reshape(*field.heights_mm.shape, 2))
     top, bottom = plan.carry(faces.top_mm), plan.carry(faces.bottom_mm)
-    lean = _lean(plan, faces, outline, draft_deg)
+    shaped = walls if isinstance(walls, Walls) else None
+    draft = np.asarray(walls) if shaped is None else plan.carry(shaped.draft_deg)
+    lean = _lean(plan, faces, outline, draft)
+    if shaped is not None:
+        lean[_inner(plan, draft > 0)] = 0
+        top = top - np.minimum(shaped.cut_mm(plan.carry(outline.inside_mm)), (top - bottom) / 2)
     places, top, bottom = (
         np.concatenate([places, faces.tips[:, :2]]),
         np.concatenate([top, faces.tips[:, 2]]),
         np.concatenate([bottom, faces.tips[:, 3]]),
     )
     lean = np.concatenate([lean, np.zeros((len(faces.tips), 2))])
-    foot_of_wall = places + _without_folds(plan.triangles, places, lean)
+    lean = _without_folds(plan.triangles, places, lean)
+    if shaped is not None:
+        moved = np.flatnonzero((lean != 0).any(axis=1))
+        underside = replace(field, heights_mm=faces.bottom_mm).height_at((places + lean)[moved])
+        most = np.where(draft[moved] > 0, bottom[moved], top[moved] - LEAST_WALL_MM)
+        bottom[moved] = np.fmin(underside, most)
     vertices = np.concatenate(
-        [np.column_stack([places, top]), np.column_stack([foot_of_wall, bottom])]
+        [np.column_stack([places, top]), np.column_stack([places + lean, bottom])]
     )
     return TriangleMesh(vertices, _skin(plan, len(places)))
+
+
+def _inner(plan: Plan, chosen: BoolArray) -> BoolArray:
+    """Return which of the chosen vertices (n,) are not on the border of the plan."""
+    inner = chosen.copy()
+    inner[plan.border.ravel()] = False
+    return inner
 
 
 def band_mm(height_mm: float, draft_deg: float) -> float:
@@ -79,7 +121,7 @@ def band_mm(height_mm: float, draft_deg: float) -> float:
     return float(_BAND_SHARE * height_mm * np.tan(np.radians(max(-draft_deg, 0.0))))
 
 
-def _lean(plan: Plan, faces: Faces, outline: OutlineDistance, draft_deg: float) -> FloatArray:
+def _lean(plan: Plan, faces: Faces, outline: OutlineDistance, draft_deg: FloatArray) -> FloatArray:
     """Return the offset (n, 2) of each vertex from top to bottom, fading away from the outline."""
     wall = plan.carry(faces.top_mm - faces.bottom_mm)
     fade = np.clip(_FADE * (1 - np.abs(plan.carry(outline.inside_mm)) / outline.reach_mm), 0, 1)

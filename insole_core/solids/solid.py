@@ -11,10 +11,12 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole
+from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.surface.block import apexes, block_solid
 from insole_core.progress import SILENT, Progress
-from insole_core.solids.ball_offset import parallel_below
-from insole_core.solids.prism import Faces, band_mm, prism
+from insole_core.solids.posts import POST_BAND_MM
+from insole_core.solids.prism import LEAST_WALL_MM, Faces, band_mm, prism
+from insole_core.solids.shell_body import made_surface, plain_underside, shell_body, shell_walls
 from insole_core.solids.solid_outline import (
     OutlineDistance,
     checked_outline,
@@ -26,13 +28,10 @@ from insole_core.solids.trimmed_grid import Plan, trim
 Kind: TypeAlias = Literal["insole", "block", "positive"]
 KINDS: tuple[Kind, ...] = ("insole", "block", "positive")
 
-LEAST_WALL_MM = 0.3
-"""Least height of a wall, so that top and bottom never meet."""
-
 
 @dataclass(frozen=True)
 class SolidOptions:
-    """Shape of the sides and the back of a solid.
+    """Shape of the sides and the back of a solid without a shell of its own.
 
     Parameters
     ----------
@@ -97,7 +96,7 @@ def make_solid(
     """
     progress.step(0.0, "Closing the {kind}", kind=kind)
     if kind == "block":
-        return block_solid(insole)
+        return block_solid(_made(insole))
     return (insole_solid if kind == "insole" else positive_solid)(insole, options)
 
 
@@ -110,28 +109,57 @@ def insole_solid(
 
     Parameters
     ----------
+    options
+        Draft and chamfer are those of the design's shell, if it has one.
     outline : (n, 2) float64, mm, insole frame, optional
         The upper rim; by default the outline of the design.
 
     Returns
     -------
     TriangleMesh, mm, insole frame
-        Closed, facing outwards; foot side towards +z, z = 0 the bottom plane.
+        Closed, facing outwards; foot side towards +z, z = 0 the bottom plane. The first half of
+        its vertices is the top, the second half the bottom in the same order.
 
     Raises
     ------
     DesignError
         If the outline leaves no insole.
     """
-    field = insole.contact
-    distance = _distance(insole, outline, options, float(field.heights_mm.max()))
-    bottom = _bottom(insole)
+    polygon = outline_of(insole) if outline is None else checked_outline(outline)
+    made, shell = _made(insole), insole.design.shell
+    if shell is not None:
+        return _shell_solid(insole, made, shell, polygon)
+    field = made.contact
+    distance = _distance(made, polygon, options, float(field.heights_mm.max()))
+    bottom = plain_underside(insole)
     top = field.heights_mm - np.clip(options.chamfer_mm - distance.inside_mm, 0, None)
     top = np.maximum(top, bottom + LEAST_WALL_MM)
-    plan, tips = _plan(insole, distance, options.chamfer_mm)
+    plan, tips = _plan(made, distance, options.chamfer_mm)
     tip_bottom = replace(field, heights_mm=bottom).height_at(tips[:, :2])
     faces = Faces(top, bottom, np.column_stack([tips, tip_bottom]))
     return prism(plan, field, faces, distance, options.draft_deg)
+
+
+def _shell_solid(insole: Insole, made: Insole, shell: Shell, polygon: FloatArray) -> TriangleMesh:
+    field = made.contact
+    inward_deg = min(shell.draft_medial_deg, shell.draft_lateral_deg)
+    reach = max(
+        band_mm(float(field.heights_mm.max()), inward_deg),
+        shell.edge_radius_mm,
+        shell.chamfer_mm,
+        POST_BAND_MM if shell.posts else 0.0,
+    )
+    distance = _distance_within(made, polygon, reach)
+    body = shell_body(insole, shell, polygon, distance)
+    plan, tips = _plan(made, distance, max(shell.edge_radius_mm, shell.chamfer_mm))
+    at = tips[:, :2]
+    top, bottom = (
+        replace(field, heights_mm=side).height_at(at) for side in (body.top_mm, body.bottom_mm)
+    )
+    top += tips[:, 2] - field.height_at(at)
+    faces = Faces(body.top_mm, body.bottom_mm, np.column_stack([at, top, bottom]))
+    walls = shell_walls(shell, insole.design.side.medial_sign, distance)
+    return prism(plan, field, faces, distance, walls)
 
 
 def positive_solid(
@@ -140,6 +168,10 @@ def positive_solid(
     outline: FloatArray | None = None,
 ) -> TriangleMesh:
     """Make the mould of the corrected foot: it fills the insole up to a level plane.
+
+    Over it the shell is formed, so that it takes neither underside, posts, taper nor edges from the
+    design's shell, and its draft is that of the options. Where a cover is taken off, the foot is as
+    much larger.
 
     Parameters
     ----------
@@ -157,10 +189,12 @@ def positive_solid(
     DesignError
         If the outline leaves no mould.
     """
-    field = insole.contact
+    made = _made(insole)
+    field = made.contact
     level = float(field.heights_mm.max()) + options.mould_base_mm
-    distance = _distance(insole, outline, options, level)
-    plan, tips = _plan(insole, distance, 0.0)
+    polygon = outline_of(insole) if outline is None else checked_outline(outline)
+    distance = _distance(made, polygon, options, level)
+    plan, tips = _plan(made, distance, 0.0)
     faces = Faces(
         level - field.heights_mm,
         np.zeros_like(field.heights_mm),
@@ -171,13 +205,21 @@ def positive_solid(
     return replace(upright, vertices=upright.vertices * [-1, 1, 1]).flipped()
 
 
+def _made(insole: Insole) -> Insole:
+    """Return the insole with the upper side of what is made in place of the contact surface."""
+    return replace(insole, contact=made_surface(insole))
+
+
 def _distance(
-    insole: Insole, outline: FloatArray | None, options: SolidOptions, wall_mm: float
+    insole: Insole, polygon: FloatArray, options: SolidOptions, wall_mm: float
 ) -> OutlineDistance:
-    polygon = outline_of(insole) if outline is None else checked_outline(outline)
     reach = max(band_mm(wall_mm, options.draft_deg), options.chamfer_mm)
-    reach += 2 * insole.contact.step_mm
-    distance = outline_distance(polygon, insole.contact, reach)
+    return _distance_within(insole, polygon, reach)
+
+
+def _distance_within(insole: Insole, polygon: FloatArray, reach_mm: float) -> OutlineDistance:
+    """Return the distance to an outline, exact within a reach; check that there is a foot in it."""
+    distance = outline_distance(polygon, insole.contact, reach_mm + 2 * insole.contact.step_mm)
     if not ((distance.inside_mm > 0) & insole.measured)[1:-1, 1:-1].any():
         raise DesignError(
             "The outline lies beside the foot, which leaves no insole; draw it round the foot."
@@ -191,10 +233,3 @@ def _plan(insole: Insole, distance: OutlineDistance, clear_mm: float) -> tuple[P
     clear = {cell: tip for cell, tip in tips.items() if distance.inside_mm[cell] > clear_mm + 2}
     plan = trim(distance.inside_mm, tuple(clear))
     return plan, np.array([clear[cell] for cell in plan.fans]).reshape(-1, 3)
-
-
-def _bottom(insole: Insole) -> FloatArray:
-    field = insole.contact
-    if insole.design.bottom == "flat":
-        return np.zeros_like(field.heights_mm)
-    return parallel_below(field, insole.design.least_thickness_mm)

@@ -17,6 +17,7 @@ from insole_core.insole.surface.contact import ContactBase, with_rim
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import Window, apply_pads, moved_pad
 from insole_core.insole.surface.posting import posted_mesh, posting_angles
+from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.workflows.insole_builder import BareInsole, BareKey, bare_key
 
 
@@ -85,7 +86,7 @@ class EditedInsole:
             return self.bare.base
         if design.finish == self.design.finish:
             return self.base
-        return with_rim(self.bare.base, design)
+        return with_rim(self.bare.base, design, self.bare.foot.length_mm)
 
     @property
     def bottom_heights_mm(self) -> FloatArray:
@@ -135,16 +136,18 @@ class EditedInsole:
 
     @cached_property
     def standing_foot(self) -> TriangleMesh:
-        """The foot standing on the insole: rotated by the posting, raised by the least thickness.
+        """The foot standing on the insole and its cover, rotated by postings and posts.
 
         Independent of pads and strokes; mm, insole frame.
         """
         turned = posted_mesh(self.bare.foot, *posting_angles(self.design))
-        lift = self.design.least_thickness_mm - turned.vertices[:, 2].min()
+        foot, z = self.bare.foot, turned.vertices[:, 2]
+        over = z - last_heights_mm(self.design, turned.vertices[:, 1], foot.length_mm)
+        lift = self.design.least_thickness_mm - over.min()
         return replace(turned, vertices=turned.vertices + np.array([0, 0, lift]))
 
     def _problem(self) -> str:
-        problem = material_problem(self.contact)
+        problem = material_problem(self.contact, self.design, self.bare.foot.length_mm)
         return "" if problem is None else str(problem)
 
     def _move_vertices(self, window: Window) -> IntArray:
@@ -152,7 +155,7 @@ class EditedInsole:
         moved = bare.vertices_in(window)
         xy = bare.solid.vertices[moved, :2]
         vertices = self.mesh.vertices
-        vertices[moved, 2] = self.contact.height_at(xy)
+        vertices[moved, 2] = self.contact.height_at(xy) - bare.below_contact_mm[moved]
         self.normals[moved] = _normals_at(self.contact, window, xy)
         walls = 2 * bare.top_count + np.arange(len(bare.rim))
         vertices[walls, 2] = vertices[bare.rim, 2]

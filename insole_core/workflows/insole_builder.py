@@ -15,6 +15,7 @@ from insole_core.insole.build import Insole, build_insole, check_design_for
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, base_key, contact_base
 from insole_core.insole.surface.pads_on_surface import Window, added_corrections
+from insole_core.insole.surface.rocker import rockers
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.solid import insole_solid
@@ -39,6 +40,9 @@ class BareInsole:
         Number of vertices on the top; as many are below them on the bottom.
     rim : (k,) int64
         Indices of the top's vertices at which the walls begin.
+    below_contact_mm : (n,) float64
+        How far the top's vertices lie below the contact surface: by a cover that is taken off, a
+        taper, a rounded edge; negative where the top was raised to the least thickness.
     """
 
     key: BareKey
@@ -47,13 +51,24 @@ class BareInsole:
     solid: TriangleMesh
     top_count: int
     rim: IntArray
+    below_contact_mm: FloatArray
 
     @classmethod
-    def of(cls, key: BareKey, foot: Foot, base: ContactBase, solid: TriangleMesh) -> BareInsole:
+    def of(
+        cls,
+        key: BareKey,
+        foot: Foot,
+        base: ContactBase,
+        solid: TriangleMesh,
+        *,
+        is_shaped: bool = False,
+    ) -> BareInsole:
         """Return the bare insole of a closed solid.
 
         Parameters
         ----------
+        is_shaped
+            Whether its top is another surface than the contact surface.
         solid : mm, insole frame
             The first half of its vertices is the top, the second half the bottom in the same order.
         """
@@ -68,7 +83,12 @@ class BareInsole:
         vertices = np.concatenate([solid.vertices, solid.vertices[used]])
         mesh = TriangleMesh(vertices, triangles)
         _ = mesh.vertex_normals  # kept by the mesh: computed here, not in the window
-        return cls(key, foot, base, mesh, count, used[used < count].astype(np.int64))
+        below = np.zeros(count)
+        if is_shaped:
+            top = solid.vertices[:count]
+            below = base.surface.height_at(top[:, :2]) - top[:, 2]
+        rim = used[used < count].astype(np.int64)
+        return cls(key, foot, base, mesh, count, rim, below)
 
     @cached_property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh]:
@@ -189,12 +209,15 @@ def _bare(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> B
     base = _base(memo, foot, design, progress.part(0.0, 0.7))
     progress.step(0.7, "Trimming the insole")
     insole = Insole(without_added(design), foot, base.surface, base.measured, base.finished)
-    return BareInsole.of(bare_key(foot, design), foot, base, insole_solid(insole))
+    is_shaped = design.shell is not None or design.taken_off_mm > 0
+    solid = insole_solid(insole)
+    return BareInsole.of(bare_key(foot, design), foot, base, solid, is_shaped=is_shaped)
 
 
 def bare_key(foot: Foot, design: InsoleDesign) -> BareKey:
     """Return everything that the bare insole of a foot and design depends on, as a hashable key."""
-    return foot, base_key(design), design.outline, design.bottom
+    body = design.bottom, design.shell, design.taken_off_mm, rockers(design)
+    return foot, base_key(design), design.outline, body
 
 
 def without_added(design: InsoleDesign) -> InsoleDesign:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
+from typing import TypeAlias
 
 import numpy as np
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.landmarks import HEADS, Landmarks
+from insole_core.foot.landmarks import HEADS, Landmarks, find_landmarks
 from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.fair_curve import fair_curve
 from insole_core.insole.outline.foot_border import foot_border
 from insole_core.insole.outline.outline_curve import closed_curve, evenly_spread, smoothed_along
+from insole_core.insole.outline.trim_line import TrimLine, trim_points
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
 from insole_core.insole.surface.blending import smooth_step
 
@@ -29,6 +33,7 @@ _BEHIND_HEADS_MM = 8.0
 _STEEPEST, _SHORTEST = 0.5, 0.35
 _BOW, _FRONT_POINTS = 0.04, 60
 _ROUNDINGS, _ROUNDING_MM, _EVENING_MM, _CORNER_MM = 6, 6.0, 2.0, (25.0, 45.0)
+_TRIM_CORNER_MM = (12.0, 24.0)  # smaller, so that the edge runs through the points of a trim line
 _HANDLES = 36  # points of an outline that starts to be drawn
 
 
@@ -38,20 +43,26 @@ def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> Fl
     Parameters
     ----------
     landmarks
-        Only read for a three-quarter outline, which ends behind the metatarsal heads.
+        Only read for a three-quarter outline, which ends behind the metatarsal heads, or at the
+        trim line of its shell.
 
     Returns
     -------
     (n, 2) float64, mm, insole frame
         A closed curve, counter-clockwise, the first point not repeated. From foot or shoe size it
         is concave at most at the waist; a mirrored foot has the mirrored outline.
+
+    Raises
+    ------
+    DesignError
+        If a trim line leaves no shell.
     """
     outline = design.outline
     if outline.source == "drawn" and outline.points_mm is not None:
-        return closed_curve(outline_points(foot, outline, landmarks))
+        return closed_curve(outline_points(foot, design, landmarks))
     curve = _full(foot, outline)
     if outline.extent == "three_quarter":
-        curve = _three_quarter(foot, outline, curve, landmarks)
+        curve = _three_quarter(foot, design, curve, landmarks)
     if foot.side.medial_sign > 0:
         return curve
     return np.roll(curve[::-1], 1, axis=0) * [-1.0, 1.0]
@@ -81,8 +92,8 @@ def full_outline(foot: Foot, outline: Outline) -> FloatArray:
     )
 
 
-def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[Place, ...]:
-    """Return the control points of an outline.
+def outline_points(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> tuple[Place, ...]:
+    """Return the control points of a design's outline.
 
     Parameters
     ----------
@@ -95,13 +106,17 @@ def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[
         Counter-clockwise. Of an outline that is not drawn, points on its curve, from which drawing
         can start.
     """
+    outline = design.outline
     if outline.source == "drawn" and outline.points_mm is not None:
         points = np.array(outline.points_mm)
         points = points if _turns_left(points) else points[::-1]
     else:
-        curve = insole_outline(foot, InsoleDesign(foot.side, outline=outline), landmarks)
+        curve = insole_outline(foot, design, landmarks)
         points = curve[:: len(curve) // _HANDLES]
     return tuple((float(x), float(y)) for x, y in points)
+
+
+_Front: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
 
 
 def _full(foot: Foot, outline: Outline) -> FloatArray:
@@ -137,18 +152,50 @@ def _allowed(foot: Foot, outline: Outline) -> tuple[FloatArray, FloatArray, floa
         before_mm = foot.length_mm + outline.toe_allowance_mm
         y = border.places[:, 1] + outline.toe_allowance_mm * smooth_step(share, *_TOES)
     y = y + heel_mm * np.minimum(border.outward[:, 1], 0)
-    return np.column_stack([x, y]), share, before_mm
+    places = np.column_stack([x, y])
+    if outline.width_mm is not None:
+        places[:, 0] += _narrowing(foot, outline.width_mm, places, share)
+    return places, share, before_mm
+
+
+def _narrowing(foot: Foot, width_mm: float, places: FloatArray, share: FloatArray) -> FloatArray:
+    """Return by how much the medial border moves so that it passes the 1st head at a distance.
+
+    It moves more and more from the heel to the head, and ahead of it as much.
+    """
+    first = find_landmarks(foot)[HEADS[0]].point[:2] * [foot.side.medial_sign, 1.0]
+    medial = np.flatnonzero((places[:, 0] > 0) & (share > _HEEL_TO_BALL[0]))
+    beside = medial[np.abs(places[medial, 1] - first[1]).argmin()]
+    at_head = first[1] / foot.length_mm
+    moved = smooth_step(share, _HEEL_TO_BALL[0], at_head)
+    moved *= smooth_step(places[:, 0] / places[beside, 0], 0.0, 0.6)
+    return np.asarray((first[0] + width_mm - places[beside, 0]) * moved)
 
 
 def _three_quarter(
-    foot: Foot, outline: Outline, whole: FloatArray, landmarks: Landmarks
+    foot: Foot, design: InsoleDesign, whole: FloatArray, landmarks: Landmarks
 ) -> FloatArray:
     """Return the part of the full outline behind the heads, front bowed, corners rounded."""
-    heads = np.array([landmarks[name].point[:2] for name in HEADS]) * [foot.side.medial_sign, 1.0]
-    key = outline, heads.tobytes()
+    sign = np.array([foot.side.medial_sign, 1.0])
+    if design.shell is not None:
+        points = np.array(trim_points(design.shell, foot.side, landmarks)) * sign
+        return foot.derived.get(
+            "trimmed outline",
+            (design.outline, points.tobytes()),
+            lambda: _trimmed(whole, points, foot.length_mm),
+        )
+    heads = np.array([landmarks[name].point[:2] for name in HEADS]) * sign
+    key = design.outline, heads.tobytes()
     return foot.derived.get(
         "three-quarter outline", key, lambda: _shortened(whole, heads, foot.length_mm)
     )
+
+
+def _trimmed(whole: FloatArray, points: FloatArray, length_mm: float) -> FloatArray:
+    """Return the part of an outline behind a trim line."""
+    line = TrimLine(points)
+    front = partial(line.between, count=_FRONT_POINTS - 2)
+    return _cut(whole, line.ahead_mm(whole, length_mm), front, _TRIM_CORNER_MM)
 
 
 def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatArray:
@@ -157,17 +204,35 @@ def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatA
     edge_mm = float((heads[:, 1] - slope * heads[:, 0]).min()) - _BEHIND_HEADS_MM
     edge_mm = max(edge_mm, _SHORTEST * length_mm)
     ahead_mm = whole[:, 1] - edge_mm - slope * whole[:, 0]
+    return whole if (ahead_mm < 0).all() else _cut(whole, ahead_mm, _bow)
+
+
+def _cut(
+    whole: FloatArray,
+    ahead_mm: FloatArray,
+    front: _Front,
+    corner_mm: tuple[float, float] = _CORNER_MM,
+) -> FloatArray:
+    """Return the part of an outline behind a line, closed along it, its corners rounded.
+
+    Parameters
+    ----------
+    ahead_mm : (n,) float64
+        How far each point of the outline lies ahead of the line.
+    front
+        Returns the points of the line between its medial and its lateral end.
+    corner_mm
+        Distance from these up to which the curve is rounded, and from which on it is not.
+    """
     behind = np.flatnonzero(ahead_mm < 0)
-    if len(behind) == len(whole):
-        return whole
     gap = int(np.diff(behind).argmax())
     inside = behind[[gap, gap + 1]]
     outside = inside + np.array([1, -1])
     share = ahead_mm[inside] / (ahead_mm[inside] - ahead_mm[outside])
     medial, lateral = whole[inside] + share[:, None] * (whole[outside] - whole[inside])
-    front = np.stack([medial, *_bow(medial, lateral), lateral])
-    cut = evenly_spread(np.insert(whole[behind], gap + 1, front, axis=0), len(whole))
-    return _rounded(cut, medial, lateral)
+    edge = np.stack([medial, *front(medial, lateral), lateral])
+    cut = evenly_spread(np.insert(whole[behind], gap + 1, edge, axis=0), len(whole))
+    return _rounded(cut, corner_mm, medial, lateral)
 
 
 def _bow(start: FloatArray, end: FloatArray) -> FloatArray:
@@ -178,12 +243,12 @@ def _bow(start: FloatArray, end: FloatArray) -> FloatArray:
     return np.asarray(start + share * way + 4 * _BOW * share * (1 - share) * aside)
 
 
-def _rounded(curve: FloatArray, *corners: FloatArray) -> FloatArray:
+def _rounded(curve: FloatArray, corner_mm: tuple[float, float], *corners: FloatArray) -> FloatArray:
     """Round a closed curve at its corners, and hardly elsewhere."""
     curve = smoothed_along(curve, _EVENING_MM)
     for _ in range(_ROUNDINGS):
         away_mm = np.min([np.hypot(*(curve - corner).T) for corner in corners], axis=0)
-        rounding = 1 - smooth_step(away_mm, *_CORNER_MM)
+        rounding = 1 - smooth_step(away_mm, *corner_mm)
         curve = curve + rounding[:, None] * (smoothed_along(curve, _ROUNDING_MM) - curve)
         curve = evenly_spread(curve, len(curve))
     return smoothed_along(curve, _EVENING_MM)

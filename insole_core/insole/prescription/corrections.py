@@ -200,6 +200,25 @@ class HeelCup(CorrectionBase):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Rocker(CorrectionBase):
+    """An underside that rises ahead of a line along the heads, so that the foot rolls over it.
+
+    The contact surface stays; what is eased comes off the thickness.
+
+    Parameters
+    ----------
+    behind_heads_mm
+        Distance of the line behind that through heads 1 and 5; < 0 ahead of it.
+    slope_deg
+        Slope of the underside ahead of the line.
+    """
+
+    type: ClassVar[str] = "rocker"
+    behind_heads_mm: float = 5.0
+    slope_deg: float = 10.0
+
+
+@dataclass(frozen=True, kw_only=True)
 class BrushStroke(CorrectionBase):
     """One free-hand stroke over the surface; the Gaussian neighbourhood (25) follows it.
 
@@ -223,12 +242,21 @@ class BrushStroke(CorrectionBase):
 
 
 Correction: TypeAlias = (
-    Pelott | Posting | ForefootTwist | HeelSkive | HeelLift | ArchRaise | HeelCup | BrushStroke
+    Pelott
+    | Posting
+    | ForefootTwist
+    | HeelSkive
+    | HeelLift
+    | ArchRaise
+    | HeelCup
+    | Rocker
+    | BrushStroke
 )
 CORRECTION_TYPES: dict[str, type[Correction]] = {
     kind.type: kind
     for kind in (
-        Pelott, Posting, ForefootTwist, HeelSkive, HeelLift, ArchRaise, HeelCup, BrushStroke,
+        Pelott, Posting, ForefootTwist, HeelSkive, HeelLift, ArchRaise, HeelCup, Rocker,
+        BrushStroke,
     )
 }  # fmt: skip
 
@@ -250,6 +278,10 @@ class Outline:
         Paris points, 6.67 mm each; required if the source is the shoe size.
     points_mm
         At least four if the outline is drawn.
+    width_mm
+        From the bisection of the 1st metatarsal to the medial border beside its head: 0 regular,
+        −3.2 narrow, 3.2 wide; by default the foot's own border and the ball's allowance decide.
+        Not read if the outline is drawn.
     """
 
     source: str = "foot"
@@ -259,15 +291,24 @@ class Outline:
     heel_allowance_mm: float = 2.0
     shoe_size_eu: float | None = None
     points_mm: tuple[Place, ...] | None = None
+    width_mm: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class Layers:
-    """Thickness of the layers from the foot down, mm; 0 for a layer that is not made separately."""
+    """Thickness of the layers from the foot down, mm; 0 for a layer that is not made separately.
+
+    Parameters
+    ----------
+    cover_is_taken_off
+        The cover is glued on later: what is made lies lower by its thickness, and the foot stands
+        on the cover.
+    """
 
     cover_mm: float = 0.0
     shell_mm: float = 0.0
     base_mm: float = 0.0
+    cover_is_taken_off: bool = False
 
     @property
     def total_mm(self) -> float:

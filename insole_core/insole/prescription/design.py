@@ -24,14 +24,33 @@ from insole_core.insole.prescription.corrections import (
     Pelott,
     Place,
     Posting,
+    Rocker,
 )
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.shell import Post, Shell
 
 __all__ = [
-    "CORRECTION_TYPES", "ArchRaise", "BaseForm", "BrushStroke", "Correction", "Finish",
-    "ForefootTwist", "Form", "HeelCup", "HeelLift", "HeelSkive", "InsoleDesign", "Layers",
-    "Outline", "Pelott", "Place", "Post", "Posting", "RimStation", "Shell",
+    "CORRECTION_TYPES",
+    "ArchRaise",
+    "BaseForm",
+    "BrushStroke",
+    "Correction",
+    "Finish",
+    "ForefootTwist",
+    "Form",
+    "HeelCup",
+    "HeelLift",
+    "HeelSkive",
+    "InsoleDesign",
+    "Layers",
+    "Outline",
+    "Pelott",
+    "Place",
+    "Post",
+    "Posting",
+    "RimStation",
+    "Rocker",
+    "Shell",
 ]  # fmt: skip
 
 
@@ -42,7 +61,8 @@ class InsoleDesign:
     Parameters
     ----------
     thickness_mm
-        Least material between the contact surface and the bottom plane.
+        Least material between the contact surface and the bottom plane, without a cover that is
+        taken off.
     grid_mm
         Pitch of the rectangular grid of thesis 3.3; its nodes lie at whole multiples of it.
     max_height_mm
@@ -81,8 +101,21 @@ class InsoleDesign:
 
     @property
     def least_thickness_mm(self) -> float:
-        """Height of the contact surface's lowest point over the bottom, before pads."""
-        return max(self.thickness_mm, self.layers.total_mm)
+        """Height of the contact surface's lowest point over the bottom, before pads.
+
+        It includes a cover that is taken off.
+        """
+        return max(self.thickness_mm + self.taken_off_mm, self.layers.total_mm)
+
+    @property
+    def taken_off_mm(self) -> float:
+        """Thickness of a cover that is glued on later; 0 if it is made with the insole."""
+        return self.layers.cover_mm if self.layers.cover_is_taken_off else 0.0
+
+    @property
+    def made_thickness_mm(self) -> float:
+        """Least thickness of what is made, before pads."""
+        return self.least_thickness_mm - self.taken_off_mm
 
     @property
     def active(self) -> tuple[Correction, ...]:

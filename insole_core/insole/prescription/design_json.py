@@ -306,6 +306,7 @@ _READERS: dict[str, Callable[[Any, str], Any]] = {
     **dict.fromkeys(_NUMBER_LISTS, _numbers),
     **{key: partial(_list, kind) for key, kind in _LISTS.items()},
     "enabled": _flag,
+    "cover_is_taken_off": _flag,
     "form": _form,
     "heights_mm": _rows,
 }

@@ -6,12 +6,14 @@ the clinic's own rules (`insole_core.insole.prescription.clinic_rules`).
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from typing import Any
 
 from insole_core.errors import DesignError
+from insole_core.geometry.side import Side
 from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
 from insole_core.insole.pads.pad_shapes import FREE, PAD_SHAPES, encloses_centre
 from insole_core.insole.prescription.design import (
@@ -31,6 +33,7 @@ from insole_core.insole.prescription.design import (
     Post,
     Posting,
     RimStation,
+    Rocker,
     Shell,
 )
 from insole_core.messages import Message
@@ -70,6 +73,7 @@ OUTLINE_RANGES = {
     "heel_allowance_mm": Range(-20, 20),
     "shoe_size_eu": Range(16, 52, ""),
     "points_mm": _PLACE,
+    "width_mm": Range(-20, 20),
 }
 LAYER_RANGES = {"cover_mm": Range(0, 5), "shell_mm": Range(0, 10), "base_mm": Range(0, 10)}
 FINISH_RANGES = {
@@ -135,6 +139,7 @@ CORRECTION_RANGES: dict[type[Correction], dict[str, Range]] = {
         "width_mm": Range(10, 150),
     },
     HeelCup: {"depth_mm": Range(0, 30), "fade_start": _SHARE, "fade_end": _SHARE},
+    Rocker: {"behind_heads_mm": Range(-20, 40), "slope_deg": Range(0, 25, "degrees")},
     BrushStroke: {
         "points_mm": _PLACE,
         "radius_mm": Range(2, 80),
@@ -160,6 +165,8 @@ LONGEST_KIND = 60
 """Most letters in the kind of a pad."""
 LEAST_STATIONS, MOST_FORM_STATIONS = 4, 400
 """Numbers of stations of a form along and across the foot; a cubic needs four."""
+LEAST_TRIM_STEP_MM = 1.0
+"""By which each point of a trim line lies farther lateral than the one before."""
 MOST_STATIONS = 40
 LEAST_ZONE = 0.05
 """Least share of the length over which a correction fades."""
@@ -208,7 +215,7 @@ def check_design(design: InsoleDesign) -> None:
     _check_outline(design.outline)
     _check_base(design.base)
     _check_finish(design.finish)
-    _check_shell(design.shell)
+    _check_shell(design)
     for number, correction in enumerate(design.corrections):
         where = Message(" of corrections[{number}] ({type})", number=number, type=correction.type)
         _check(correction, CORRECTION_RANGES[type(correction)], where)
@@ -319,7 +326,8 @@ def _check_finish(finish: Finish | None) -> None:
         _check(station, RIM_RANGES, Message(" of rim[{number}]", number=number))
 
 
-def _check_shell(shell: Shell | None) -> None:
+def _check_shell(design: InsoleDesign) -> None:
+    shell = design.shell
     if shell is None:
         return
     _check(shell, SHELL_RANGES, " of shell")
@@ -327,6 +335,21 @@ def _check_shell(shell: Shell | None) -> None:
         _check(post, POST_RANGES, Message(" of posts[{number}]", number=number))
     if len({post.region for post in shell.posts}) < len(shell.posts):
         raise DesignError("posts of shell holds two for one region; keep one of them.")
+    _check_trim(shell, design.side)
+
+
+def _check_trim(shell: Shell, side: Side) -> None:
+    """Check that a trim line goes from the medial to the lateral border, and never back."""
+    lateral = [-side.medial_sign * x for x, _ in shell.trim_mm or ()]
+    for number, (before, after) in enumerate(itertools.pairwise(lateral), start=2):
+        if after - before < LEAST_TRIM_STEP_MM:
+            raise DesignError(
+                "The trim line turns back or crosses itself at its point {number}, counted from "
+                "the medial border; let every point lie at least {least_mm:g} mm farther lateral "
+                "than the one before.",
+                number=number,
+                least_mm=LEAST_TRIM_STEP_MM,
+            )
 
 
 def _check_zone(correction: Correction, where: str) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_kinds import ends_behind_heads, pad_name
 from insole_core.insole.prescription.design import Pelott, Place
+from insole_core.insole.prescription.design_warning import DesignWarning
 from insole_core.insole.prescription.finish import HEADS_ALONG
 from insole_core.messages import Message
 
@@ -25,16 +25,7 @@ _SHOWN_ON_TRANSITION = 0.3
 _WORDS = {"medial": "medially", "lateral": "laterally"}
 
 
-@dataclass(frozen=True)
-class FinishWarning:
-    """A sentence, a place to look at (insole frame), and the correction that causes it or ""."""
-
-    sentence: Message
-    place_mm: Place | None = None
-    correction_id: str = ""
-
-
-def finish_warnings(insole: Insole) -> Iterator[FinishWarning]:
+def finish_warnings(insole: Insole) -> Iterator[DesignWarning]:
     """Yield what a finish could not do as asked; nothing for a design without a finish."""
     finished = insole.finished
     if finished is None:
@@ -51,7 +42,7 @@ def finish_warnings(insole: Insole) -> Iterator[FinishWarning]:
             yield from _of_pad(finished, pad)
 
 
-def _of_widths(finished: FinishedSurface) -> Iterator[FinishWarning]:
+def _of_widths(finished: FinishedSurface) -> Iterator[DesignWarning]:
     widths = finished.widths
     narrowed = widths.asked_mm - widths.width_mm
     at = int(narrowed.argmax())
@@ -85,7 +76,7 @@ def _of_widths(finished: FinishedSurface) -> Iterator[FinishWarning]:
         )
 
 
-def _of_walls(finished: FinishedSurface) -> Iterator[FinishWarning]:
+def _of_walls(finished: FinishedSurface) -> Iterator[DesignWarning]:
     slope = np.where(_inside(finished), finished.surface.slope_deg(), 0.0)
     row, column = np.unravel_index(slope.argmax(), slope.shape)
     is_wall = finished.zones.support_mm[row, column] < 0
@@ -95,10 +86,10 @@ def _of_walls(finished: FinishedSurface) -> Iterator[FinishWarning]:
             "lower the rim there.",
             angle=slope[row, column],
         )
-        yield FinishWarning(steep, _place(finished, int(row), int(column)))
+        yield DesignWarning(steep, place_mm=_place(finished, int(row), int(column)))
 
 
-def _of_flank(finished: FinishedSurface) -> Iterator[FinishWarning]:
+def _of_flank(finished: FinishedSurface) -> Iterator[DesignWarning]:
     """Warn of a cup or flange that is higher than the foot."""
     rim, behind_heads = finished.rim, finished.rim.edge.along < HEADS_ALONG
     free_mm = np.where(behind_heads, finished.curve.height_mm - rim.flank_mm, -np.inf)
@@ -118,7 +109,7 @@ def _of_flank(finished: FinishedSurface) -> Iterator[FinishWarning]:
         )
 
 
-def _of_stations(finished: FinishedSurface) -> Iterator[FinishWarning]:
+def _of_stations(finished: FinishedSurface) -> Iterator[DesignWarning]:
     """Warn of the station that the rim misses most."""
     stations = finished.curve.stations
     off_mm = [abs(finished.curve.height_at(s.arc_mm) - s.height_mm) for s in stations]
@@ -132,10 +123,10 @@ def _of_stations(finished: FinishedSurface) -> Iterator[FinishWarning]:
         where=_WORDS[station.station.border],
         asked_mm=station.height_mm,
     )
-    yield FinishWarning(beside, station.place_mm)
+    yield DesignWarning(beside, place_mm=station.place_mm)
 
 
-def _of_raising(finished: FinishedSurface) -> Iterator[FinishWarning]:
+def _of_raising(finished: FinishedSurface) -> Iterator[DesignWarning]:
     """Warn of a rim so low that the whole insole is raised for it."""
     inside = finished.place.inside_mm > 0
     heights = finished.surface.heights_mm
@@ -152,10 +143,10 @@ def _of_raising(finished: FinishedSurface) -> Iterator[FinishWarning]:
             "the posting.",
             below_mm=below_mm,
         )
-        yield FinishWarning(low, _place(finished, int(row), int(column)))
+        yield DesignWarning(low, place_mm=_place(finished, int(row), int(column)))
 
 
-def _of_arch(finished: FinishedSurface) -> Iterator[FinishWarning]:
+def _of_arch(finished: FinishedSurface) -> Iterator[DesignWarning]:
     arch, asked_mm = finished.arch, finished.finish.arch_fill_mm
     if asked_mm - arch.height_mm > _SHOWN_FILL_MM:
         deep = Message(
@@ -164,10 +155,10 @@ def _of_arch(finished: FinishedSurface) -> Iterator[FinishWarning]:
             asked_mm=asked_mm,
             height_mm=arch.height_mm,
         )
-        yield FinishWarning(deep, arch.apex_mm)
+        yield DesignWarning(deep, place_mm=arch.apex_mm)
 
 
-def _of_expansion(insole: Insole, finished: FinishedSurface) -> Iterator[FinishWarning]:
+def _of_expansion(insole: Insole, finished: FinishedSurface) -> Iterator[DesignWarning]:
     """Warn of an expansion that the outline does not follow."""
     low, _ = outline_reach(insole.foot, insole.design.outline)
     beside_mm = float(-low[1])
@@ -178,10 +169,10 @@ def _of_expansion(insole: Insole, finished: FinishedSurface) -> Iterator[FinishW
             expansion_mm=finished.finish.expansion_mm,
             beside_mm=beside_mm,
         )
-        yield FinishWarning(narrow, (0.0, float(low[1])))
+        yield DesignWarning(narrow, place_mm=(0.0, float(low[1])))
 
 
-def _of_pad(finished: FinishedSurface, pad: Pelott) -> Iterator[FinishWarning]:
+def _of_pad(finished: FinishedSurface, pad: Pelott) -> Iterator[DesignWarning]:
     """Warn of a pad that supports, and lies on the transition to the rim."""
     if not ends_behind_heads(pad):
         return
@@ -201,7 +192,7 @@ def _of_pad(finished: FinishedSurface, pad: Pelott) -> Iterator[FinishWarning]:
             share=share,
             pad=pad_name(pad),
         )
-        yield FinishWarning(beside, pad.centre_mm, pad.id)
+        yield DesignWarning(beside, pad.id, pad.centre_mm)
 
 
 def _within_box(x_mm: FloatArray, y_mm: FloatArray, outline: FloatArray) -> BoolArray:
@@ -219,9 +210,9 @@ def _place(finished: FinishedSurface, row: int, column: int) -> Place:
     return float(field.x_mm[column]), float(field.y_mm[row])
 
 
-def _at_edge(finished: FinishedSurface, at: int, sentence: Message) -> FinishWarning:
+def _at_edge(finished: FinishedSurface, at: int, sentence: Message) -> DesignWarning:
     x, y = finished.rim.edge.points_mm[at]
-    return FinishWarning(sentence, (float(x), float(y)))
+    return DesignWarning(sentence, place_mm=(float(x), float(y)))
 
 
 def _where(finished: FinishedSurface, at: int) -> str:

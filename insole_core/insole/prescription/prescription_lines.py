@@ -6,7 +6,13 @@ from dataclasses import fields
 from typing import Any
 
 from insole_core.insole.pads.pad_kinds import pad_name
-from insole_core.insole.prescription.design import ArchRaise, Correction, InsoleDesign, Pelott
+from insole_core.insole.prescription.design import (
+    ArchRaise,
+    Correction,
+    InsoleDesign,
+    Pelott,
+    Shell,
+)
 
 _UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
 _DECIMALS, _DECIMALS_OF_A_SHARE = 1, 2
@@ -30,16 +36,52 @@ def plain_number(value: float, decimals: int = _DECIMALS) -> str:
 
 
 def make_facts(design: InsoleDesign) -> dict[str, str]:
-    """Return thickness, layers, bottom and outline, by name."""
+    """Return device, thickness, layers, bottom, outline and shell, by name."""
     layers = design.layers
-    facts = {
-        "prescribed thickness": f"{plain_number(design.least_thickness_mm)} mm",
+    facts = {"device": design.device} if design.device else {}
+    facts |= {
+        "prescribed thickness": f"{plain_number(design.made_thickness_mm)} mm",
         "bottom": design.bottom,
         "outline": f"{_words(design.outline.source)}, {_words(design.outline.extent)}",
     }
+    if design.outline.width_mm is not None:
+        width = plain_number(design.outline.width_mm)
+        facts["width"] = f"{width} mm from the bisection of the 1st metatarsal"
     if layers.total_mm > 0:
         thicknesses = (layers.cover_mm, layers.shell_mm, layers.base_mm)
         facts["cover / shell / base"] = f"{' / '.join(map(plain_number, thicknesses))} mm"
+    if design.taken_off_mm > 0:
+        facts["cover, glued on later"] = f"{plain_number(design.taken_off_mm)} mm"
+    return facts if design.shell is None else facts | _shell_facts(design, design.shell)
+
+
+def _shell_facts(design: InsoleDesign, shell: Shell) -> dict[str, str]:
+    """Return what is prescribed of a shell, by name; nothing that is 0."""
+    facts = {"material of the shell": shell.material} if shell.material else {}
+    if shell.body_weight_kg is not None:
+        facts["body weight"] = f"{plain_number(shell.body_weight_kg)} kg"
+    facts["end taper"] = (
+        f"{plain_number(shell.taper_mm)} mm over {plain_number(shell.taper_length_mm)} mm"
+    )
+    for post in shell.posts:
+        length = "usual" if post.length_mm is None else f"{plain_number(post.length_mm)} mm"
+        facts[f"{post.region} post"] = (
+            f"{_raised(post.angle_deg)}, length {length}, edge {plain_number(post.edge_radius_mm)} "
+            "mm"
+        )
+    if design.outline.extent == "three_quarter" and design.outline.source != "drawn":
+        points = shell.trim_mm
+        facts["trim line"] = "usual" if points is None else f"through {len(points)} points"
+    lengths = {
+        "edge radius": shell.edge_radius_mm,
+        "chamfer": shell.chamfer_mm,
+        "heel pitch": shell.heel_pitch_mm,
+    }
+    facts |= {name: f"{plain_number(mm)} mm" for name, mm in lengths.items() if mm > 0}
+    medial, lateral = shell.draft_medial_deg, shell.draft_lateral_deg
+    facts["draft of the walls"] = (
+        f"medial {plain_number(medial)}°, lateral {plain_number(lateral)}°"
+    )
     return facts
 
 

@@ -6,10 +6,13 @@ from dataclasses import dataclass
 
 from insole_core.insole.prescription.corrections import Place
 
+LONGEST_TAPER = 0.5
+"""Greatest share of an insole's length over which it tapers."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Post:
-    """A body below the shell that tilts it.
+    """A body below the shell that tilts it, as an extrinsic posting does, and is level below.
 
     Parameters
     ----------
@@ -18,7 +21,8 @@ class Post:
     angle_deg
         > 0 raises the medial edge.
     length_mm
-        Along the foot axis; by default the usual one of the region.
+        Along the foot axis; by default 0.25 of the foot's length at the rearfoot, from the heel's
+        rear end, and 0.12 at the forefoot, up to the trim line or just ahead of the heads.
     edge_radius_mm
         Rounding of its lower edge.
     """
@@ -40,16 +44,18 @@ class Shell:
     taper_mm, taper_length_mm
         Thickness at the front edge, and the length over which it is reached.
     edge_radius_mm
-        Rounding of the upper edge.
+        Rounding of the upper edge; the wall keeps at least half of its height.
     draft_medial_deg, draft_lateral_deg
         Inclination of the walls from the vertical; > 0: wider at the bottom.
     chamfer_mm
         Width of the bevel along the upper edge.
     heel_pitch_mm
-        Height of the shoe's heel over its forefoot, for which the underside is made.
+        Height of the shoe's heel over its forefoot: the underside is shaped for its last, on which
+        the insole rests with heel and ball.
     trim_mm
         Points (x, y), insole frame, of the front edge of a short shell, from the medial to the
-        lateral border; by default behind the heads.
+        lateral border; by default 11 mm behind the 1st head, 10 mm behind the 5th, and 4 mm
+        farther ahead in the middle. Not read for a full or a drawn outline.
     posts
         At most one for each region.
     """

@@ -34,6 +34,7 @@ from insole_core.insole.surface.heel_rim import RimBand, rim_band
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.inpainting import fill
 from insole_core.insole.surface.posting import posted
+from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 
@@ -101,6 +102,7 @@ def base_key(design: InsoleDesign) -> BaseKey:
     shaping = (c for c in design.active if isinstance(c, _SHAPING))
     return (
         *(replace(c, id="", author="", created_at="") for c in shaping),
+        None if design.shell is None else (design.shell.posts, design.shell.heel_pitch_mm),
         design.least_thickness_mm,
         design.grid_mm,
         design.max_height_mm,
@@ -164,10 +166,10 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
             arch_apex_mm=sole.arch_apex_mm,
         )
         surface = finish.surface
-    return replace(sole, surface=_raised(surface, design), finished=finish)
+    return replace(sole, surface=_raised(surface, design, length), finished=finish)
 
 
-def with_rim(base: ContactBase, design: InsoleDesign) -> ContactBase:
+def with_rim(base: ContactBase, design: InsoleDesign, length_mm: float) -> ContactBase:
     """Return the base of a design that differs from that of `base` in its rim's stations only.
 
     It is much faster than `contact_base`, for a drag. The transitions to the rim keep their widths,
@@ -181,7 +183,7 @@ def with_rim(base: ContactBase, design: InsoleDesign) -> ContactBase:
     if base.finished is None or design.finish is None:
         return base
     moved = base.finished.with_rim(_finish_of(design.finish, design).rim)
-    return replace(base, surface=_raised(moved.surface, design), finished=moved)
+    return replace(base, surface=_raised(moved.surface, design, length_mm), finished=moved)
 
 
 def _finish_of(finish: Finish, design: InsoleDesign) -> Finish:
@@ -189,9 +191,10 @@ def _finish_of(finish: Finish, design: InsoleDesign) -> Finish:
     return finish_on_base(finish_with_cups(finish, design.active), design.base)
 
 
-def _raised(surface: HeightField, design: InsoleDesign) -> HeightField:
-    """Raise a surface until its lowest place has the design's least thickness."""
-    up = design.least_thickness_mm - surface.heights_mm.min()
+def _raised(surface: HeightField, design: InsoleDesign, length_mm: float) -> HeightField:
+    """Raise a surface until its lowest place over the ground has the design's least thickness."""
+    ground = last_heights_mm(design, surface.y_mm, length_mm)[:, None]
+    up = design.least_thickness_mm - (surface.heights_mm - ground).min()
     return replace(surface, heights_mm=surface.heights_mm + up)
 
 

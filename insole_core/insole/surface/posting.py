@@ -15,7 +15,12 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import ForefootTwist, InsoleDesign, Posting
+from insole_core.insole.prescription.design import (
+    Correction,
+    ForefootTwist,
+    InsoleDesign,
+    Posting,
+)
 from insole_core.insole.surface.blending import smooth_step
 from insole_core.insole.surface.height_field import HeightField
 
@@ -24,13 +29,13 @@ _RIM_START = 0.7
 
 
 def posting_angles(design: InsoleDesign) -> tuple[float, float]:
-    """Sum the rear- and forefoot angles of the active postings, in degrees; > 0 is medial."""
-    active = [c for c in design.active if isinstance(c, Posting)]
-    return sum(c.rearfoot_deg for c in active), sum(c.forefoot_deg for c in active)
+    """Sum the rear- and forefoot angles of postings and posts, in degrees; > 0 is medial."""
+    postings = [c for c in _turning(design) if isinstance(c, Posting)]
+    return sum(c.rearfoot_deg for c in postings), sum(c.forefoot_deg for c in postings)
 
 
 def posting_profile_deg(design: InsoleDesign, share: FloatArray) -> FloatArray:
-    """Sum the angles of all active postings and twists at shares (n,) of the length."""
+    """Sum the angles of active postings, twists and posts at shares (n,) of the length."""
     return _angles_deg(design, share, "extrinsic") + _angles_deg(design, share, "intrinsic")
 
 
@@ -86,12 +91,24 @@ def posted(
 def _angles_deg(design: InsoleDesign, share: FloatArray, method: str) -> FloatArray:
     """Sum the angles in each section, (ny,)."""
     angle = np.zeros_like(share)
-    for c in design.active:
+    for c in _turning(design):
         if isinstance(c, Posting) and c.method == method:
             angle += _angle_deg(c, share)
         elif isinstance(c, ForefootTwist) and method == "extrinsic":
             angle += c.angle_deg * smooth_step(share, c.blend_start, c.blend_end)
     return angle
+
+
+def _turning(design: InsoleDesign) -> list[Correction]:
+    """Return the active corrections, and the posting that the posts below a shell amount to."""
+    posts = () if design.shell is None else design.shell.posts
+    rearfoot, forefoot = (
+        sum(post.angle_deg for post in posts if post.region == region)
+        for region in ("rearfoot", "forefoot")
+    )
+    if rearfoot == forefoot == 0:
+        return [*design.active]
+    return [*design.active, Posting(id="posts", rearfoot_deg=rearfoot, forefoot_deg=forefoot)]
 
 
 def _angle_deg(posting: Posting, share: FloatArray) -> FloatArray:

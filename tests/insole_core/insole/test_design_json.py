@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -144,10 +144,13 @@ finishes = st.builds(
     rim=st.lists(rim_stations, max_size=4).map(tuple),
     **{k: within(r) for k, r in FINISH_RANGES.items()},
 )
+trim_lines = st.lists(st.integers(-400, 400), min_size=2, max_size=3, unique=True).flatmap(
+    lambda x: st.tuples(*(st.tuples(st.just(float(v)), within(SHELL_RANGES["trim_mm"])) for v in x))
+)
 shells = st.builds(
     Shell,
     material=st.text(max_size=8),
-    trim_mm=st.none() | st.lists(place(SHELL_RANGES["trim_mm"]), min_size=2, max_size=3).map(tuple),
+    trim_mm=st.none() | trim_lines,
     posts=st.sampled_from(CHOICES[Post]["region"]).flatmap(
         lambda region: st.tuples(
             st.builds(
@@ -173,20 +176,34 @@ forms = st.tuples(SHARES, SHARES).flatmap(
         ),
     )
 )
+
+
+def in_order(design: InsoleDesign) -> InsoleDesign:
+    """The design with the points of its trim line from the medial to the lateral border."""
+    if design.shell is None or design.shell.trim_mm is None:
+        return design
+    points = sorted(design.shell.trim_mm, key=lambda p: -design.side.medial_sign * p[0])
+    return replace(design, shell=replace(design.shell, trim_mm=tuple(points)))
+
+
 bases = st.builds(BaseForm, form=forms, contact_share=within(BASE_RANGES["contact_share"]))
 designs = st.builds(
     InsoleDesign,
     side=st.sampled_from(Side),
     corrections=st.lists(st.one_of(PADS, FREE_PADS, STROKES, *OTHERS), max_size=4).map(tuple),
     outline=outlines,
-    layers=st.builds(Layers, **{k: within(r) for k, r in LAYER_RANGES.items()}),
+    layers=st.builds(
+        Layers,
+        cover_is_taken_off=st.booleans(),
+        **{k: within(r) for k, r in LAYER_RANGES.items()},
+    ),
     bottom=st.sampled_from(CHOICES[InsoleDesign]["bottom"]),
     device=st.text(max_size=8),
     base=st.none() | bases,
     finish=st.none() | finishes,
     shell=st.none() | shells,
     **{key: within(limits) for key, limits in DESIGN_RANGES.items()},
-)
+).map(in_order)
 
 
 def changed(*path: Any, value: Any) -> dict[str, Any]:
@@ -328,6 +345,7 @@ BAD = [
     (changed("finish", value={"toe_zone": "round"}), 'toe_zone of finish is "round"'),
     (changed("shell", value={"body_weight_kg": 700}), "body_weight_kg of shell is 700"),
     (changed("shell", value={"posts": [{"angle_deg": 40}]}), r"angle_deg of posts\[0\] is 40"),
+    (changed("layers", value={"cover_is_taken_off": 1}), "cover_is_taken_off.*true or false"),
     (changed("device", value=7), "device must be a text"),
 ]
 
@@ -337,6 +355,16 @@ def test_reader_and_schema_refuse_the_same(content, reason):
     with pytest.raises(DesignError, match=reason):
         design_from_json(content)
     assert not VALIDATOR.is_valid(content)
+
+
+def test_trim_line_goes_from_medial_to_lateral():
+    for side, sign in (("left", 1), ("right", -1)):
+        points = [[sign * x, y] for x, y in ((40, 160), (0, 170), (-30, 165))]
+        content = {**changed("shell", value={"trim_mm": points}), "side": side}
+        assert design_from_json(content).shell is not None
+        points[2][0] = sign * 10
+        with pytest.raises(DesignError, match="turns back or crosses itself at its point 3"):
+            design_from_json(content)
 
 
 def test_a_file_without_the_newer_keys_keeps_its_meaning():

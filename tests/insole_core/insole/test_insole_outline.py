@@ -91,7 +91,7 @@ def test_shoe_size_gives_the_length_in_paris_points(plate: Foot, size: float) ->
 
 
 def test_a_drawn_outline_begins_as_it_was(plate: Foot) -> None:
-    begun = outline_points(plate, Outline(), {})
+    begun = outline_points(plate, InsoleDesign(plate.side), {})
     points = curve(plate, Outline(source="drawn", points_mm=begun))
     for place in begun:
         assert np.hypot(*(points - place).T).min() < 1e-9

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.errors import DesignError
 from insole_core.foot.measures import shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.insole_outline import insole_outline, outline_points
@@ -212,17 +213,23 @@ class OutlineTool(Tool):
 
 
 def points_of(record: CaseRecord) -> tuple[Place, ...]:
-    """Return the draggable points of the insole's outline; none without a foot."""
+    """Return the draggable points of the insole's outline; none without a foot or an outline."""
     if record.foot is None or record.design is None:
         return ()
-    return outline_points(record.foot, record.design.outline, landmarks_of(record))
+    try:
+        return outline_points(record.foot, record.design, landmarks_of(record))
+    except DesignError:  # the preview says it
+        return ()
 
 
 def curve_of(record: CaseRecord) -> FloatArray:
-    """Return the insole's outline, (n, 2), mm; empty without a foot."""
+    """Return the insole's outline, (n, 2), mm; empty without a foot or an outline."""
     if record.foot is None or record.design is None:
         return np.zeros((0, 2))
-    return insole_outline(record.foot, record.design, landmarks_of(record))
+    try:
+        return insole_outline(record.foot, record.design, landmarks_of(record))
+    except DesignError:  # the preview says it
+        return np.zeros((0, 2))
 
 
 def with_drawn(design: InsoleDesign, points: tuple[Place, ...]) -> InsoleDesign:
