@@ -292,6 +292,14 @@
             <translation>Överdrag</translation>
         </message>
         <message>
+            <source>Cover to the toes.</source>
+            <translation>Överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Cup of 18 to 22.</source>
+            <translation>Hälskål på 18 till 22.</translation>
+        </message>
+        <message>
             <source>Cup of 20 or more, rearfoot post.</source>
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
@@ -1470,14 +1478,6 @@
         <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
-        </message>
-        <message>
-            <source>Wide shell; cover to the toes.</source>
-            <translation>Brett skal; överdrag till tårna.</translation>
-        </message>
-        <message>
-            <source>Wide shell; cup of 18 to 22.</source>
-            <translation>Brett skal; hälskål på 18 till 22.</translation>
         </message>
         <message>
             <source>Writing the file</source>
