@@ -24,6 +24,7 @@ TOOL_KEYS = (
     "tool_free_hand",
     "tool_posting",
     "tool_outline",
+    "tool_rim",
     "tool_brush",
     "tool_plane",
     "tool_section",
@@ -103,6 +104,9 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     (
         lambda: tr("&Prescribe"),
         (
+            "choose_device",
+            "toggle_as_scanned",
+            SEPARATOR,
             "add_posting",
             "add_forefoot_twist",
             "add_heel_skive",
@@ -110,6 +114,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "add_heel_cup",
             "add_arch_raise",
             "add_arch_height",
+            "add_rocker",
             PADS,
             SEPARATOR,
             "confirm_landmarks",

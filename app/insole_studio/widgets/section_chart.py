@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QTransform
@@ -11,12 +9,11 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.texts import localised, tr
+from insole_studio.widgets.chart_ticks import chart_ticks
 
 LEFT_PX, BOTTOM_PX, FREE_PX = 40.0, 22.0, 12.0
 LEGEND_PX, SWATCH_PX, LEGEND_GAP_PX = 18.0, 21.0, 11.0
 SKIN, COVER = "#c4684a", "#2e8b67"
-STEPS_MM = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-LEAST_TICK_PX = 28.0
 ABOVE_MM = 22.0
 """Height of the foot shown above the insole."""
 
@@ -112,7 +109,7 @@ class SectionChart(QWidget):
         heights = [
             (tr("Foot"), None if s_mm is None else self.skin_mm(s_mm)),
             (tr("Contact"), _height(self._top, s_mm if inside else None)),
-            (tr("Below cover"), _height(self._cover, s_mm if inside else None)),
+            (tr("Cover"), _height(self._cover, s_mm if inside else None)),
             (tr("Underside"), _height(self._bottom, s_mm if inside else None)),
         ]
         if self._cover is None:
@@ -190,14 +187,14 @@ class SectionChart(QWidget):
         painter.drawLine(frame.bottomLeft(), frame.topLeft())
         painter.setPen(self.palette().windowText().color())
         shown = mm2px.inverted()[0].mapRect(frame)
-        for s in _ticks(shown.left(), shown.right(), mm2px.m11()):
+        for s in chart_ticks(shown.left(), shown.right(), mm2px.m11()):
             at = mm2px.map(QPointF(s, shown.top()))
             painter.drawLine(at, at + QPointF(0, 4))
             words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
             painter.drawText(words, Qt.AlignmentFlag.AlignCenter, localised(s, "g"))
-        unit = QRectF(frame.right() - 30, frame.bottom() + 4, 30 + FREE_PX, BOTTOM_PX - 4)
+        unit = QRectF(frame.right() - 30, frame.bottom() + 4, 26 + FREE_PX, BOTTOM_PX - 4)
         painter.drawText(unit, Qt.AlignmentFlag.AlignRight, "mm")
-        for z in _ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
+        for z in chart_ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
             at = mm2px.map(QPointF(shown.left(), z))
             painter.drawLine(at, at - QPointF(4, 0))
             words = QRectF(0, at.y() - 9, LEFT_PX - 7, 18)
@@ -222,7 +219,7 @@ class SectionChart(QWidget):
 
     def _paint_legend(self, painter: QPainter) -> None:
         """Write names and heights of the curves above the chart, as many as there is room for."""
-        styles, left, middle = self._styles(), LEFT_PX, LEGEND_PX / 2
+        styles, left, middle = self._styles(), LEGEND_GAP_PX, LEGEND_PX / 2
         for name, value in self.legend():
             text = f"{name} {value}".rstrip()
             wide = self.fontMetrics().horizontalAdvance(text)
@@ -241,7 +238,7 @@ class SectionChart(QWidget):
         return {
             tr("Foot"): QPen(QColor(SKIN), 2),
             tr("Contact"): QPen(accent, 2),
-            tr("Below cover"): QPen(QColor(COVER), 2, Qt.PenStyle.DashLine),
+            tr("Cover"): QPen(QColor(COVER), 2, Qt.PenStyle.DashLine),
             tr("Underside"): QPen(accent, 2, Qt.PenStyle.DotLine),
         }
 
@@ -255,12 +252,3 @@ def _height(line: FloatArray | None, s_mm: float | None) -> float | None:
     if line is None or s_mm is None:
         return None
     return float(np.interp(s_mm, line[:, 0], line[:, 1]))
-
-
-def _ticks(
-    low_mm: float, high_mm: float, px_per_mm: float, least_px: float = LEAST_TICK_PX
-) -> Iterator[float]:
-    wide_enough = (step for step in STEPS_MM if step * px_per_mm >= least_px)
-    step = next(wide_enough, STEPS_MM[-1])
-    first = int(np.ceil(low_mm / step))
-    return (number * step for number in range(first, int(np.floor(high_mm / step)) + 1))

@@ -881,7 +881,7 @@
         </message>
         <message>
             <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
-            <translation>Klinikens inlägg "{name}" finns inte längre, så nya förskrivningar börjar med "{usual}"; välj ett annat som klinikens.</translation>
+            <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
         <message>
             <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>
@@ -978,6 +978,10 @@
         <message>
             <source>The forefoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
             <translation>Framfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
+        </message>
+        <message>
+            <source>The forefoot is {missing_mm:g} mm too thin for the rocker, which leaves {least_mm:g} mm of material; raise the thickness or lower the slope.</source>
+            <translation>Framfoten är {missing_mm:g} mm för tunn för rullsulan, som lämnar {least_mm:g} mm material; höj tjockleken eller minska lutningen.</translation>
         </message>
         <message>
             <source>The form "{form}" is that of a foot of {form_mm:.0f} mm, and this one is {foot_mm:.0f} mm long; choose a form of about its length.</source>
@@ -2392,6 +2396,10 @@
             <translation>rim i finish har {count} stationer och får ha {most}; ta bort några.</translation>
         </message>
         <message>
+            <source>rocker</source>
+            <translation>rullsula</translation>
+        </message>
+        <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
         </message>
@@ -3446,6 +3454,10 @@
         <message>
             <source>{value} at the rearfoot</source>
             <translation>{value} i bakfoten</translation>
+        </message>
+        <message>
+            <source>{value} behind the heads</source>
+            <translation>{value} bakom huvudena</translation>
         </message>
         <message>
             <source>{value} long</source>

@@ -13,6 +13,7 @@ from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.features.design.models.model_presenter import (
@@ -21,6 +22,7 @@ from insole_studio.features.design.models.model_presenter import (
     ModelPresenter,
 )
 from insole_studio.features.design.models.rear_lines import rear_lines
+from insole_studio.features.design.models.rim_presenter import RimPresenter
 from insole_studio.features.design.models.section_follower import SectionFollower
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
@@ -36,6 +38,7 @@ from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
 from insole_studio.texts import localised, tr
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.notice_bar import NoticeBar
+from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.widgets.typed_text import is_typing
@@ -50,6 +53,8 @@ class DesignStage(QObject):
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
     """Whether to show the section panel: a section exists, or its tool is chosen."""
+    rim_wanted = Signal(bool)
+    """Whether to show the graph of the rim: its tool is chosen."""
 
     def __init__(
         self,
@@ -58,6 +63,7 @@ class DesignStage(QObject):
         surface: InsolePreview,
         foot_display: FootDisplay,
         section: SectionModel,
+        rim: RimModel,
         counterpart: SideBySide,
         tool_controller: ToolController,
         pads: Sequence[LibraryPad],
@@ -72,6 +78,7 @@ class DesignStage(QObject):
         self.pads = pads
         self.rules = rules
         self._cut = section
+        self.rim_model = rim
         self.linked = True
         self.steps = StepStrip()
         self.patient = PatientView()
@@ -80,6 +87,7 @@ class DesignStage(QObject):
         self.notices = NoticeBar()
         self.parameters = ParametersView()
         self.section = SectionChart()
+        self.rim = RimChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
         self.foot_presenter = FootPresenter(
@@ -118,6 +126,7 @@ class DesignStage(QObject):
             tool_controller,
             pads,
             rules,
+            rim=rim,
             request_action=self.action_requested.emit,
         )
         self._section_presenter = SectionPresenter(
@@ -127,8 +136,12 @@ class DesignStage(QObject):
             section=section,
             tool_controller=tool_controller,
         )
+        self._rim_presenter = RimPresenter(
+            self.rim, case=case, rim=rim, tool_controller=tool_controller
+        )
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
+            rim.selection_changed.connect(presenter.show_marks)
         self.insole.listed_chosen.connect(self.recent_chosen)
         self.section_follower = SectionFollower(section, tool_controller, self)
         self._before_posting: dict[Subject, ViewCamera] = {}
@@ -141,19 +154,24 @@ class DesignStage(QObject):
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
         counterpart.failed.connect(self.insole.show_warning)
+        self._follow_changes(surface, section, rim)
+
+    def _follow_changes(self, surface: InsolePreview, section: SectionModel, rim: RimModel) -> None:
+        """Update what the stage itself shows, besides its panels."""
+        case, tool_changed = self._case, self._tool_controller.tool_changed
         case.leaving.connect(self._note_typing)
         case.opened.connect(self._fit_later)
         surface.changed.connect(self._fit_insole_once)
-        case.selection_changed.connect(self._show_hint)
-        case.changed.connect(self._show_hint)
-        case.preview_changed.connect(self._show_hint)
-        tool_controller.tool_changed.connect(self._show_hint)
-        tool_controller.tool_changed.connect(self._forget_highlight)
-        tool_controller.tool_changed.connect(self._show_rear)
-        case.changed.connect(self._forget_highlight)
+        for signal in (case.selection_changed, case.preview_changed, rim.selection_changed):
+            signal.connect(self._show_hint)
+        for signal in (tool_changed, case.changed):
+            signal.connect(self._show_hint)
+            signal.connect(self._forget_highlight)
+        for signal in (section.changed, tool_changed):
+            signal.connect(self._ask_for_section)
         section.changed.connect(self._show_hint)
-        section.changed.connect(self._ask_for_section)
-        tool_controller.tool_changed.connect(self._ask_for_section)
+        tool_changed.connect(self._show_rear)
+        tool_changed.connect(self._ask_for_rim)
 
     @property
     def panels(self) -> tuple[QWidget, ...]:
@@ -165,6 +183,7 @@ class DesignStage(QObject):
             self.insole,
             self.foot,
             self.parameters,
+            self.rim,
             self.section,
         )
 
@@ -229,6 +248,7 @@ class DesignStage(QObject):
         """Set the size at which handles are grabbed, for touch or for a mouse."""
         for view, _ in self._presenters.values():
             view.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
+        self.rim.set_touch(touch)
 
     def set_dark(self, dark: bool) -> None:
         """Change the colour scheme of the scenes."""
@@ -348,6 +368,9 @@ class DesignStage(QObject):
     def _ask_for_section(self) -> None:
         is_tool = self._tool_controller.tool.key == "section"
         self.section_wanted.emit(self._cut.plane is not None or self._cut.follows or is_tool)
+
+    def _ask_for_rim(self) -> None:
+        self.rim_wanted.emit(self._tool_controller.tool.key == "rim")
 
     def _show_hint(self) -> None:
         hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""

@@ -28,6 +28,7 @@ from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.document.side_by_side import SideBySide
 from insole_studio.features.design.models.model_presenter import FootPresenter, InsolePresenter
@@ -50,6 +51,8 @@ class MockView:
         self.can_move = False
         for name in (
             "field_edited",
+            "field_moved",
+            "move_cancelled",
             "side_chosen",
             "variant_chosen",
             "proposal_chosen",
@@ -98,8 +101,13 @@ def case() -> Case:
 
 
 @pytest.fixture
-def tool_controller(case: Case, section: SectionModel) -> ToolController:
-    return ToolController(case, make_tools(section, load_pads(), load_rules()))
+def tool_controller(case: Case, section: SectionModel, rim: RimModel) -> ToolController:
+    return ToolController(case, make_tools(section, rim, load_pads(), load_rules()))
+
+
+@pytest.fixture
+def rim(case: Case, surface: InsolePreview) -> RimModel:
+    return RimModel(case, surface)
 
 
 @pytest.fixture
@@ -264,10 +272,16 @@ class TestPatient:
 class TestParameters:
     @pytest.fixture
     def presenter(
-        self, view: Any, case: Case, tool_controller: ToolController
+        self, view: Any, case: Case, tool_controller: ToolController, rim: RimModel
     ) -> ParametersPresenter:
         return ParametersPresenter(
-            view, case, tool_controller, load_pads(), load_rules(), request_action=lambda _key: None
+            view,
+            case,
+            tool_controller,
+            load_pads(),
+            load_rules(),
+            rim=rim,
+            request_action=lambda _key: None,
         )
 
     def test_numbers_of_the_selected_pelott(
@@ -429,11 +443,18 @@ class TestModels:
         surface: InsolePreview,
         facts: dict[str, Any],
         tool_controller: ToolController,
+        rim: RimModel,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
         ParametersPresenter(
-            view, case, tool_controller, (), load_rules(), request_action=lambda _key: None
+            view,
+            case,
+            tool_controller,
+            (),
+            load_rules(),
+            rim=rim,
+            request_action=lambda _key: None,
         )
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)

@@ -57,7 +57,7 @@ from insole_studio.widgets.empty_page import ListedRow
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
 SECTION_POINTS = 192
-_NOTHING = (object(),) * 7
+_NOTHING = (object(),) * 8
 
 
 class ModelPresenter:
@@ -207,6 +207,7 @@ class ModelPresenter:
             self._case.selection,
             tool,
             tool.sketch,
+            tool.selection,
             self._surface.contact,
             plane,
             turn,
@@ -223,7 +224,7 @@ class ModelPresenter:
         self.panel.show_turned(tool.foot_step if is_foot else None)
         self._show_plane(record.annotations.plane)
         self.panel.show_section(self._section_line())
-        self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
+        self.panel.show_sketch(self.places(np.array(tool.sketch).reshape(-1, 2)))
 
     def press(self, event: PointerEvent) -> bool:
         """Start a gesture of the tool."""
@@ -288,8 +289,8 @@ class ModelPresenter:
         if pad is None or found is None or abs(found.distance_mm) > NEAR_MM:
             self.panel.show_guide((), "")
             return
-        way = self._on_surface(np.stack([found.front, found.nearest]))
-        lines = self._on_surface(found.line), way
+        way = self.places(np.stack([found.front, found.nearest]))
+        lines = self.places(found.line), way
         self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", self._outline(pad))
 
     def _show_section(self) -> None:
@@ -322,19 +323,20 @@ class ModelPresenter:
                 lines[False].append(self._outline(pad))
         if selected is not None and selected.enabled:
             lines[True].append(self._outline(selected))
-        if self._tool_controller.tool.key == "outline":
+        if self._tool_controller.tool.key in ("outline", "rim"):
             lines[True] = [self._insole_outline()]
         return lines[False], lines[True]
 
     def _insole_outline(self) -> FloatArray:
         curve = curve_of(self._case.shown)[::OUTLINE_STRIDE]
-        return self._on_surface(np.concatenate([curve, curve[:1]]))
+        return self.places(np.concatenate([curve, curve[:1]]))
 
     def _outline(self, pad: Pelott) -> FloatArray:
         around = pad_outline(pad, OUTLINE_POINTS)
-        return self._on_surface(np.concatenate([around, around[:1]]))
+        return self.places(np.concatenate([around, around[:1]]))
 
-    def _on_surface(self, xy: FloatArray) -> FloatArray:
+    def places(self, xy: FloatArray) -> FloatArray:
+        """Return the points (n, 3) of the shown surface at positions (n, 2)."""
         return np.column_stack([xy, self._surface.heights_mm(xy) + self._lift_mm])
 
 
