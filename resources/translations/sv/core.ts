@@ -292,6 +292,10 @@
             <translation>Överdrag</translation>
         </message>
         <message>
+            <source>Cover glued on later</source>
+            <translation>Överdraget limmas på senare</translation>
+        </message>
+        <message>
             <source>Cover to the toes.</source>
             <translation>Överdrag till tårna.</translation>
         </message>
@@ -582,6 +586,10 @@
         <message>
             <source>Measuring the difference</source>
             <translation>Mäter skillnaden</translation>
+        </message>
+        <message>
+            <source>Medial border, from the 1st metatarsal's bisection</source>
+            <translation>Medial kant, från första metatarsalens mittlinje</translation>
         </message>
         <message>
             <source>Medial draft</source>
@@ -2188,6 +2196,10 @@
             <translation>naviculare, där det är märkt, över underlaget</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>nej</translation>
+        </message>
+        <message>
             <source>no blue marker with a depth reading is seen; check the light and that the reference system is in the picture</source>
             <translation>ingen blå markör med djupvärde syns; kontrollera ljuset och att referenssystemet är i bild</translation>
         </message>
@@ -2734,6 +2746,10 @@
         <message>
             <source>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</source>
             <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>ja</translation>
         </message>
         <message>
             <source>you may not write there; choose another place or ask for permission</source>
