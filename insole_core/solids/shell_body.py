@@ -9,16 +9,20 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import Material, read_materials
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.surface.blending import smooth_step
 from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.rocker import eased, rocker_heights_mm, rockers
 from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.solids.ball_offset import parallel_below
 from insole_core.solids.front_edge import behind_front_mm
 from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside
 from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
+
+_LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,14 +51,30 @@ def made_surface(insole: Insole) -> HeightField:
 def plain_underside(insole: Insole) -> FloatArray:
     """Return the underside before taper and posts, (ny, nx), mm: flat, or parallel to the top.
 
-    For a shoe with a heel a flat one has the shape of its last.
+    For a shoe with a heel a flat one has the shape of its last. A rocker eases it at the forefoot.
     """
+    whole, design = _unrocked_underside(insole), insole.design
+    if not rockers(design):
+        return whole
+    rise = rocker_heights_mm(design, insole.foot, insole.contact)
+    return eased(whole, made_surface(insole).heights_mm, rise)
+
+
+def _unrocked_underside(insole: Insole) -> FloatArray:
     field, design = insole.contact, insole.design
     ground = np.zeros_like(field.heights_mm)
     ground += last_heights_mm(design, field.y_mm, insole.foot.length_mm)[:, None]
     if design.bottom == "flat":
         return ground
-    return np.maximum(parallel_below(field, design.least_thickness_mm), ground)
+    return np.maximum(parallel_below(field, design.taken_off_mm + _thickness_mm(design)), ground)
+
+
+def _thickness_mm(design: InsoleDesign) -> float:
+    """Return the thickness of what is made: at least that which the material needs."""
+    if design.shell is None:
+        return design.made_thickness_mm
+    least_mm = _material(design.shell).least_mm + _LOSS * design.grid_mm
+    return max(design.made_thickness_mm, least_mm)
 
 
 def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineDistance) -> Body:
@@ -76,11 +96,12 @@ def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineD
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
     front_mm = max(shell.taper_mm, _material(shell).least_edge_mm)
     ground = last_heights_mm(design, field.y_mm, length_mm)[:, None]
-    tapered = np.where(share < 1, front_mm + (top - bottom - front_mm) * share, top - bottom)
     if design.bottom == "flat":
-        top = bottom + tapered
+        top = np.where(share < 1, bottom + front_mm + (top - bottom - front_mm) * share, top)
     else:
-        bottom = np.maximum(top - tapered, ground)
+        # Thickness counts along the normal, so that it is scaled: flanks stay as thick.
+        thinner = share + (1 - share) * front_mm / _thickness_mm(design)
+        bottom = np.maximum(top - (top - bottom) * thinner, ground)
     for post in shell.posts:
         short = design.outline.extent == "three_quarter"
         front = behind if short else behind_heads_mm(insole, field)
@@ -91,9 +112,13 @@ def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineD
 
 
 def least_thickness(insole: Insole, shell: Shell) -> HeightField:
-    """Return the least thickness that the shell's material allows at the nodes of the grid, mm."""
+    """Return the least thickness that the shell's material allows at the nodes of the grid, mm.
+
+    It is that of the thinnest place which a normal of this length can lead to.
+    """
     field, outline = insole.contact, outline_of(insole)
-    share = smooth_step(behind_front_mm(outline, field), 0.0, taper_length_mm(shell, outline))
+    behind = behind_front_mm(outline, field) - _material(shell).least_mm
+    share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
     return replace(field, heights_mm=_least_mm(shell, share))
 
 

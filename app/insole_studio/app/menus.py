@@ -114,6 +114,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "add_heel_cup",
             "add_arch_raise",
             "add_arch_height",
+            "add_rocker",
             PADS,
             SEPARATOR,
             "confirm_landmarks",

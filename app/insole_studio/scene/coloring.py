@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from insole_core.foot.display_surface import DisplaySurface
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -76,5 +78,6 @@ def on_display(
     if coloring is None:
         return surface.mesh, None
     mesh, values = surface.with_values(coloring.values)
-    missing = tr("not measured") if surface.is_filled.any() else ""
+    is_known = bool(np.isfinite(coloring.values).all())  # else grey means other things as well
+    missing = tr("not measured") if is_known and surface.is_filled.any() else ""
     return mesh, replace(coloring, values=values, missing=missing)

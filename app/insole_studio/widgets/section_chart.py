@@ -109,7 +109,7 @@ class SectionChart(QWidget):
         heights = [
             (tr("Foot"), None if s_mm is None else self.skin_mm(s_mm)),
             (tr("Contact"), _height(self._top, s_mm if inside else None)),
-            (tr("Below cover"), _height(self._cover, s_mm if inside else None)),
+            (tr("Cover"), _height(self._cover, s_mm if inside else None)),
             (tr("Underside"), _height(self._bottom, s_mm if inside else None)),
         ]
         if self._cover is None:
@@ -192,7 +192,7 @@ class SectionChart(QWidget):
             painter.drawLine(at, at + QPointF(0, 4))
             words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
             painter.drawText(words, Qt.AlignmentFlag.AlignCenter, localised(s, "g"))
-        unit = QRectF(frame.right() - 30, frame.bottom() + 4, 30 + FREE_PX, BOTTOM_PX - 4)
+        unit = QRectF(frame.right() - 30, frame.bottom() + 4, 26 + FREE_PX, BOTTOM_PX - 4)
         painter.drawText(unit, Qt.AlignmentFlag.AlignRight, "mm")
         for z in chart_ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
             at = mm2px.map(QPointF(shown.left(), z))
@@ -219,7 +219,7 @@ class SectionChart(QWidget):
 
     def _paint_legend(self, painter: QPainter) -> None:
         """Write names and heights of the curves above the chart, as many as there is room for."""
-        styles, left, middle = self._styles(), LEFT_PX, LEGEND_PX / 2
+        styles, left, middle = self._styles(), LEGEND_GAP_PX, LEGEND_PX / 2
         for name, value in self.legend():
             text = f"{name} {value}".rstrip()
             wide = self.fontMetrics().horizontalAdvance(text)
@@ -238,7 +238,7 @@ class SectionChart(QWidget):
         return {
             tr("Foot"): QPen(QColor(SKIN), 2),
             tr("Contact"): QPen(accent, 2),
-            tr("Below cover"): QPen(QColor(COVER), 2, Qt.PenStyle.DashLine),
+            tr("Cover"): QPen(QColor(COVER), 2, Qt.PenStyle.DashLine),
             tr("Underside"): QPen(accent, 2, Qt.PenStyle.DotLine),
         }
 

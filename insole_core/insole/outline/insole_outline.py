@@ -23,7 +23,6 @@ from insole_core.insole.surface.blending import smooth_step
 # All as shares of the foot's length.
 _HEEL_TO_BALL = (0.30, 0.55)
 _TOES = (0.75, 1.0)
-_TOE_ROOM = (0.80, 0.95)  # where a narrow outline is as wide again as the toes
 _WAIST_BEGIN, _WAIST_END = 0.20, (0.62, 0.46)  # medial, lateral
 
 # Least and greatest curvature, per mm: a fair edge is convex everywhere but at the waist.
@@ -34,6 +33,7 @@ _BEHIND_HEADS_MM = 8.0
 _STEEPEST, _SHORTEST = 0.5, 0.35
 _BOW, _FRONT_POINTS = 0.04, 60
 _ROUNDINGS, _ROUNDING_MM, _EVENING_MM, _CORNER_MM = 6, 6.0, 2.0, (25.0, 45.0)
+_TRIM_CORNER_MM = (12.0, 24.0)  # smaller, so that the edge runs through the points of a trim line
 _HANDLES = 36  # points of an outline that starts to be drawn
 
 
@@ -161,13 +161,13 @@ def _allowed(foot: Foot, outline: Outline) -> tuple[FloatArray, FloatArray, floa
 def _narrowing(foot: Foot, width_mm: float, places: FloatArray, share: FloatArray) -> FloatArray:
     """Return by how much the medial border moves so that it passes the 1st head at a distance.
 
-    It moves from the heel to the head, and at the toes no more.
+    It moves more and more from the heel to the head, and ahead of it as much.
     """
     first = find_landmarks(foot)[HEADS[0]].point[:2] * [foot.side.medial_sign, 1.0]
     medial = np.flatnonzero((places[:, 0] > 0) & (share > _HEEL_TO_BALL[0]))
     beside = medial[np.abs(places[medial, 1] - first[1]).argmin()]
     at_head = first[1] / foot.length_mm
-    moved = smooth_step(share, _HEEL_TO_BALL[0], at_head) * (1 - smooth_step(share, *_TOE_ROOM))
+    moved = smooth_step(share, _HEEL_TO_BALL[0], at_head)
     moved *= smooth_step(places[:, 0] / places[beside, 0], 0.0, 0.6)
     return np.asarray((first[0] + width_mm - places[beside, 0]) * moved)
 
@@ -195,7 +195,7 @@ def _trimmed(whole: FloatArray, points: FloatArray, length_mm: float) -> FloatAr
     """Return the part of an outline behind a trim line."""
     line = TrimLine(points)
     front = partial(line.between, count=_FRONT_POINTS - 2)
-    return _cut(whole, line.ahead_mm(whole, length_mm), front)
+    return _cut(whole, line.ahead_mm(whole, length_mm), front, _TRIM_CORNER_MM)
 
 
 def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatArray:
@@ -207,7 +207,12 @@ def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatA
     return whole if (ahead_mm < 0).all() else _cut(whole, ahead_mm, _bow)
 
 
-def _cut(whole: FloatArray, ahead_mm: FloatArray, front: _Front) -> FloatArray:
+def _cut(
+    whole: FloatArray,
+    ahead_mm: FloatArray,
+    front: _Front,
+    corner_mm: tuple[float, float] = _CORNER_MM,
+) -> FloatArray:
     """Return the part of an outline behind a line, closed along it, its corners rounded.
 
     Parameters
@@ -216,6 +221,8 @@ def _cut(whole: FloatArray, ahead_mm: FloatArray, front: _Front) -> FloatArray:
         How far each point of the outline lies ahead of the line.
     front
         Returns the points of the line between its medial and its lateral end.
+    corner_mm
+        Distance from these up to which the curve is rounded, and from which on it is not.
     """
     behind = np.flatnonzero(ahead_mm < 0)
     gap = int(np.diff(behind).argmax())
@@ -225,7 +232,7 @@ def _cut(whole: FloatArray, ahead_mm: FloatArray, front: _Front) -> FloatArray:
     medial, lateral = whole[inside] + share[:, None] * (whole[outside] - whole[inside])
     edge = np.stack([medial, *front(medial, lateral), lateral])
     cut = evenly_spread(np.insert(whole[behind], gap + 1, edge, axis=0), len(whole))
-    return _rounded(cut, medial, lateral)
+    return _rounded(cut, corner_mm, medial, lateral)
 
 
 def _bow(start: FloatArray, end: FloatArray) -> FloatArray:
@@ -236,12 +243,12 @@ def _bow(start: FloatArray, end: FloatArray) -> FloatArray:
     return np.asarray(start + share * way + 4 * _BOW * share * (1 - share) * aside)
 
 
-def _rounded(curve: FloatArray, *corners: FloatArray) -> FloatArray:
+def _rounded(curve: FloatArray, corner_mm: tuple[float, float], *corners: FloatArray) -> FloatArray:
     """Round a closed curve at its corners, and hardly elsewhere."""
     curve = smoothed_along(curve, _EVENING_MM)
     for _ in range(_ROUNDINGS):
         away_mm = np.min([np.hypot(*(curve - corner).T) for corner in corners], axis=0)
-        rounding = 1 - smooth_step(away_mm, *_CORNER_MM)
+        rounding = 1 - smooth_step(away_mm, *corner_mm)
         curve = curve + rounding[:, None] * (smoothed_along(curve, _ROUNDING_MM) - curve)
         curve = evenly_spread(curve, len(curve))
     return smoothed_along(curve, _EVENING_MM)

@@ -88,6 +88,7 @@ _CORRECTIONS = {
     "heel_skive": "heel skive",
     "heel_lift": "heel lift",
     "arch_raise": "arch raise",
+    "rocker": "rocker",
     "heel_cup": "heel cup",
     "brush": "stroke",
 }
@@ -103,6 +104,7 @@ _MAIN = {
     "depth_mm": "",
     "height_mm": "",
     "target_mm": "{value} over the floor",
+    "behind_heads_mm": "{value} behind the heads",
     "length_mm": "{value} long",
     "strength": "",
 }

@@ -972,6 +972,10 @@
             <translation>Framfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
+            <source>The forefoot is {missing_mm:g} mm too thin for the rocker, which leaves {least_mm:g} mm of material; raise the thickness or lower the slope.</source>
+            <translation>Framfoten är {missing_mm:g} mm för tunn för rullsulan, som lämnar {least_mm:g} mm material; höj tjockleken eller minska lutningen.</translation>
+        </message>
+        <message>
             <source>The form "{form}" is that of a foot of {form_mm:.0f} mm, and this one is {foot_mm:.0f} mm long; choose a form of about its length.</source>
             <translation>Formen "{form}" är gjord för en fot på {form_mm:.0f} mm, och den här är {foot_mm:.0f} mm lång; välj en form av ungefär dess längd.</translation>
         </message>
@@ -2392,6 +2396,10 @@
             <translation>rim i finish har {count} stationer och får ha {most}; ta bort några.</translation>
         </message>
         <message>
+            <source>rocker</source>
+            <translation>rullsula</translation>
+        </message>
+        <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
         </message>
@@ -3446,6 +3454,10 @@
         <message>
             <source>{value} at the rearfoot</source>
             <translation>{value} i bakfoten</translation>
+        </message>
+        <message>
+            <source>{value} behind the heads</source>
+            <translation>{value} bakom huvudena</translation>
         </message>
         <message>
             <source>{value} long</source>

@@ -204,8 +204,8 @@
             <translation>Börjar vid</translation>
         </message>
         <message>
-            <source>Below cover</source>
-            <translation>Under överdrag</translation>
+            <source>Behind the heads</source>
+            <translation>Bakom huvudena</translation>
         </message>
         <message>
             <source>Born</source>
@@ -426,6 +426,10 @@
         <message>
             <source>Distance of the highest place from the foot axis; &gt; 0 is medial</source>
             <translation>Högsta punktens avstånd från fotaxeln; &gt; 0 är medialt</translation>
+        </message>
+        <message>
+            <source>Distance of the line behind heads 1 and 5; &lt; 0 is ahead of them</source>
+            <translation>Linjens avstånd bakom huvud 1 och 5; &lt; 0 är framför dem</translation>
         </message>
         <message>
             <source>Distance of the points that the surface is computed at</source>
@@ -980,6 +984,10 @@
             <translation>Låt denna sensors lampa blinka</translation>
         </message>
         <message>
+            <source>Let the underside rise ahead of a line along the heads</source>
+            <translation>Låt undersidan stiga framför en linje längs huvudena</translation>
+        </message>
+        <message>
             <source>Level</source>
             <translation>Räta upp</translation>
         </message>
@@ -1460,6 +1468,10 @@
             <translation>Höger fot</translation>
         </message>
         <message>
+            <source>Rocker</source>
+            <translation>Rullsula</translation>
+        </message>
+        <message>
             <source>Save</source>
             <translation>Spara</translation>
         </message>
@@ -1614,6 +1626,10 @@
         <message>
             <source>Slope</source>
             <translation>Lutning</translation>
+        </message>
+        <message>
+            <source>Slope of the underside ahead of the line</source>
+            <translation>Undersidans lutning framför linjen</translation>
         </message>
         <message>
             <source>Slope of the wedge against the ground</source>

@@ -30,7 +30,7 @@ def lines() -> ContourLines:
 def test_a_line_stands_every_millimetre_and_every_fifth_is_strong(lines: ContourLines) -> None:
     assert set(np.round(lines.strong[..., 2].ravel(), 6)) == {5.0}
     thin = set(np.round(lines.thin[..., 2].ravel(), 6))
-    assert thin == {1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 8.0} - {8.0} | (thin & {8.0})
+    assert thin - {8.0} == {1.0, 2.0, 3.0, 4.0, 6.0, 7.0}  # the wall begins at 8 mm
 
 
 def test_the_wall_has_no_lines(lines: ContourLines) -> None:
@@ -45,12 +45,11 @@ def test_strong_lines_are_labelled_where_there_is_room(lines: ContourLines) -> N
     assert 5.0 < place[1] < 95.0  # not at the rim
 
 
-def test_where_lines_crowd_there_is_no_label() -> None:
-    x, y = np.meshgrid(np.arange(9.0), np.arange(9.0))
-    narrow = bowl(0.0).part(np.zeros(101 * 101, dtype=bool) | (bowl(0.0).vertices[:, 1] < 8))
-    assert x.shape == y.shape
+def test_where_there_is_no_room_there_is_no_label() -> None:
+    mesh = bowl(steep=0.0)
+    strip = mesh.part(mesh.vertices[:, 1] < 8)
     lines = contour_lines(
-        narrow.vertices, narrow.vertex_normals, narrow.triangles, narrow.links.is_boundary
+        strip.vertices, strip.vertex_normals, strip.triangles, strip.links.is_boundary
     )
     assert len(lines.strong) > 0
     assert lines.labels == ()

@@ -15,6 +15,7 @@ from insole_core.insole.prescription.design import (
     HeelSkive,
     Pelott,
     Posting,
+    Rocker,
 )
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.texts import localised, tr
@@ -38,6 +39,7 @@ _NAMES: dict[type[Correction], Callable[[], str]] = {
     HeelLift: lambda: tr("Heel lift"),
     ArchRaise: lambda: tr("Arch raise"),
     HeelCup: lambda: tr("Heel cup"),
+    Rocker: lambda: tr("Rocker"),
     BrushStroke: lambda: tr("Brush stroke"),
 }
 WORDS: dict[str, Callable[[], str]] = {
@@ -142,8 +144,10 @@ def _numbers(correction: Correction) -> str:
     return _rise(correction)
 
 
-def _rise(correction: ArchRaise | HeelCup | HeelLift) -> str:
+def _rise(correction: ArchRaise | HeelCup | HeelLift | Rocker) -> str:
     """Write what a correction adds; of an arch with a target, the height that it reaches."""
+    if isinstance(correction, Rocker):
+        return f"{_plain(correction.slope_deg)}°"
     if isinstance(correction, ArchRaise) and correction.target_mm is not None:
         return tr("to {height} mm").format(height=_plain(correction.target_mm))
     height = correction.depth_mm if isinstance(correction, HeelCup) else correction.height_mm

@@ -333,6 +333,9 @@ def test_what_was_filled_for_display_is_marked_as_not_measured(made: Bench) -> N
     assert coloring.missing == "not measured"
     assert 0.005 < mesh.triangle_areas_mm2[unknown].sum() / mesh.area_mm2 < 0.15
     assert mesh.area_mm2 == pytest.approx(skin.area_mm2)
+    made.panel.map_chosen.emit(FootMap.AGREEMENT)
+    _, spread = made.panel.feet[-1]
+    assert spread.missing == ""  # there it is grey also where only one view sees the foot
     made.panel.go_on_requested.emit()
     (handed,) = made.handed
     assert len(handed.foot.mesh.triangles) != len(skin.triangles)  # it is handed on as measured

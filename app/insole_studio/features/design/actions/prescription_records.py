@@ -13,6 +13,7 @@ from insole_core.insole.prescription.design import (
     HeelLift,
     HeelSkive,
     Posting,
+    Rocker,
 )
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
@@ -77,6 +78,11 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda: tr("Prescribe the height of the finished arch and its place"),
         lambda design, _on: design.prescription.prescribe_arch_height(),
         needs_foot=True,
+    ),
+    _prescription(
+        lambda: tr("Rocker"),
+        lambda: tr("Let the underside rise ahead of a line along the heads"),
+        Rocker,
     ),
     ActionRecord(
         "confirm_landmarks",

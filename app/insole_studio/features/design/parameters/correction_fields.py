@@ -25,6 +25,7 @@ from insole_core.insole.prescription.design import (
     Post,
     Posting,
     RimStation,
+    Rocker,
     Shell,
 )
 from insole_core.insole.prescription.design_limits import (
@@ -262,6 +263,18 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             "fade_end",
             lambda: tr("Ends at"),
             lambda: tr("Share of the foot's length at which the cup ends"),
+        ),
+    ),
+    Rocker: (
+        Editable(
+            "behind_heads_mm",
+            lambda: tr("Behind the heads"),
+            lambda: tr("Distance of the line behind heads 1 and 5; < 0 is ahead of them"),
+        ),
+        Editable(
+            "slope_deg",
+            lambda: tr("Slope"),
+            lambda: tr("Slope of the underside ahead of the line"),
         ),
     ),
     BrushStroke: (
