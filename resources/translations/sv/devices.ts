@@ -13,7 +13,7 @@
         </message>
         <message>
             <source>A body below the shell that tilts it and stands flat on the ground</source>
-            <translation>En kropp under skalet som lutar det och står plant på underlaget</translation>
+            <translation>En kil under skalet som lutar det och står plant på underlaget</translation>
         </message>
         <message>
             <source>A cover that is glued on later is taken off what is made</source>
@@ -149,11 +149,19 @@
         </message>
         <message>
             <source>Edit the post</source>
-            <translation>Ändra stödet</translation>
+            <translation>Ändra kilen</translation>
         </message>
         <message>
             <source>Edit the shell</source>
             <translation>Ändra skalet</translation>
+        </message>
+        <message>
+            <source>Expert: device</source>
+            <translation>Expert: inläggstyp</translation>
+        </message>
+        <message>
+            <source>Expert: shell</source>
+            <translation>Expert: skal</translation>
         </message>
         <message>
             <source>Export this device…</source>
@@ -173,7 +181,7 @@
         </message>
         <message>
             <source>Forefoot post</source>
-            <translation>Framfotsstöd</translation>
+            <translation>Framfotskil</translation>
         </message>
         <message>
             <source>Forefoot transition</source>
@@ -321,7 +329,7 @@
         </message>
         <message>
             <source>Post</source>
-            <translation>Stöd</translation>
+            <translation>Kil</translation>
         </message>
         <message>
             <source>Raise a station of the rim</source>
@@ -329,7 +337,7 @@
         </message>
         <message>
             <source>Rearfoot post</source>
-            <translation>Bakfotsstöd</translation>
+            <translation>Bakfotskil</translation>
         </message>
         <message>
             <source>Regular</source>
@@ -409,11 +417,7 @@
         </message>
         <message>
             <source>Taper length</source>
-            <translation>Avtunning</translation>
-        </message>
-        <message>
-            <source>That front edge cannot be made; the last good place is kept</source>
-            <translation>Den framkanten kan inte göras; den senaste som går behålls</translation>
+            <translation>Avsmalning</translation>
         </message>
         <message>
             <source>The design is like this already; nothing would change.</source>

@@ -386,14 +386,19 @@ def _make_groups(
         FieldGroup(tr("Layers"), field_specs(design.layers, "layers", side)),
     ]
     outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline", side))
-    expert_fields = (*expert_fields, *field_specs(design.layers, "layers", side, expert=True))
-    if design.shell is not None:
-        expert_fields = (*expert_fields, *field_specs(design.shell, "shell", side, expert=True))
-    if design.finish is not None:
-        expert_fields = (*expert_fields, *field_specs(design.finish, "finish", side, expert=True))
-    expert_fields = (*expert_fields, *field_specs(design, "insole", side, expert=True))
-    expert = FieldGroup(tr("Expert"), expert_fields)
-    return [outline, *made, expert] if outline_first else [*made, outline, expert]
+    own = (
+        *expert_fields,
+        *field_specs(design.layers, "layers", side, expert=True),
+        *field_specs(design, "insole", side, expert=True),
+    )
+    expert = [FieldGroup(tr("Expert"), own)]
+    for title, part, prefix in (
+        (tr("Expert: device"), design.finish, "finish"),
+        (tr("Expert: shell"), design.shell, "shell"),
+    ):
+        if part is not None:
+            expert.append(FieldGroup(title, field_specs(part, prefix, side, expert=True)))
+    return [outline, *made, *expert] if outline_first else [*made, outline, *expert]
 
 
 def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import DesignError
 from insole_core.insole.outline.insole_outline import insole_outline
@@ -39,8 +41,7 @@ def carry_trim_point(case: Case, number: int, press: PointerEvent) -> Gesture:
         now = event.place_mm(0.0)
         if start is None or now is None:
             continue
-        x, y = points[number]
-        moved = place_at((now - start)[:2] + (x, y))
+        moved = place_at(np.array(points[number]) + (now - start)[:2])
         wanted = _with_point(design, points, number, moved)
         if _is_possible(case.record, wanted):
             kept = wanted
