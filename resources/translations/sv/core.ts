@@ -313,7 +313,7 @@
         </message>
         <message>
             <source>Device</source>
-            <translation>Inlägg</translation>
+            <translation>Inläggstyp</translation>
         </message>
         <message>
             <source>Diabetes with loss of sensation</source>
