@@ -292,6 +292,18 @@
             <translation>Överdrag</translation>
         </message>
         <message>
+            <source>Cover glued on later</source>
+            <translation>Överdraget limmas på senare</translation>
+        </message>
+        <message>
+            <source>Cover to the toes.</source>
+            <translation>Överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Cup of 18 to 22.</source>
+            <translation>Hälskål på 18 till 22.</translation>
+        </message>
+        <message>
             <source>Cup of 20 or more, rearfoot post.</source>
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
@@ -301,7 +313,7 @@
         </message>
         <message>
             <source>Device</source>
-            <translation>Inlägg</translation>
+            <translation>Inläggstyp</translation>
         </message>
         <message>
             <source>Diabetes with loss of sensation</source>
@@ -574,6 +586,10 @@
         <message>
             <source>Measuring the difference</source>
             <translation>Mäter skillnaden</translation>
+        </message>
+        <message>
+            <source>Medial border, from the 1st metatarsal's bisection</source>
+            <translation>Medial kant, från första metatarsalens mittlinje</translation>
         </message>
         <message>
             <source>Medial draft</source>
@@ -1512,14 +1528,6 @@
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
         </message>
         <message>
-            <source>Wide shell; cover to the toes.</source>
-            <translation>Brett skal; överdrag till tårna.</translation>
-        </message>
-        <message>
-            <source>Wide shell; cup of 18 to 22.</source>
-            <translation>Brett skal; hälskål på 18 till 22.</translation>
-        </message>
-        <message>
             <source>Writing the file</source>
             <translation>Skriver filen</translation>
         </message>
@@ -2224,6 +2232,10 @@
             <translation>naviculare, där det är märkt, över underlaget</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>nej</translation>
+        </message>
+        <message>
             <source>no blue marker with a depth reading is seen; check the light and that the reference system is in the picture</source>
             <translation>ingen blå markör med djupvärde syns; kontrollera ljuset och att referenssystemet är i bild</translation>
         </message>
@@ -2770,6 +2782,10 @@
         <message>
             <source>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</source>
             <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>ja</translation>
         </message>
         <message>
             <source>you may not write there; choose another place or ask for permission</source>
