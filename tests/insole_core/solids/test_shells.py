@@ -214,6 +214,17 @@ def test_a_forefoot_post_ends_at_the_trim_line(left_foot: Foot):
     assert medial[:, 1].min() == pytest.approx(front - 30, abs=5)
 
 
+def test_the_identification_stands_on_the_rearfoot_post(left_foot: Foot):
+    rules = read_rules().only(("watertight",))
+    insole = build_insole(left_foot, cupped(posts=(REAR,)))
+    part = make_part(insole, Order(mark=("P-0412", "left")), rules)
+    assert part.findings[0].passed
+    plain = insole_solid(insole)
+    assert 20 < plain.volume_mm3 - part.solid.volume_mm3 < 400
+    with pytest.raises(DesignError, match="does not lie wholly on a flat bottom"):
+        make_part(build_insole(left_foot, cupped()), Order(mark=("P-0412",)), rules)
+
+
 def test_posts_and_postings_count_together(left_foot: Foot):
     design = cupped(posts=(Post(angle_deg=10.0),)).with_added(Posting(rearfoot_deg=8.0))
     with pytest.raises(DesignError, match="turn the foot by 18° together"):
