@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
@@ -11,6 +12,8 @@ from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse
 from insole_core.memo import Memo
 
+DISPLAY = "display"
+"""Kind of the surface for display in the cache of a foot."""
 _KEPT = 2  # so that two variants of a prescription do not evict each other's results
 
 
@@ -30,7 +33,7 @@ class Foot:
     notes
         How pose and side were decided, a sentence each.
     derived
-        Cache of recent results for this foot: landmarks, border, outline, sole.
+        Cache of recent results for this foot: landmarks, border, outline, sole, display.
     """
 
     side: Side
@@ -47,6 +50,10 @@ class Foot:
         They are the same points of the surface in whatever pose the foot is.
         """
         return self.derived.get("even", (), self._spread)
+
+    def display_surface(self) -> DisplaySurface:
+        """Return the surface to be shown, with an even border; computed once, in about 0.3 s."""
+        return self.derived.get(DISPLAY, (), lambda: display_surface(self.mesh))
 
     def _spread(self) -> EvenSurface:
         scan = self.mesh.transformed(inverse(self.source2insole))

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.sampling import sample_triangles
+from insole_core.geometry.sampling import boundary_points, sample_triangles
 from insole_core.geometry.transforms import transform
 
 _CELL_MM = 1.5
@@ -163,13 +163,7 @@ def _unit(vectors: FloatArray) -> FloatArray:
 
 def _rim_distance(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
     """Return the distance (n,) of points from the boundary of a mesh, mm."""
-    edges, sharing = mesh.links.edges
-    start, end = np.moveaxis(mesh.vertices[edges[sharing == 1]], 1, 0)
-    if len(start) == 0:
+    rim = boundary_points(mesh, _CELL_MM)
+    if len(rim) == 0:
         return np.full(len(points), np.inf)
-    pieces = np.ceil(np.linalg.norm(end - start, axis=1) / _CELL_MM).astype(np.int64) + 1
-    edge = np.repeat(np.arange(len(start)), pieces)
-    index = np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-    share = (index + 0.5) / pieces[edge]
-    rim = start[edge] + share[:, None] * (end - start)[edge]
     return np.asarray(cKDTree(rim).query(points, distance_upper_bound=_RIM_MM)[0])

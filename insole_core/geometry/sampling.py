@@ -100,3 +100,25 @@ def _longest_edge_first(corners: FloatArray) -> FloatArray:
     lengths = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
     order = (lengths.argmax(axis=1)[:, None] + np.arange(3)) % 3
     return np.asarray(np.take_along_axis(corners, order[:, :, None], axis=1))
+
+
+def boundary_points(mesh: TriangleMesh, step_mm: float) -> FloatArray:
+    """Return points along the boundary of an open mesh.
+
+    Parameters
+    ----------
+    step_mm
+        Greatest distance between neighbouring points.
+
+    Returns
+    -------
+    (k, 3) float64, mm, frame of the mesh
+        None for a closed mesh.
+    """
+    edges, sharing = mesh.links.edges
+    start, end = np.moveaxis(mesh.vertices[edges[sharing == 1]], 1, 0)
+    parts = np.ceil(np.linalg.norm(end - start, axis=1) / step_mm).astype(np.int64) + 1
+    edge = np.repeat(np.arange(len(start)), parts)
+    index = np.arange(len(edge)) - np.repeat(np.cumsum(parts) - parts, parts)
+    share = (index + 0.5) / parts[edge]
+    return np.asarray(start[edge] + share[:, None] * (end - start)[edge])

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.foot.landmarks import HEADS, find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.prescription.shell import Post
 from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.rocker import ahead_of_heads_mm
 
 INSET_MM = 5.0
 """How far the foot of a post's wall lies inside the edge of the insole."""
@@ -65,12 +65,7 @@ def post_underside(post: Post, plan: PostPlan, foot_length_mm: float) -> FloatAr
 
 def behind_heads_mm(insole: Insole, field: HeightField) -> FloatArray:
     """Return how far nodes lie behind a line ahead of the heads 1 and 5, (ny, nx), mm."""
-    marks = find_landmarks(insole.foot)
-    medial, lateral = (marks[name].point[:2] for name in (HEADS[0], HEADS[-1]))
-    along = (medial - lateral) / np.hypot(*(medial - lateral))
-    ahead = np.array([-along[1], along[0]]) * insole.foot.side.medial_sign
-    reach = (ahead @ medial) + _AHEAD_OF_HEADS_MM
-    return np.asarray(reach - ahead[0] * field.x_mm - ahead[1] * field.y_mm[:, None])
+    return np.asarray(_AHEAD_OF_HEADS_MM - ahead_of_heads_mm(insole.foot, field))
 
 
 def _rounded_inside(sides: list[FloatArray]) -> FloatArray:

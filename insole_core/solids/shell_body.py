@@ -14,6 +14,7 @@ from insole_core.insole.prescription.materials import Material, read_materials
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.surface.blending import smooth_step
 from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.rocker import eased, rocker_heights_mm, rockers
 from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.solids.ball_offset import parallel_below
 from insole_core.solids.front_edge import behind_front_mm
@@ -50,8 +51,16 @@ def made_surface(insole: Insole) -> HeightField:
 def plain_underside(insole: Insole) -> FloatArray:
     """Return the underside before taper and posts, (ny, nx), mm: flat, or parallel to the top.
 
-    For a shoe with a heel a flat one has the shape of its last.
+    For a shoe with a heel a flat one has the shape of its last. A rocker eases it at the forefoot.
     """
+    whole, design = _unrocked_underside(insole), insole.design
+    if not rockers(design):
+        return whole
+    rise = rocker_heights_mm(design, insole.foot, insole.contact)
+    return eased(whole, made_surface(insole).heights_mm, rise)
+
+
+def _unrocked_underside(insole: Insole) -> FloatArray:
     field, design = insole.contact, insole.design
     ground = np.zeros_like(field.heights_mm)
     ground += last_heights_mm(design, field.y_mm, insole.foot.length_mm)[:, None]

@@ -15,6 +15,7 @@ from insole_core.insole.build import Insole, build_insole, check_design_for
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, base_key, contact_base
 from insole_core.insole.surface.pads_on_surface import Window, added_corrections
+from insole_core.insole.surface.rocker import rockers
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.solid import insole_solid
@@ -215,7 +216,7 @@ def _bare(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> B
 
 def bare_key(foot: Foot, design: InsoleDesign) -> BareKey:
     """Return everything that the bare insole of a foot and design depends on, as a hashable key."""
-    body = design.bottom, design.shell, design.taken_off_mm
+    body = design.bottom, design.shell, design.taken_off_mm, rockers(design)
     return foot, base_key(design), design.outline, body
 
 

@@ -7,8 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.errors import InsoleError, ReconstructionError
+from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import inverse
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import (
     Method,
@@ -122,6 +124,16 @@ class MadeFoot:
     limits: RegistrationLimits
     reconstruction: Reconstruction | None = None
     agreement: ViewConsistency | None = None
+
+    def display_surface(self) -> DisplaySurface:
+        """Return the mesh with an even border, reference frame; computed once, in about 0.3 s."""
+        foot = self.scan.foot
+
+        def compute() -> DisplaySurface:
+            shown = display_surface(self.mesh.transformed(foot.source2insole))
+            return shown.transformed(inverse(foot.source2insole))
+
+        return foot.derived.get("display, reference frame", (), compute)
 
 
 def open_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from insole_core.insole.pads.pad_places import PLACES
 from insole_core.insole.prescription.design import Pelott
-from insole_core.insole.prescription.design_limits import CORRECTION_RANGES, PELOTT_SHAPES
+from insole_core.insole.prescription.design_limits import (
+    CORRECTION_RANGES,
+    LONGEST_KIND,
+    PELOTT_SHAPES,
+)
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
@@ -44,15 +49,15 @@ class LibraryPad:
     place: str
 
 
-def load_pads() -> tuple[LibraryPad, ...]:
-    """Read the library.
+def load_pads(path: Path | None = None) -> tuple[LibraryPad, ...]:
+    """Read the library, by default that shipped with the product.
 
     Raises
     ------
     InputError
         When the file violates its format.
     """
-    library = JsonObject.read(resource_path("pads/library.json"))
+    library = JsonObject.read(path or resource_path("pads/library.json"))
     library.check_format("insole-pad-library")
     return tuple(_pad(pad) for pad in library.objects("pads"))
 
@@ -63,6 +68,15 @@ def default_pelott(pads: Sequence[LibraryPad]) -> Pelott:
     return next((pad.template for pad in pads if pad.kind == "pelott"), fallback)
 
 
+def _kind(pad: JsonObject) -> str:
+    kind = pad.text("kind")
+    if len(kind) > LONGEST_KIND:
+        raise pad.fail(
+            "kind", "has {count} letters, but may have {most}", count=len(kind), most=LONGEST_KIND
+        )
+    return kind
+
+
 def _pad(pad: JsonObject) -> LibraryPad:
     allowed = CORRECTION_RANGES[Pelott]
     sizes: dict[str, Any] = {
@@ -70,7 +84,7 @@ def _pad(pad: JsonObject) -> LibraryPad:
         for name in _SIZES
         if name == "height_mm" or pad.has(name)
     }
-    kind, shape = pad.text("kind"), pad.choice("shape", PELOTT_SHAPES)
+    kind, shape = _kind(pad), pad.choice("shape", PELOTT_SHAPES)
     is_shape = kind == _BY_SHAPE.get(shape, shape)
     template = Pelott(
         id="", centre_mm=(0.0, 0.0), shape=shape, kind=None if is_shape else kind, **sizes

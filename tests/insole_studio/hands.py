@@ -69,6 +69,14 @@ class Hands:
         QTest.keyClick(field, Qt.Key.Key_Return)
         self._done()
 
+    def pick_device(self, text: str) -> None:
+        """Type what to search for in the open list, and take the first that is found."""
+        view = self.app.features.design.devices.view
+        assert view is not None
+        QTest.keyClicks(view.search, text)
+        QTest.keyClick(view.search, Qt.Key.Key_Return)
+        self._done()
+
     def export(self, path: Path) -> None:
         """Open the stage that checks, and export once the checks are done."""
         self.studio.answers.path = path

@@ -20,11 +20,16 @@ from insole_core.calibration.boards.board import Chequerboard
 from insole_core.calibration.plausibility import USUAL_DEPTH, find_misfit
 from insole_core.errors import CalibrationError, InputError
 from insole_core.foot.mesh_file import read_mesh
+from insole_core.insole.pads.pad_kinds import pad_name
+from insole_core.insole.prescription.design_differences import LABELS, WORDS
 from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.solids.shop import read_shop
+from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms
+from insole_core.workflows.findings import ClinicFindings
+from insole_core.workflows.pad_library import load_pads
 from insole_studio.texts import load_language, translate_core_message
 
 CORE = Path(insole_core.__file__).parent
@@ -50,6 +55,12 @@ PUT_TOGETHER = {"shoe height"} | {
 SHOP = read_shop()
 STOCK = {block.name for block in SHOP.blocks} | set(SHOP.materials)
 """What the shop that comes with the product has in stock."""
+NOWHERE = Path("/nowhere")
+DEVICES = clinic_devices(NOWHERE).load().items.values()
+FORMS = clinic_forms(NOWHERE).load().items.values()
+FINDINGS = ClinicFindings(NOWHERE / "findings.json").load()
+LIBRARY = {item.name for item in (*DEVICES, *FORMS, *FINDINGS)} | {f.advice for f in FINDINGS}
+"""What the devices, forms and findings of the product are called, and advise."""
 
 
 def speaking_files() -> list[Path]:
@@ -217,6 +228,15 @@ def test_the_stock_of_the_shop_has_swedish_names() -> None:
     assert STOCK - CATALOGUE.keys() == alike
 
 
+def test_devices_forms_and_findings_have_swedish_names() -> None:
+    assert LIBRARY - CATALOGUE.keys() - {""} == set()
+
+
+def test_every_word_of_the_differences_has_a_swedish_one() -> None:
+    words = {*LABELS.values(), *WORDS.values(), *map(pad_name, (p.template for p in load_pads()))}
+    assert words - CATALOGUE.keys() == set()
+
+
 def test_nothing_is_translated_that_nobody_says() -> None:
     constants = {
         node.value
@@ -224,7 +244,7 @@ def test_nothing_is_translated_that_nobody_says() -> None:
         for node in ast.walk(tree)
         if isinstance(node, ast.Constant)
     }
-    unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK
+    unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK - LIBRARY
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
 
 

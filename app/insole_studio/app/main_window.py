@@ -47,7 +47,8 @@ from insole_studio.widgets.tab_order import go_on
 
 PATIENT_PX, PATIENT_SHARE, WIDEST_PATIENT_PX = 248, 0.19, 400
 PARAMETERS_PX = 152
-SECTION_SHARE = 0.34
+SECTION_SHARE, RIM_SHARE = 0.34, 0.5
+"""Shares of the width that section and rim take from the parameters."""
 
 
 class MainWindow(QMainWindow):
@@ -91,11 +92,14 @@ class MainWindow(QMainWindow):
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
         self._parameters = self._dock("parameters", tr("Parameters"), stage.parameters)
         self._section = self._dock("section", tr("Section"), stage.section)
-        self._docks = (self._patient, self._foot, self._parameters, self._section)
+        self._rim = self._dock("rim", tr("Rim"), stage.rim)
+        self._docks = (self._patient, self._foot, self._parameters, self._rim, self._section)
         self._place_docks()
         self._add_dock_actions()
         stage.section_wanted.connect(self._show_section)
+        stage.rim_wanted.connect(self._show_rim)
         self._section.hide()
+        self._rim.hide()
 
     def show_title(self, name: str, unsaved: bool) -> None:
         """Show which case is open."""
@@ -165,6 +169,7 @@ class MainWindow(QMainWindow):
         if docks:
             self.restoreState(QByteArray(packed[1] or b""))
         self._section.hide()  # shown with the first section
+        self._rim.hide()
         self._notices.hide()
         return True
 
@@ -315,7 +320,7 @@ class MainWindow(QMainWindow):
         button.setToolTip(tr("Colour maps, contour lines and wireframe"))
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(button)
-        for key in (*MAP_KEYS, *BESIDE_KEYS, "contours", "ghost", "wireframe"):
+        for key in (*MAP_KEYS, *BESIDE_KEYS, "contours", "grazing_light", "ghost", "wireframe"):
             menu.addAction(self.actions_by_key[key])
         button.setMenu(menu)
         self._maps = button
@@ -336,14 +341,22 @@ class MainWindow(QMainWindow):
         return dock
 
     def _show_section(self, wanted: bool) -> None:
-        """Give the section its share of the width when it is shown."""
-        comes = wanted and self._section.isHidden()
-        self._section.setVisible(wanted)
+        self._show_beside(self._section, wanted, SECTION_SHARE)
+
+    def _show_rim(self, wanted: bool) -> None:
+        self._show_beside(self._rim, wanted, RIM_SHARE)
+        if wanted:
+            self._rim.raise_()
+
+    def _show_beside(self, dock: QDockWidget, wanted: bool, share: float) -> None:
+        """Give a chart its share of the width when it is shown beside the parameters."""
+        comes = wanted and dock.isHidden()
+        dock.setVisible(wanted)
         if comes:
-            section = round(SECTION_SHARE * self.width())
+            width = round(share * self.width())
             self.resizeDocks(
-                [self._parameters, self._section],
-                [self.width() - section, section],
+                [self._parameters, dock],
+                [self.width() - width, width],
                 Qt.Orientation.Horizontal,
             )
 
@@ -390,6 +403,7 @@ class MainWindow(QMainWindow):
         self.addDockWidget(area.RightDockWidgetArea, self._foot)
         self.addDockWidget(area.BottomDockWidgetArea, self._parameters)
         self.splitDockWidget(self._parameters, self._section, Qt.Orientation.Horizontal)
+        self.tabifyDockWidget(self._section, self._rim)
 
     def _add_dock_actions(self) -> None:
         view = self._menus[2]

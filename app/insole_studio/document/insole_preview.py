@@ -9,7 +9,8 @@ from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.build import check_design_for
+from insole_core.insole.build import Insole, check_design_for
+from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase
 from insole_core.insole.surface.height_field import HeightField
@@ -25,8 +26,9 @@ CHANNEL = "insole"
 class InsolePreview(QObject):
     """The insole derived from the shown design, and the problem that prevents building it.
 
-    A change of a pad is applied at once. The surface below is computed in the background; while
-    that runs, newer requests wait, and only the newest is computed next.
+    A change of a pad is applied at once, and so is one of the rim while it is dragged. The surface
+    below is computed in the background; while that runs, newer requests wait, and only the newest
+    is computed next.
     """
 
     changed = Signal()
@@ -54,12 +56,29 @@ class InsolePreview(QObject):
         if design is None or foot is None:
             return True
         insole = self._insole
-        return insole is not None and insole.bare.foot is foot and insole.design == design
+        if insole is None or insole.bare.foot is not foot:
+            return False
+        return insole.design == design and insole.is_exact
 
     @property
     def base(self) -> ContactBase | None:
         """Return the contact surface before pads and strokes."""
-        return None if self._insole is None else self._insole.bare.base
+        return None if self._insole is None else self._insole.base
+
+    @property
+    def finished(self) -> FinishedSurface | None:
+        """Return how the contact surface was finished; None as scanned."""
+        return None if self.base is None else self.base.finished
+
+    @property
+    def insole(self) -> Insole | None:
+        """Return the finished insole; None while the shown one does not match its design."""
+        design, foot, base = self._case.record.design, self._case.foot, self.base
+        if design is None or foot is None or base is None or self._insole is None:
+            return None
+        if not self.is_current or self._case.shown.design is not design:
+            return None
+        return Insole(design, foot, self._insole.contact, base.measured)
 
     @property
     def contact(self) -> HeightField | None:
@@ -85,6 +104,11 @@ class InsolePreview(QObject):
     def bottom_heights_mm(self) -> FloatArray | None:
         """Return the (n,) heights of the bottom below the top's vertices."""
         return None if self._insole is None else self._insole.bottom_heights_mm
+
+    @property
+    def cover_mm(self) -> float:
+        """Return the thickness of the cover, the uppermost layer; 0 without one."""
+        return 0.0 if self._insole is None else self._insole.design.layers.cover_mm
 
     @property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh] | None:
@@ -150,12 +174,19 @@ class InsolePreview(QObject):
         except InsoleError as error:
             self._set_problem(str(error))
             return
-        if self._insole is not None and self._insole.can_follow(foot, design):
-            self._follow(self._insole, design)
-        elif (bare := self.builder.known_bare(foot, design)) is not None:
+        insole = self._insole
+        if insole is not None and insole.can_follow(foot, design):
+            self._follow(insole, design)
+            return
+        if (bare := self.builder.known_bare(foot, design)) is not None:
             self._jobs.cancel(CHANNEL)
             self._show(bare, design)
-        elif not self._jobs.is_running(CHANNEL):
+            return
+        if insole is not None and insole.can_follow_rim(foot, design):
+            self._follow(insole, design)
+            if self._case.shown is not self._case.record:
+                return  # exactly only once the drag is over: meanwhile its hand has all the time
+        if not self._jobs.is_running(CHANNEL):
             self._build(foot, design)
 
     def _follow(self, insole: EditedInsole, design: InsoleDesign) -> None:

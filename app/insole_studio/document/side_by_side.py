@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.compare.seen_surface import STEEPEST, grid_over, height_map
 from insole_core.errors import InsoleError
+from insole_core.foot.display_surface import DisplaySurface
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -44,6 +45,8 @@ class Built:
         The contact surface of the insole.
     sole
         Heights of the foot seen from below; NaN outside it.
+    foot_display
+        The foot's surface as it is shown.
     """
 
     foot: Foot
@@ -51,6 +54,7 @@ class Built:
     contact: HeightField
     solid: TriangleMesh
     sole: HeightField
+    foot_display: DisplaySurface
 
 
 class SideBySide(QObject):
@@ -187,7 +191,8 @@ class SideBySide(QObject):
     def _build(self, foot: Foot, design: InsoleDesign) -> None:
         def build(progress: Progress) -> Built:
             insole, solid = self._builder.solid(foot, design, progress)
-            return Built(foot, design, insole.contact, solid, self.sole_of(foot))
+            shown = foot.display_surface()
+            return Built(foot, design, insole.contact, solid, self.sole_of(foot), shown)
 
         def take(built: Built) -> None:
             self.built = built

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+import numpy as np
+
+from insole_core.foot.display_surface import DisplaySurface
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_studio.texts import tr
+
+MISSING = "#a9a9a9"
+"""Colour of what has no value."""
 
 _VIRIDIS = ("#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725")
 _SIGNED = ("#2166ac", "#67a9cf", "#f7f7f7", "#ef8a62", "#b2182b")
@@ -26,6 +34,8 @@ class Coloring:
         Whether the map diverges, with white at zero.
     unit
         Unit of the values, for the legend.
+    missing
+        What it means that a value is NaN, for the legend; empty if it is not told there.
     """
 
     values: FloatArray
@@ -33,6 +43,7 @@ class Coloring:
     title: str
     signed: bool = False
     unit: str = "mm"
+    missing: str = ""
 
     @property
     def color_map(self) -> str:
@@ -43,3 +54,30 @@ class Coloring:
     def colors(self) -> tuple[str, ...]:
         """The map's colours at equal steps, for the legend."""
         return _SIGNED if self.signed else _VIRIDIS
+
+
+def on_display(
+    surface: DisplaySurface, coloring: Coloring | None
+) -> tuple[TriangleMesh, Coloring | None]:
+    """Return the mesh to show of a foot, and its colours there.
+
+    Parameters
+    ----------
+    surface
+        The foot's surface for display.
+    coloring
+        Of the measured surface; None for the foot's own colours.
+
+    Returns
+    -------
+    mesh
+        Of the display surface.
+    coloring
+        Filled gaps have no value; None for the foot's own colours.
+    """
+    if coloring is None:
+        return surface.mesh, None
+    mesh, values = surface.with_values(coloring.values)
+    is_known = bool(np.isfinite(coloring.values).all())  # else grey means other things as well
+    missing = tr("not measured") if is_known and surface.is_filled.any() else ""
+    return mesh, replace(coloring, values=values, missing=missing)

@@ -13,8 +13,8 @@ class GuideLines:
 
     Parameters
     ----------
-    lines : (2, 3) each, mm, insole frame
-        The line segments.
+    lines : (n, 3) each, mm, insole frame
+        The polylines.
     place : (3,), mm, insole frame
         Position of the text.
     text

@@ -14,7 +14,8 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.coloring import MISSING, Coloring
+from insole_studio.scene.contour_lines import ContourLines
 from insole_studio.scene.label_layout import is_across_view, moved_clear, moved_into_image
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -22,10 +23,16 @@ from insole_studio.scene.view_camera import ViewTransform
 from insole_studio.texts import tr
 
 MATERIAL = (232, 229, 222)
-CONTOUR = "#30363d"
-CONTOURS = {"contours": 0.22, "strong-contours": 0.6}
-"""Opacity of the contour lines."""
-STRONG_CONTOUR = 5
+CONTOUR, PAPER = "#30363d", "#e0ddd6"
+"""Colours of the contour lines, and of the ground of their labels."""
+CONTOURS = {"contours": (0.3, 1.0), "strong-contours": (0.75, 1.6)}
+"""Opacity and width of the contour lines."""
+CONTOUR_LABELS, CONTOUR_PX = "contour-labels", 11
+_SEEN = 0.5  # cosine of the steepest view on the contact surface that shows its labels
+LIGHTS = (((0.0, 0.0, 1.0), 0.45), ((-1.0, 1.0, 1.0), 0.65))
+"""Direction, seen from the camera, and intensity; the second, slanted, brings out the relief."""
+GRAZING = (((0.0, 0.0, 1.0), 0.3), ((-1.0, 0.4, 0.3), 1.0))
+"""The same, with the second one nearly along the surface."""
 GHOST_OPACITY = 0.35
 SURE = 0.6
 NAME_PX, DIRECTION_PX = 12, 13
@@ -75,10 +82,10 @@ class Painter:
         self._look: ViewTransform | None = None
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
-        plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
-        # A second light from the upper left brings out the relief.
-        slanted = pv.Light(light_type="camera light", position=(-1.0, 1.0, 1.0), intensity=0.65)
-        plotter.add_light(slanted)
+        self._lights = [pv.Light(light_type="camera light") for _ in LIGHTS]
+        for light in self._lights:
+            plotter.add_light(light)
+        self.show_grazing_light(False)
         plotter.enable_parallel_projection()
         self.set_dark(dark)
 
@@ -215,30 +222,53 @@ class Painter:
             render=False,
         )
 
-    def show_contours(self, step_mm: float) -> None:
-        """Draw contour lines of height on the surface, every fifth one stronger; 0 removes them."""
-        for name in CONTOURS:
-            self._plotter.remove_actor(name, render=False)
-        if step_mm <= 0 or self._surface is None:
+    def show_contours(self, lines: ContourLines | None) -> None:
+        """Draw contour lines of height on the surface, and their labels; None removes them."""
+        none = np.empty((0, 2, 3))
+        self._draw_contour("contours", none if lines is None else lines.thin)
+        self._draw_contour("strong-contours", none if lines is None else lines.strong)
+        labels = () if lines is None else lines.labels
+        places, words = [place for place, _ in labels], [text for _, text in labels]
+        self._show_texts(
+            CONTOUR_LABELS,
+            places,
+            words,
+            CONTOUR_PX,
+            centred=True,
+            boxed=True,
+            colors=(CONTOUR, PAPER),
+        )
+        if self._look is not None:
+            self._show_labels_from_above(self._look)
+
+    def _draw_contour(self, name: str, segments: FloatArray) -> None:
+        self._plotter.remove_actor(name, render=False)
+        if len(segments) == 0:
             return
-        heights = np.asarray(self._surface.points[:, 2])
-        levels = np.arange(step_mm, float(heights.max()), step_mm)
-        number = np.rint(levels / step_mm).astype(int)
-        for name, opacity in CONTOURS.items():
-            chosen = levels[(number % STRONG_CONTOUR == 0) == (name == "strong-contours")]
-            lines = self._surface.contour(chosen, scalars=heights) if len(chosen) else None
-            if lines is None or lines.n_points == 0:
-                continue
-            self._plotter.add_mesh(
-                lines,
-                name=name,
-                color=CONTOUR,
-                opacity=opacity,
-                line_width=self._ratio,
-                lighting=False,
-                reset_camera=False,
-                render=False,
-            )
+        opacity, width = CONTOURS[name]
+        self._plotter.add_mesh(
+            pv.line_segments_from_points(segments.reshape(-1, 3)),
+            name=name,
+            color=CONTOUR,
+            opacity=opacity,
+            line_width=width * self._ratio,
+            lighting=False,
+            reset_camera=False,
+            render=False,
+        )
+
+    def _show_labels_from_above(self, look: ViewTransform) -> None:
+        """Hide the labels of the contour lines when the contact surface is not seen."""
+        actor = self._plotter.actors.get(f"{CONTOUR_LABELS}-labels")
+        if actor is not None:
+            actor.visibility = bool(look.back[2] > _SEEN)
+
+    def show_grazing_light(self, on: bool) -> None:
+        """Light the surface from the side, so that every bump casts its shade, or from ahead."""
+        for light, (position, intensity) in zip(
+            self._lights, GRAZING if on else LIGHTS, strict=True
+        ):
+            light.position, light.intensity = position, intensity
 
     def show_lines(self, name: str, lines: Iterable[FloatArray], color: str, width: float) -> None:
         """Draw polylines in front of everything, replacing those of the same name.
@@ -371,6 +401,7 @@ class Painter:
         self._look = look
         self._write_directions(look)
         self._place_names(look)
+        self._show_labels_from_above(look)
 
     def _write_directions(self, look: ViewTransform | None) -> None:
         """Write the directions that can be told in this view, whole and beside the thing."""
@@ -401,6 +432,7 @@ class Painter:
                 "scalars": "values",
                 "cmap": coloring.color_map,
                 "clim": coloring.limits,
+                "nan_color": MISSING,
                 "show_scalar_bar": False,
                 "ambient": 0.35,
                 "diffuse": 0.7,
@@ -452,23 +484,25 @@ class Painter:
         *,
         centred: bool = False,
         boxed: bool = False,
+        colors: tuple[str, str] | None = None,
     ) -> None:
         self._plotter.remove_actor(name, render=False)
         self._texts.pop(name, None)
         if not words:
             return
         self._texts[name] = partial(
-            self._show_texts, name, places, words, size, centred=centred, boxed=boxed
+            self._show_texts, name, places, words, size, centred=centred, boxed=boxed, colors=colors
         )
+        text_color, ground = colors or (self.scheme.text, self.scheme.bottom)
         self._plotter.add_point_labels(
             np.array(places, dtype=float),
             words,
             name=name,
             font_size=round(size * self._ratio * 72 / self._plotter.render_window.GetDPI()),
-            text_color=self.scheme.text,
+            text_color=text_color,
             shape=None,
             # The text's own background: the label's shape does not follow its justification.
-            background_color=self.scheme.bottom if boxed else None,
+            background_color=ground if boxed else None,
             background_opacity=0.8 if boxed else 0.0,
             show_points=False,
             always_visible=True,

@@ -9,6 +9,7 @@ from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.texts import tr
 
 TEMPLATE_SUFFIX = ".insole-template"
+DEVICE_SUFFIX = ".insole-device"
 
 
 def case_kinds() -> str:
@@ -19,6 +20,11 @@ def case_kinds() -> str:
 def template_kinds() -> str:
     """Return the filter for template files."""
     return tr("Template of a prescription") + f" (*{TEMPLATE_SUFFIX})"
+
+
+def device_kinds() -> str:
+    """Return the filter for the files of devices."""
+    return tr("Device of an insole") + f" (*{DEVICE_SUFFIX} *.json)"
 
 
 def scan_kinds() -> str:

@@ -19,6 +19,8 @@ _NAMES = {
     "turn": "mdi6.axis-z-rotate-counterclockwise",
     "pelott": "mdi6.egg-outline",
     "outline": "mdi6.vector-curve",
+    "rim": "mdi6.bowl-outline",
+    "device": "mdi6.shoe-print",
     "copy": "mdi6.content-copy",
     "free_hand": "mdi6.lasso",
     "brush": "mdi6.brush-outline",

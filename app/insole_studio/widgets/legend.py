@@ -6,11 +6,12 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.coloring import MISSING, Coloring
 from insole_studio.texts import localised
 
 BAR_PX = 140
 NUMBER_PX = 72
+SWATCH_PX = 14
 WHOLE_FROM = 100.0
 """From this value on numbers are shown without decimals."""
 
@@ -33,7 +34,7 @@ class Legend(QWidget):
 
     def sizeHint(self) -> QSize:
         """Return a size for title, strip and two numbers."""
-        return QSize(self.minimumSizeHint().width() + self._name_px, 22)
+        return QSize(self.minimumSizeHint().width() + self._name_px + self._missing_px, 22)
 
     def minimumSizeHint(self) -> QSize:
         """Return a size without the title, which is then shown as tooltip."""
@@ -44,6 +45,13 @@ class Legend(QWidget):
         if self._coloring is None:
             return 0
         return self.fontMetrics().horizontalAdvance(self._coloring.title)
+
+    @property
+    def _missing_px(self) -> int:
+        """Width of the swatch for missing values, with its text and a gap."""
+        if self._coloring is None or not self._coloring.missing:
+            return 0
+        return SWATCH_PX + 18 + self.fontMetrics().horizontalAdvance(self._coloring.missing)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the limits and the strip between them."""
@@ -61,11 +69,23 @@ class Legend(QWidget):
         left = QRectF(start, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())
         vertical = Qt.AlignmentFlag.AlignVCenter
-        if start >= self._name_px:
-            name = QRectF(start - self._name_px, 0, self._name_px, self.height())
+        free = start
+        if free >= self._missing_px:
+            free -= self._missing_px
+            self._paint_missing(painter, free)
+        if free >= self._name_px:
+            name = QRectF(free - self._name_px, 0, self._name_px, self.height())
             painter.drawText(name, vertical, self._coloring.title)
         painter.drawText(left, vertical | Qt.AlignmentFlag.AlignRight, low)
         painter.drawText(
             right, vertical | Qt.AlignmentFlag.AlignLeft, f"{high} {self._coloring.unit}"
         )
         painter.end()
+
+    def _paint_missing(self, painter: QPainter, left: int) -> None:
+        assert self._coloring is not None
+        if not self._coloring.missing:
+            return
+        painter.fillRect(QRectF(left, 5, SWATCH_PX, self.height() - 10), QColor(MISSING))
+        text = QRectF(left + SWATCH_PX + 6, 0, self._missing_px, self.height())
+        painter.drawText(text, Qt.AlignmentFlag.AlignVCenter, self._coloring.missing)

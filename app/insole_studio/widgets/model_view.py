@@ -20,6 +20,7 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.contour_lines import ContourLines
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -146,14 +147,27 @@ class ModelView(QWidget):
         self.scene.painter.show_wireframe(shown)
         self.scene.request_render()
 
+    def show_shoe(self, lines: GuideLines | None) -> None:
+        """Draw the outline of a shoe and its heights; None removes it."""
+        painter = self.scene.painter
+        painter.show_lines("shoe", () if lines is None else lines.lines, painter.scheme.text, 1.5)
+        place, text = (None, "") if lines is None else (lines.place, lines.text)
+        painter.show_label(place, text, "shoe-text")
+        self.scene.request_render()
+
+    def show_grazing_light(self, on: bool) -> None:
+        """Light the surface from the side, or from ahead."""
+        self.scene.painter.show_grazing_light(on)
+        self.scene.request_render()
+
     def show_ghost(self, mesh: TriangleMesh | None) -> None:
         """Show a second, translucent surface; None removes it."""
         self.scene.painter.show_ghost(mesh)
         self.scene.request_render()
 
-    def show_contours(self, step_mm: float) -> None:
-        """Draw contour lines of height; 0 removes them."""
-        self.scene.painter.show_contours(step_mm)
+    def show_contours(self, lines: ContourLines | None) -> None:
+        """Draw contour lines of height; None removes them."""
+        self.scene.painter.show_contours(lines)
         self.scene.request_render()
 
     def show_guide(

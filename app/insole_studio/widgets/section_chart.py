@@ -2,31 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QTransform
 from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.texts import localised
+from insole_studio.texts import localised, tr
+from insole_studio.widgets.chart_ticks import chart_ticks
 
 LEFT_PX, BOTTOM_PX, FREE_PX = 40.0, 22.0, 12.0
-STEPS_MM = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-LEAST_TICK_PX = 28.0
+LEGEND_PX, SWATCH_PX, LEGEND_GAP_PX = 18.0, 21.0, 11.0
+SKIN, COVER = "#c4684a", "#2e8b67"
 ABOVE_MM = 22.0
 """Height of the foot shown above the insole."""
 
 
 class SectionChart(QWidget):
-    """The insole as a filled area and the skin as a line; the pointer measures the thickness."""
+    """The insole as a filled area, and lines for skin and cover; a legend with their heights.
+
+    The heights are those at the pointer over the chart, else those at a place that is told.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._sentence = ""
         self._top: FloatArray | None = None
         self._bottom = self._skin = np.empty((0, 2))
+        self._cover: FloatArray | None = None
+        self._at_mm: float | None = None
         self._ends = ("", "")
         self._pointer_px: float | None = None
         self.setMouseTracking(True)
@@ -42,7 +46,14 @@ class SectionChart(QWidget):
         self.update()
 
     def show_cut(
-        self, top: FloatArray, bottom: FloatArray, skin: FloatArray, ends: tuple[str, str]
+        self,
+        top: FloatArray,
+        bottom: FloatArray,
+        skin: FloatArray,
+        ends: tuple[str, str],
+        *,
+        cover: FloatArray | None = None,
+        at_mm: float | None = None,
     ) -> None:
         """Show a section.
 
@@ -54,8 +65,13 @@ class SectionChart(QWidget):
             Line segments of the foot.
         ends
             Anatomical directions at the left and at the right.
+        cover : (n, 2) mm, optional
+            Lower side of the cover.
+        at_mm
+            Abscissa at which to measure unless the pointer is over the chart.
         """
         self._top, self._bottom, self._skin, self._ends = top, bottom, skin, ends
+        self._cover, self._at_mm = cover, at_mm
         self.update()
 
     def thickness_mm(self, s_mm: float) -> float | None:
@@ -64,6 +80,41 @@ class SectionChart(QWidget):
             return None
         top = np.interp(s_mm, self._top[:, 0], self._top[:, 1])
         return float(top - np.interp(s_mm, self._bottom[:, 0], self._bottom[:, 1]))
+
+    def skin_mm(self, s_mm: float) -> float | None:
+        """Return the height of the sole at an abscissa; None where there is no skin."""
+        start, end = np.moveaxis(self._skin, 1, 0) if len(self._skin) else np.zeros((2, 0, 2))
+        low, high = np.minimum(start[:, 0], end[:, 0]), np.maximum(start[:, 0], end[:, 0])
+        over = (low <= s_mm) & (s_mm <= high) & (high > low)
+        if not over.any():
+            return None
+        start, end = start[over], end[over]
+        share = (s_mm - start[:, 0]) / (end[:, 0] - start[:, 0])
+        return float((start[:, 1] + share * (end[:, 1] - start[:, 1])).min())
+
+    @property
+    def measured_mm(self) -> float | None:
+        """The abscissa at which the chart measures; None for none."""
+        if self._pointer_px is None or self._top is None:
+            return self._at_mm
+        mm2px = self._mm2px(self._frame())
+        return float(mm2px.inverted()[0].map(QPointF(self._pointer_px, 0.0)).x())
+
+    def legend(self) -> list[tuple[str, str]]:
+        """Return name and height, as text, of each curve; empty heights where nothing is."""
+        if self._top is None:
+            return []
+        s_mm = self.measured_mm
+        inside = s_mm is not None and self.thickness_mm(s_mm) is not None
+        heights = [
+            (tr("Foot"), None if s_mm is None else self.skin_mm(s_mm)),
+            (tr("Contact"), _height(self._top, s_mm if inside else None)),
+            (tr("Cover"), _height(self._cover, s_mm if inside else None)),
+            (tr("Underside"), _height(self._bottom, s_mm if inside else None)),
+        ]
+        if self._cover is None:
+            del heights[2]
+        return [(name, "" if mm is None else localised(mm)) for name, mm in heights]
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the insole, the skin, the rulers and the measured thickness."""
@@ -80,6 +131,8 @@ class SectionChart(QWidget):
             painter.setClipRect(frame)
             self._paint_cut(painter, mm2px)
             self._paint_measured(painter, mm2px)
+            painter.setClipping(False)
+            self._paint_legend(painter)
         painter.end()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -93,7 +146,7 @@ class SectionChart(QWidget):
         self.update()
 
     def _frame(self) -> QRectF:
-        return QRectF(self.rect()).adjusted(LEFT_PX, FREE_PX, -FREE_PX, -BOTTOM_PX)
+        return QRectF(self.rect()).adjusted(LEFT_PX, LEGEND_PX + 6, -FREE_PX, -BOTTOM_PX)
 
     def _mm2px(self, frame: QRectF) -> QTransform:
         """Return the transform from mm to pixels, with the same scale in both directions."""
@@ -109,15 +162,24 @@ class SectionChart(QWidget):
     def _paint_cut(self, painter: QPainter, mm2px: QTransform) -> None:
         assert self._top is not None
         around = np.concatenate([self._top, self._bottom[::-1]])
-        body = QPolygonF([QPointF(*point) for point in around])
+        body = _polygon(around)
         accent = self.palette().highlight().color()
         fill = QColor(accent)
         fill.setAlpha(56)
         painter.setBrush(fill)
-        painter.setPen(QPen(accent, 1.5))
+        painter.setPen(Qt.PenStyle.NoPen)
         painter.drawPolygon(mm2px.map(body))
-        painter.setPen(QPen(QColor("#c4684a"), 1.5))
+        for line, style in (
+            (self._top, Qt.PenStyle.SolidLine),
+            (self._bottom, Qt.PenStyle.DotLine),
+        ):
+            painter.setPen(QPen(accent, 1.5, style))
+            painter.drawPolyline(mm2px.map(QPolygonF([QPointF(*point) for point in line])))
+        painter.setPen(QPen(QColor(SKIN), 1.5))
         painter.drawLines([mm2px.map(QLineF(*a, *b)) for a, b in self._skin])
+        if self._cover is not None:
+            painter.setPen(QPen(QColor(COVER), 1.5, Qt.PenStyle.DashLine))
+            painter.drawPolyline(mm2px.map(_polygon(self._cover)))
 
     def _paint_rulers(self, painter: QPainter, mm2px: QTransform, frame: QRectF) -> None:
         painter.setPen(QPen(self.palette().mid().color(), 1))
@@ -125,12 +187,14 @@ class SectionChart(QWidget):
         painter.drawLine(frame.bottomLeft(), frame.topLeft())
         painter.setPen(self.palette().windowText().color())
         shown = mm2px.inverted()[0].mapRect(frame)
-        for s in _ticks(shown.left(), shown.right(), mm2px.m11()):
+        for s in chart_ticks(shown.left(), shown.right(), mm2px.m11()):
             at = mm2px.map(QPointF(s, shown.top()))
             painter.drawLine(at, at + QPointF(0, 4))
             words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
             painter.drawText(words, Qt.AlignmentFlag.AlignCenter, localised(s, "g"))
-        for z in _ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
+        unit = QRectF(frame.right() - 30, frame.bottom() + 4, 26 + FREE_PX, BOTTOM_PX - 4)
+        painter.drawText(unit, Qt.AlignmentFlag.AlignRight, "mm")
+        for z in chart_ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
             at = mm2px.map(QPointF(shown.left(), z))
             painter.drawLine(at, at - QPointF(4, 0))
             words = QRectF(0, at.y() - 9, LEFT_PX - 7, 18)
@@ -142,23 +206,49 @@ class SectionChart(QWidget):
         painter.drawText(top, Qt.AlignmentFlag.AlignRight, self._ends[1])
 
     def _paint_measured(self, painter: QPainter, mm2px: QTransform) -> None:
-        if self._pointer_px is None or self._top is None:
+        """Draw a line from the underside to the contact surface where the chart measures."""
+        s_mm = self.measured_mm
+        thickness = None if s_mm is None else self.thickness_mm(s_mm)
+        if s_mm is None or thickness is None or self._top is None:
             return
-        s = mm2px.inverted()[0].map(QPointF(self._pointer_px, 0.0)).x()
-        thickness = self.thickness_mm(s)
-        if thickness is None:
-            return
-        z = float(np.interp(s, self._top[:, 0], self._top[:, 1]))
+        z = float(np.interp(s_mm, self._top[:, 0], self._top[:, 1]))
         painter.setPen(QPen(self.palette().windowText().color(), 1, Qt.PenStyle.DashLine))
-        at = mm2px.map(QPointF(s, z))
-        painter.drawLine(mm2px.map(QPointF(s, z - thickness)), at)
+        at = mm2px.map(QPointF(s_mm, z))
+        painter.drawLine(mm2px.map(QPointF(s_mm, z - thickness)), at)
         painter.drawText(at + QPointF(6, -6), f"{localised(thickness)} mm")
 
+    def _paint_legend(self, painter: QPainter) -> None:
+        """Write names and heights of the curves above the chart, as many as there is room for."""
+        styles, left, middle = self._styles(), LEGEND_GAP_PX, LEGEND_PX / 2
+        for name, value in self.legend():
+            text = f"{name} {value}".rstrip()
+            wide = self.fontMetrics().horizontalAdvance(text)
+            if left + SWATCH_PX + wide > self.width():
+                return
+            painter.setPen(styles[name])
+            painter.drawLine(QPointF(left, middle), QPointF(left + SWATCH_PX - 5, middle))
+            painter.setPen(self.palette().windowText().color())
+            words = QRectF(left + SWATCH_PX, 0, wide + 1, LEGEND_PX)
+            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, text)
+            left += SWATCH_PX + wide + LEGEND_GAP_PX
 
-def _ticks(
-    low_mm: float, high_mm: float, px_per_mm: float, least_px: float = LEAST_TICK_PX
-) -> Iterator[float]:
-    wide_enough = (step for step in STEPS_MM if step * px_per_mm >= least_px)
-    step = next(wide_enough, STEPS_MM[-1])
-    first = int(np.ceil(low_mm / step))
-    return (number * step for number in range(first, int(np.floor(high_mm / step)) + 1))
+    def _styles(self) -> dict[str, QPen]:
+        """Return the pens of the curves by their names."""
+        accent = self.palette().highlight().color()
+        return {
+            tr("Foot"): QPen(QColor(SKIN), 2),
+            tr("Contact"): QPen(accent, 2),
+            tr("Cover"): QPen(QColor(COVER), 2, Qt.PenStyle.DashLine),
+            tr("Underside"): QPen(accent, 2, Qt.PenStyle.DotLine),
+        }
+
+
+def _polygon(points: FloatArray) -> QPolygonF:
+    return QPolygonF([QPointF(*point) for point in points])
+
+
+def _height(line: FloatArray | None, s_mm: float | None) -> float | None:
+    """Return the height of a line (n, 2) at an abscissa; None without one of them."""
+    if line is None or s_mm is None:
+        return None
+    return float(np.interp(s_mm, line[:, 0], line[:, 1]))

@@ -27,6 +27,7 @@ _MOST_BEND = (0.19, 0.24)
 """Greatest curvature at the foot of a wall that turns down to a low rim, and of one that turns up
 to a high one, 1/mm, likewise; 0.3 is asked of the Laplacian, and 0.1 of its root mean square."""
 _SPREAD_MM, _SIGMA_MM = 6.0, 6.0
+_ROUNDING_MM = 1e-6  # a width that equals a depth but for last bits does not depend on them
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +78,8 @@ def blend_widths(
     lines = place.lines_inward
     most_mm = np.maximum(_OF_ROOM * lines.room_mm, LEAST_DEPTH_MM)
     strain = _strain(lines, surface, rim_mm)
-    possible = (lines.depth_mm >= np.minimum(asked_mm, most_mm)[:, None]) & (
+    least_mm = np.minimum(asked_mm, most_mm) - _ROUNDING_MM
+    possible = (lines.depth_mm >= least_mm[:, None]) & (
         lines.depth_mm <= most_mm[:, None] + DEPTH_PITCH_MM
     )
     strain = np.where(possible, strain, np.inf)

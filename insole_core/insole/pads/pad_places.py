@@ -22,6 +22,8 @@ _DANCERS_AHEAD_MM = 10.0  # a dancer's pad ends this far ahead of heads 2 to 5
 _DANCERS_GAP_MM = 14.0  # and this far behind the 1st
 _WEB = 0.65  # of the way from head 1 to head 2: the medial corners of such pads
 _SULCUS_MM = 12.0  # the toes begin this far ahead of their heads
+_LEAST_FILLER_MM = 20.0  # length for a toe whose tip was set where it ends
+_LEAST_WIDTH_MM = 5.0
 _STYLOID_INSIDE_MM = 8.0  # from the foot's lateral border to the base of the 5th metatarsal
 _TUBERCLE = 0.15  # of the heel's width, from its centre to the medial tubercle
 
@@ -136,7 +138,7 @@ def _under_head(number: int, pad: Pelott, side: Side, at: _Places, behind: float
     beside = [at[HEADS[n - 1]] for n in (number - 1, number + 1) if 1 <= n <= len(HEADS)]
     room = min(float(np.hypot(*(head - at[HEADS[number - 1]]))) for head in beside)
     laid = _at_head(number, pad, side, at, behind)
-    return replace(laid, width_mm=min(pad.width_mm, round(room, 1)))
+    return replace(laid, width_mm=min(pad.width_mm, max(round(room, 1), _LEAST_WIDTH_MM)))
 
 
 def _at_first_ray(pad: Pelott, _side: Side, at: _Places, _behind: float) -> Pelott:
@@ -153,15 +155,17 @@ def _under_toe(number: int, pad: Pelott, _side: Side, at: _Places, _behind: floa
 
 def _in_toe_room(number: int, pad: Pelott, _side: Side, at: _Places, _behind: float) -> Pelott:
     """Lay a filler whose edge overlaps with that of the next toe's, so that both make one level."""
-    ray, tip = _ray(at, number), at[TOE_TIPS[number - 1]]
-    start = at[HEADS[number - 1]] + _SULCUS_MM * ray
+    ray, head = _ray(at, number), at[HEADS[number - 1]]
+    reach = float((at[TOE_TIPS[number - 1]] - head) @ ray)
+    length = max(reach - _SULCUS_MM, _LEAST_FILLER_MM)
     spaces = [_toe_space(at, number, n) for n in (number - 1, number + 1) if 1 <= n <= len(HEADS)]
+    space = sum(spaces) / len(spaces)
     return replace(
         pad,
-        centre_mm=_place((start + tip) / 2),
+        centre_mm=_place(head + (_SULCUS_MM + length / 2) * ray),
         turn_deg=_turn(ray),
-        length_mm=round(float(np.hypot(*(tip - start))), 1),
-        width_mm=round(sum(spaces) / len(spaces) + (pad.blend_mm or 0.0), 1),
+        length_mm=round(length, 1),
+        width_mm=max(round(space + (pad.blend_mm or 0.0), 1), _LEAST_WIDTH_MM),
     )
 
 

@@ -38,6 +38,7 @@ from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm
 from insole_core.insole.prescription.shell_warnings import shell_warnings
 from insole_core.insole.surface.posting import posting_angles
+from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm, rockers
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, Value
 from insole_core.resources import resource_path
@@ -68,6 +69,7 @@ _FARTHEST_AHEAD_MM = 50.0
 _AT_LINE = ("egg", "bar")
 """Shapes whose distance behind the heads is the clinic's rule; a drop may lie between the heads."""
 _ARCH_TOLERANCE_MM = 0.2
+_ROCKER_TOLERANCE_MM = 0.5
 _SHOWN = 0.1
 """Step in mm and degrees to which values are rounded, before they are compared and printed."""
 _SHOWN_HEIGHT_MM = 1.0
@@ -151,6 +153,7 @@ def design_warnings(
         *_of_height(insole, rules),
         *_of_grid(design, rules),
         *(w for arch in arches for w in _of_arch(insole, arch)),
+        *_of_rocker(insole),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
         *shell_warnings(insole, landmarks, read_materials()),
@@ -368,6 +371,28 @@ def _of_metatarsal_pad(
             )
         )
         yield DesignWarning(away, pad.id, pad.centre_mm)
+
+
+def _of_rocker(insole: Insole) -> Iterator[DesignWarning]:
+    """Warn of a rocker for which the forefoot is not thick enough."""
+    design = insole.design
+    if not rockers(design):
+        return
+    flat = design.bottom == "flat"
+    thickness = insole.contact.heights_mm if flat else design.least_thickness_mm
+    asked = rocker_heights_mm(design, insole.foot, insole.contact)
+    missing = np.where(insole.measured, asked - (thickness - LEAST_LEFT_MM), 0.0)
+    missing_mm = rounded(float(missing.max()), _SHOWN)
+    if missing_mm > _ROCKER_TOLERANCE_MM:
+        row, column = np.unravel_index(missing.argmax(), missing.shape)
+        thin = Message(
+            "The forefoot is {missing_mm:g} mm too thin for the rocker, which leaves {least_mm:g} "
+            "mm of material; raise the thickness or lower the slope.",
+            missing_mm=missing_mm,
+            least_mm=LEAST_LEFT_MM,
+        )
+        place = float(insole.contact.x_mm[column]), float(insole.contact.y_mm[row])
+        yield DesignWarning(thin, rockers(design)[0].id, place)
 
 
 def _of_arch(insole: Insole, arch: ArchRaise) -> Iterator[DesignWarning]:

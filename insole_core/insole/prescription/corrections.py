@@ -200,6 +200,25 @@ class HeelCup(CorrectionBase):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Rocker(CorrectionBase):
+    """An underside that rises ahead of a line along the heads, so that the foot rolls over it.
+
+    The contact surface stays; what is eased comes off the thickness.
+
+    Parameters
+    ----------
+    behind_heads_mm
+        Distance of the line behind that through heads 1 and 5; < 0 ahead of it.
+    slope_deg
+        Slope of the underside ahead of the line.
+    """
+
+    type: ClassVar[str] = "rocker"
+    behind_heads_mm: float = 5.0
+    slope_deg: float = 10.0
+
+
+@dataclass(frozen=True, kw_only=True)
 class BrushStroke(CorrectionBase):
     """One free-hand stroke over the surface; the Gaussian neighbourhood (25) follows it.
 
@@ -223,12 +242,21 @@ class BrushStroke(CorrectionBase):
 
 
 Correction: TypeAlias = (
-    Pelott | Posting | ForefootTwist | HeelSkive | HeelLift | ArchRaise | HeelCup | BrushStroke
+    Pelott
+    | Posting
+    | ForefootTwist
+    | HeelSkive
+    | HeelLift
+    | ArchRaise
+    | HeelCup
+    | Rocker
+    | BrushStroke
 )
 CORRECTION_TYPES: dict[str, type[Correction]] = {
     kind.type: kind
     for kind in (
-        Pelott, Posting, ForefootTwist, HeelSkive, HeelLift, ArchRaise, HeelCup, BrushStroke,
+        Pelott, Posting, ForefootTwist, HeelSkive, HeelLift, ArchRaise, HeelCup, Rocker,
+        BrushStroke,
     )
 }  # fmt: skip
 

@@ -24,14 +24,33 @@ from insole_core.insole.prescription.corrections import (
     Pelott,
     Place,
     Posting,
+    Rocker,
 )
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.shell import Post, Shell
 
 __all__ = [
-    "CORRECTION_TYPES", "ArchRaise", "BaseForm", "BrushStroke", "Correction", "Finish",
-    "ForefootTwist", "Form", "HeelCup", "HeelLift", "HeelSkive", "InsoleDesign", "Layers",
-    "Outline", "Pelott", "Place", "Post", "Posting", "RimStation", "Shell",
+    "CORRECTION_TYPES",
+    "ArchRaise",
+    "BaseForm",
+    "BrushStroke",
+    "Correction",
+    "Finish",
+    "ForefootTwist",
+    "Form",
+    "HeelCup",
+    "HeelLift",
+    "HeelSkive",
+    "InsoleDesign",
+    "Layers",
+    "Outline",
+    "Pelott",
+    "Place",
+    "Post",
+    "Posting",
+    "RimStation",
+    "Rocker",
+    "Shell",
 ]  # fmt: skip
 
 

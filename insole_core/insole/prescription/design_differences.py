@@ -64,7 +64,7 @@ LABELS: dict[str, str] = {
     "forefoot": "Forefoot post",
 }
 """What each value of a design is called, in the order of the lines."""
-_WORDS = {
+WORDS = {
     "flat": "flat",
     "following": "cupped",
     "full": "full length",
@@ -81,14 +81,16 @@ _WORDS = {
     "pull": "pull",
     "smooth": "smooth",
 }
+"""How the words of a design are said."""
 _CORRECTIONS = {
-    "posting": "Posting",
-    "forefoot_twist": "Forefoot twist",
-    "heel_skive": "Heel skive",
-    "heel_lift": "Heel lift",
-    "arch_raise": "Arch raise",
-    "heel_cup": "Heel cup",
-    "brush": "Stroke",
+    "posting": "posting",
+    "forefoot_twist": "forefoot twist",
+    "heel_skive": "heel skive",
+    "heel_lift": "heel lift",
+    "arch_raise": "arch raise",
+    "rocker": "rocker",
+    "heel_cup": "heel cup",
+    "brush": "stroke",
 }
 _PARTS = ("outline", "layers", "finish", "shell")
 _UNITS = {"_mm": "mm", "_deg": "°", "_kg": "kg"}
@@ -102,6 +104,7 @@ _MAIN = {
     "depth_mm": "",
     "height_mm": "",
     "target_mm": "{value} over the floor",
+    "behind_heads_mm": "{value} behind the heads",
     "length_mm": "{value} long",
     "strength": "",
 }
@@ -191,7 +194,7 @@ def _wording(key: str, value: Any) -> Message:
     if isinstance(value, bool):
         return Message("yes") if value else Message("no")
     if isinstance(value, str):
-        return Message(_WORDS.get(value, value))
+        return Message(WORDS.get(value, value))
     if isinstance(value, tuple):
         return _rim(value) if key in _OF_RIM else Message("{count:g} places", count=len(value))
     return _part(value) if isinstance(value, BaseForm | Post) else _measure(key, value)
@@ -249,20 +252,23 @@ def _corrections(old: InsoleDesign, new: InsoleDesign) -> Iterator[Message]:
     before, after = ({c.id: c for c in design.corrections} for design in (old, new))
     for c in new.corrections:
         if c.id not in before:
-            yield Message("{correction}: added, {values}", correction=_name(c), values=_main(c))
+            yield Message("Added: {correction}, {values}", correction=_name(c), values=_main(c))
     for c in new.corrections:
         if c.id in before and _unsigned(before[c.id]) != _unsigned(c):
             yield _change(before[c.id], c)
     for c in old.corrections:
         if c.id not in after:
-            yield Message("{correction}: removed", correction=_name(c))
+            yield Message("Removed: {correction}", correction=_name(c))
 
 
 def _change(old: Correction, new: Correction) -> Message:
     if _main(old) == _main(new):
-        return Message("{correction}: moved or reshaped", correction=_name(new))
+        return Message("Moved or reshaped: {correction}", correction=_name(new))
     return Message(
-        "{what}: {before} → {after}", what=_name(new), before=_main(old), after=_main(new)
+        "Changed: {correction}, {before} → {after}",
+        correction=_name(new),
+        before=_main(old),
+        after=_main(new),
     )
 
 
@@ -272,8 +278,7 @@ def _unsigned(correction: Correction) -> Correction:
 
 def _name(correction: Correction) -> Message:
     if isinstance(correction, Pelott):
-        name = pad_name(correction)
-        return Message(name[0].upper() + name[1:])
+        return Message(pad_name(correction))
     return Message(_CORRECTIONS.get(correction.type, _as_words(correction.type)))
 
 

@@ -33,6 +33,7 @@ from insole_core.insole.prescription.design import (
     Post,
     Posting,
     RimStation,
+    Rocker,
     Shell,
 )
 from insole_core.messages import Message
@@ -138,6 +139,7 @@ CORRECTION_RANGES: dict[type[Correction], dict[str, Range]] = {
         "width_mm": Range(10, 150),
     },
     HeelCup: {"depth_mm": Range(0, 30), "fade_start": _SHARE, "fade_end": _SHARE},
+    Rocker: {"behind_heads_mm": Range(-20, 40), "slope_deg": Range(0, 25, "degrees")},
     BrushStroke: {
         "points_mm": _PLACE,
         "radius_mm": Range(2, 80),

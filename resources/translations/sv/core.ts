@@ -16,6 +16,14 @@
             <translation> i outline</translation>
         </message>
         <message>
+            <source> of posts[{number}]</source>
+            <translation> i posts[{number}]</translation>
+        </message>
+        <message>
+            <source> of rim[{number}]</source>
+            <translation> i rim[{number}]</translation>
+        </message>
+        <message>
             <source>"{serial}" is no serial number of a sensor; give its letters and digits as they stand on its label.</source>
             <translation>”{serial}” är inget serienummer för en sensor; ange dess bokstäver och siffror som de står på etiketten.</translation>
         </message>
@@ -84,12 +92,24 @@
             <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
         </message>
         <message>
+            <source>A dome or a bar; trials disagree where a dome works best.</source>
+            <translation>En pelott eller en stav; studier är oense om var en pelott verkar bäst.</translation>
+        </message>
+        <message>
             <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
             <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
         </message>
         <message>
+            <source>A name must have 1 to {most} characters, and a letter or a digit among them; type another one.</source>
+            <translation>Ett namn måste ha 1 till {most} tecken, varav minst en bokstav eller siffra; skriv ett annat.</translation>
+        </message>
+        <message>
             <source>A point is marked outside of the depth image of {width}×{height}; correct its pixel.</source>
             <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
+        </message>
+        <message>
+            <source>A relief under each head that carries too much; no hard edges.</source>
+            <translation>En avlastning under varje huvud som bär för mycket; inga hårda kanter.</translation>
         </message>
         <message>
             <source>A shift fits one distance; calibrate depth to colour to be right at all.</source>
@@ -102,6 +122,10 @@
         <message>
             <source>A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres ({low_mm:g} to {high_mm:g}).</source>
             <translation>En ruta på {square_mm:g} mm är inte möjlig; mät dess sida och ange den i millimeter ({low_mm:g} till {high_mm:g}).</translation>
+        </message>
+        <message>
+            <source>A stiff shell; the arch lower than usual.</source>
+            <translation>Ett styvt skal; valvet lägre än vanligt.</translation>
         </message>
         <message>
             <source>A variant needs a name; type one.</source>
@@ -124,8 +148,16 @@
             <translation>akillesaxeln mot skanningens lodlinje; &gt; 0 lutar medialt</translation>
         </message>
         <message>
+            <source>Added: {correction}, {values}</source>
+            <translation>Nytt: {correction}, {values}</translation>
+        </message>
+        <message>
             <source>Adding pads</source>
             <translation>Lägger till pelotter</translation>
+        </message>
+        <message>
+            <source>Ahead of the toes</source>
+            <translation>Framför tårna</translation>
         </message>
         <message>
             <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
@@ -134,6 +166,18 @@
         <message>
             <source>Another capture is to be written to {path}; wait until it has ended, or choose another name.</source>
             <translation>En annan avbildning ska skrivas till {path}; vänta tills den är klar, eller välj ett annat namn.</translation>
+        </message>
+        <message>
+            <source>Arch fill</source>
+            <translation>Valvfyllnad</translation>
+        </message>
+        <message>
+            <source>Around the heel</source>
+            <translation>Runt hälen</translation>
+        </message>
+        <message>
+            <source>As scanned</source>
+            <translation>Som skannad</translation>
         </message>
         <message>
             <source>At least three points are needed to place one frame in another, but only {count} were given.</source>
@@ -148,8 +192,40 @@
             <translation>Tar medel av bilderna i vyn {view}</translation>
         </message>
         <message>
+            <source>Bar of 1 to 5; little fill.</source>
+            <translation>Stav på 1 till 5; lite fyllnad.</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation>Bas</translation>
+        </message>
+        <message>
+            <source>Base layer</source>
+            <translation>Baslager</translation>
+        </message>
+        <message>
+            <source>Beside the ball</source>
+            <translation>Bredvid trampdynan</translation>
+        </message>
+        <message>
             <source>Between {low_mm:.0f} and {high_mm:.0f} mm the distances are met within {error_mm:.1f} mm.</source>
             <translation>Mellan {low_mm:.0f} och {high_mm:.0f} mm träffas avstånden inom {error_mm:.1f} mm.</translation>
+        </message>
+        <message>
+            <source>Blend at the arch</source>
+            <translation>Övergång vid valvet</translation>
+        </message>
+        <message>
+            <source>Blend at the forefoot</source>
+            <translation>Övergång vid framfoten</translation>
+        </message>
+        <message>
+            <source>Blend at the heel</source>
+            <translation>Övergång vid hälen</translation>
+        </message>
+        <message>
+            <source>Body weight</source>
+            <translation>Kroppsvikt</translation>
         </message>
         <message>
             <source>Calibrating without {capture}</source>
@@ -164,8 +240,20 @@
             <translation>Avbildar vy {views}</translation>
         </message>
         <message>
+            <source>Cavus foot</source>
+            <translation>Hålfot</translation>
+        </message>
+        <message>
             <source>ChArUco {columns}×{rows}, square {square_mm:g} mm, marker {marker_mm:g} mm, {dictionary}</source>
             <translation>ChArUco {columns}×{rows}, ruta {square_mm:g} mm, markör {marker_mm:g} mm, {dictionary}</translation>
+        </message>
+        <message>
+            <source>Chamfer</source>
+            <translation>Fas</translation>
+        </message>
+        <message>
+            <source>Changed: {correction}, {before} → {after}</source>
+            <translation>Ändrat: {correction}, {before} → {after}</translation>
         </message>
         <message>
             <source>Checking view {views}</source>
@@ -200,8 +288,28 @@
             <translation>Kork och EVA</translation>
         </message>
         <message>
+            <source>Cover</source>
+            <translation>Överdrag</translation>
+        </message>
+        <message>
+            <source>Cup of 20 or more, rearfoot post.</source>
+            <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
+        </message>
+        <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Inlägg</translation>
+        </message>
+        <message>
+            <source>Diabetes with loss of sensation</source>
+            <translation>Diabetes med känselbortfall</translation>
+        </message>
+        <message>
+            <source>Diabetic, full length</source>
+            <translation>Diabetes, hel längd</translation>
         </message>
         <message>
             <source>Drawing the difference</source>
@@ -210,6 +318,14 @@
         <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
+        </message>
+        <message>
+            <source>Drawn outline</source>
+            <translation>Ritad kontur</translation>
+        </message>
+        <message>
+            <source>Dress, three-quarter</source>
+            <translation>Finsko, trekvarts</translation>
         </message>
         <message>
             <source>EVA pair</source>
@@ -230,6 +346,14 @@
         <message>
             <source>EVA single, low</source>
             <translation>EVA enkel, låg</translation>
+        </message>
+        <message>
+            <source>EVA, full length</source>
+            <translation>EVA, hel längd</translation>
+        </message>
+        <message>
+            <source>Edge radius</source>
+            <translation>Kantradie</translation>
         </message>
         <message>
             <source>English sizes of 8.47 mm, with 15 mm before the toes</source>
@@ -272,6 +396,10 @@
             <translation>Söker väggen i {capture}</translation>
         </message>
         <message>
+            <source>Finishing rim and toe zone</source>
+            <translation>Formar kant och tåzon</translation>
+        </message>
+        <message>
             <source>Fitting both cameras to {count} boards</source>
             <translation>Passar båda kamerorna mot {count} bräden</translation>
         </message>
@@ -296,12 +424,56 @@
             <translation>Passar skevheten</translation>
         </message>
         <message>
+            <source>Flat</source>
+            <translation>Plan</translation>
+        </message>
+        <message>
+            <source>Flatfoot of a child</source>
+            <translation>Plattfot hos barn</translation>
+        </message>
+        <message>
             <source>Foot ready</source>
             <translation>Foten är klar</translation>
         </message>
         <message>
+            <source>Forefoot post</source>
+            <translation>Framfotskil</translation>
+        </message>
+        <message>
+            <source>Functional hallux limitus</source>
+            <translation>Funktionell hallux limitus</translation>
+        </message>
+        <message>
+            <source>Functional, three-quarter</source>
+            <translation>Funktionell, trekvarts</translation>
+        </message>
+        <message>
             <source>Give the known length in mm, between two different markers.</source>
             <translation>Ange den kända längden i mm, mellan två olika markörer.</translation>
+        </message>
+        <message>
+            <source>Greatest height</source>
+            <translation>Största höjd</translation>
+        </message>
+        <message>
+            <source>Grid</source>
+            <translation>Rutnät</translation>
+        </message>
+        <message>
+            <source>Hallux rigidus</source>
+            <translation>Hallux rigidus</translation>
+        </message>
+        <message>
+            <source>Heel and ball of this foot lie in an impossible order, so no form of the library can be laid on it; choose a base from the foot, or scan again.</source>
+            <translation>Fotens häl och trampdyna ligger i en omöjlig ordning, så ingen form ur biblioteket kan läggas på den; välj foten som bas eller skanna igen.</translation>
+        </message>
+        <message>
+            <source>Heel cup</source>
+            <translation>Hälskål</translation>
+        </message>
+        <message>
+            <source>Heel pitch</source>
+            <translation>Hälfall</translation>
         </message>
         <message>
             <source>Heel, 1st and 5th head lie on one line; put them in place.</source>
@@ -332,12 +504,40 @@
             <translation>Bedömer kartan</translation>
         </message>
         <message>
+            <source>Lateral draft</source>
+            <translation>Lateral släppning</translation>
+        </message>
+        <message>
+            <source>Lateral instability</source>
+            <translation>Lateral instabilitet</translation>
+        </message>
+        <message>
+            <source>Lateral rim, from heel to toes</source>
+            <translation>Lateral kant, från häl till tår</translation>
+        </message>
+        <message>
+            <source>Lateral skive of 2 to 3.</source>
+            <translation>Lateral skivning på 2 till 3.</translation>
+        </message>
+        <message>
             <source>Laying the grid over the sole</source>
             <translation>Lägger rutnätet över fotsulan</translation>
         </message>
         <message>
             <source>Leaving one wall out needs captures at {least} distances or more, but there are {count}; capture more.</source>
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
+        </message>
+        <message>
+            <source>Leg length discrepancy</source>
+            <translation>Benlängdsskillnad</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Längd</translation>
+        </message>
+        <message>
+            <source>Length of the taper</source>
+            <translation>Avsmalningens längd</translation>
         </message>
         <message>
             <source>Looking at both surfaces</source>
@@ -360,6 +560,14 @@
             <translation>Söker brädet på {capture}</translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation>Marginal</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
             <source>Measure the bar and the plate at one position at least.</source>
             <translation>Mät staven och plattan i minst ett läge.</translation>
         </message>
@@ -368,8 +576,32 @@
             <translation>Mäter skillnaden</translation>
         </message>
         <message>
+            <source>Medial draft</source>
+            <translation>Medial släppning</translation>
+        </message>
+        <message>
+            <source>Medial flange</source>
+            <translation>Medial fläns</translation>
+        </message>
+        <message>
+            <source>Medial rim, from heel to toes</source>
+            <translation>Medial kant, från häl till tår</translation>
+        </message>
+        <message>
+            <source>Metatarsalgia</source>
+            <translation>Metatarsalgi</translation>
+        </message>
+        <message>
             <source>Morton's extension</source>
             <translation>Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>Morton's neuroma, hammer toes</source>
+            <translation>Mortons neurom, hammartår</translation>
+        </message>
+        <message>
+            <source>Moved or reshaped: {correction}</source>
+            <translation>Flyttat eller omformat: {correction}</translation>
         </message>
         <message>
             <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
@@ -444,8 +676,16 @@
             <translation>Bara {share:.0%} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
         </message>
         <message>
+            <source>Outline</source>
+            <translation>Kontur</translation>
+        </message>
+        <message>
             <source>PA12, printed</source>
             <translation>PA12, utskriven</translation>
+        </message>
+        <message>
+            <source>Pad of 2 to 4.</source>
+            <translation>Pelott på 2 till 4.</translation>
         </message>
         <message>
             <source>Paris points of 6.67 mm, with 15 mm before the toes</source>
@@ -454,6 +694,10 @@
         <message>
             <source>Placing the view {view}</source>
             <translation>Placerar vyn {view}</translation>
+        </message>
+        <message>
+            <source>Plantar fasciitis with forefoot valgus</source>
+            <translation>Plantar fasciit med framfotsvalgus</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {views}</source>
@@ -480,12 +724,20 @@
             <translation>Läser {file}</translation>
         </message>
         <message>
+            <source>Rearfoot post</source>
+            <translation>Bakfotskil</translation>
+        </message>
+        <message>
             <source>Reducing the triangles</source>
             <translation>Minskar trianglarna</translation>
         </message>
         <message>
             <source>Refining the surface</source>
             <translation>Förfinar ytan</translation>
+        </message>
+        <message>
+            <source>Removed: {correction}</source>
+            <translation>Borttaget: {correction}</translation>
         </message>
         <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
@@ -504,12 +756,32 @@
             <translation>Sensor {serial} lutar {roll_deg:.0f}° åt sidan, vilket dess motor inte kan rätta; räta upp den för hand och ställ den vågrätt igen.</translation>
         </message>
         <message>
+            <source>Sesamoiditis</source>
+            <translation>Sesamoidit</translation>
+        </message>
+        <message>
             <source>Shaping the foot</source>
             <translation>Formar foten</translation>
         </message>
         <message>
+            <source>Shell layer</source>
+            <translation>Skallager</translation>
+        </message>
+        <message>
+            <source>Shoe size</source>
+            <translation>Skostorlek</translation>
+        </message>
+        <message>
             <source>Simulating view {name}</source>
             <translation>Simulerar vyn {name}</translation>
+        </message>
+        <message>
+            <source>Smoothing of skin folds</source>
+            <translation>Utjämning av hudveck</translation>
+        </message>
+        <message>
+            <source>Soft tissue expansion</source>
+            <translation>Mjukdelstillägg</translation>
         </message>
         <message>
             <source>Solving again without uneven walls</source>
@@ -522,6 +794,10 @@
         <message>
             <source>Something moved while view {view} was captured; hold the foot still and capture this view again.</source>
             <translation>Något rörde sig medan vyn {view} togs; håll foten stilla och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>Sport, full length</source>
+            <translation>Sport, hel längd</translation>
         </message>
         <message>
             <source>TPU, printed</source>
@@ -596,6 +872,10 @@
             <translation>Fallet har ingen sådan fot; öppna eller avbilda en först.</translation>
         </message>
         <message>
+            <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
+            <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
+        </message>
+        <message>
             <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>
             <translation>Sensorns färgkamera är inte kalibrerad ännu, så brädet på väggarna kan inte visa var de är; kalibrera den, och djup mot färg, först.</translation>
         </message>
@@ -664,6 +944,10 @@
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
         </message>
         <message>
+            <source>The finding "{finding}" proposes the pad {kind} {size}, and the pad library has none; choose another one in the clinic's findings.</source>
+            <translation>Fyndet "{finding}" föreslår pelotten {kind} {size}, som inte finns i pelottbiblioteket; välj en annan i klinikens fynd.</translation>
+        </message>
+        <message>
             <source>The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.</source>
             <translation>Brännvidden är {fx:.1f} / {fy:.1f} px, känd inom {error_px:.1f} px.</translation>
         </message>
@@ -686,6 +970,14 @@
         <message>
             <source>The forefoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
             <translation>Framfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
+        </message>
+        <message>
+            <source>The forefoot is {missing_mm:g} mm too thin for the rocker, which leaves {least_mm:g} mm of material; raise the thickness or lower the slope.</source>
+            <translation>Framfoten är {missing_mm:g} mm för tunn för rullsulan, som lämnar {least_mm:g} mm material; höj tjockleken eller minska lutningen.</translation>
+        </message>
+        <message>
+            <source>The form "{form}" is that of a foot of {form_mm:.0f} mm, and this one is {foot_mm:.0f} mm long; choose a form of about its length.</source>
+            <translation>Formen "{form}" är gjord för en fot på {form_mm:.0f} mm, och den här är {foot_mm:.0f} mm lång; välj en form av ungefär dess längd.</translation>
         </message>
         <message>
             <source>The front edge of the {pad} lies {distance_mm:.1f} mm ahead of the line of the heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.</source>
@@ -1064,6 +1356,14 @@
             <translation>Det finns redan en variant {name}; ge denna ett annat namn.</translation>
         </message>
         <message>
+            <source>There is no device "{name}"; choose one of {known}.</source>
+            <translation>Det finns inget inlägg "{name}"; välj ett av {known}.</translation>
+        </message>
+        <message>
+            <source>There is no finding "{name}"; choose one of {known}.</source>
+            <translation>Det finns inget fynd "{name}"; välj ett av {known}.</translation>
+        </message>
+        <message>
             <source>There is no folder {folder}; name the folder with the pictures.</source>
             <translation>Mappen {folder} finns inte; ange mappen med bilderna.</translation>
         </message>
@@ -1076,16 +1376,40 @@
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation>Tjocklek</translation>
+        </message>
+        <message>
+            <source>Thickness at the front edge</source>
+            <translation>Tjocklek vid framkanten</translation>
+        </message>
+        <message>
             <source>This design is for a {side} foot and the scan is of a {foot_side} one; open the matching scan or mirror the design.</source>
             <translation>Designen är för en {side} fot och skanningen är av en {foot_side}; öppna rätt skanning eller spegla designen.</translation>
+        </message>
+        <message>
+            <source>Tibialis posterior dysfunction, flexible</source>
+            <translation>Tibialis posterior-dysfunktion, flexibel</translation>
         </message>
         <message>
             <source>Tilting the sensor for view {view}</source>
             <translation>Lutar sensorn för vy {view}</translation>
         </message>
         <message>
+            <source>Toe line</source>
+            <translation>Tålinje</translation>
+        </message>
+        <message>
+            <source>Toe zone</source>
+            <translation>Tåzon</translation>
+        </message>
+        <message>
             <source>Too little of the solid is seen from above to check its {what}.</source>
             <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
+        </message>
+        <message>
+            <source>Trim line</source>
+            <translation>Klipplinje</translation>
         </message>
         <message>
             <source>Trimming the insole</source>
@@ -1106,6 +1430,22 @@
         <message>
             <source>Two points of the object have the same true position; correct the list.</source>
             <translation>Två punkter på föremålet har samma sanna läge; rätta listan.</translation>
+        </message>
+        <message>
+            <source>Two stations of the rim lie at the same place of the {border} edge, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
+            <translation>Två stationer på kanten ligger på samma ställe ({border}), den ena {height_mm:.1f} mm hög och den andra {other_mm:.1f} mm; ta bort en av dem.</translation>
+        </message>
+        <message>
+            <source>UCBL, child</source>
+            <translation>UCBL, barn</translation>
+        </message>
+        <message>
+            <source>Underside</source>
+            <translation>Undersida</translation>
+        </message>
+        <message>
+            <source>Up to 10 in the shoe; above 6.4 under the full sole, half of it at the heads.</source>
+            <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>
         <message>
             <source>View {views} is on the disk</source>
@@ -1134,6 +1474,14 @@
         <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
+        </message>
+        <message>
+            <source>Wide shell; cover to the toes.</source>
+            <translation>Brett skal; överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Wide shell; cup of 18 to 22.</source>
+            <translation>Brett skal; hälskål på 18 till 22.</translation>
         </message>
         <message>
             <source>Writing the file</source>
@@ -1204,8 +1552,16 @@
             <translation>den simulerade fotens valvhöjd (mm)</translation>
         </message>
         <message>
+            <source>arch raise</source>
+            <translation>valvhöjning</translation>
+        </message>
+        <message>
             <source>arch support</source>
             <translation>valvstöd</translation>
+        </message>
+        <message>
+            <source>as scanned</source>
+            <translation>som skannad</translation>
         </message>
         <message>
             <source>b of the depth</source>
@@ -1252,8 +1608,16 @@
             <translation>corrections måste vara en lista; sätt korrigeringarna i [ ].</translation>
         </message>
         <message>
+            <source>crest</source>
+            <translation>tåkam</translation>
+        </message>
+        <message>
             <source>cuboid raise</source>
             <translation>kuboidstöd</translation>
+        </message>
+        <message>
+            <source>cupped</source>
+            <translation>skålad</translation>
         </message>
         <message>
             <source>cut-out</source>
@@ -1288,12 +1652,24 @@
             <translation>sensorernas avstånd (mm)</translation>
         </message>
         <message>
+            <source>does not belong here: a device fits both feet; leave it out</source>
+            <translation>hör inte hit: ett inlägg passar båda fötterna; utelämna det</translation>
+        </message>
+        <message>
             <source>downwards</source>
             <translation>nedåt</translation>
         </message>
         <message>
+            <source>drawn</source>
+            <translation>ritad</translation>
+        </message>
+        <message>
             <source>drop</source>
             <translation>droppe</translation>
+        </message>
+        <message>
+            <source>edge {value}</source>
+            <translation>kant {value}</translation>
         </message>
         <message>
             <source>file name</source>
@@ -1320,6 +1696,10 @@
             <translation>utfyllnad för femte tån</translation>
         </message>
         <message>
+            <source>flat</source>
+            <translation>plan</translation>
+        </message>
+        <message>
             <source>flat pad</source>
             <translation>plan pelott</translation>
         </message>
@@ -1336,12 +1716,28 @@
             <translation>framfotsutfyllnad</translation>
         </message>
         <message>
+            <source>forefoot twist</source>
+            <translation>framfotsvridning</translation>
+        </message>
+        <message>
             <source>format must be "{format}"; this is no design of an insole.</source>
             <translation>format måste vara ”{format}”; detta är ingen design av ett inlägg.</translation>
         </message>
         <message>
             <source>free-hand pad</source>
             <translation>frihandspelott</translation>
+        </message>
+        <message>
+            <source>from the foot</source>
+            <translation>från foten</translation>
+        </message>
+        <message>
+            <source>from the shoe size</source>
+            <translation>från skostorleken</translation>
+        </message>
+        <message>
+            <source>full length</source>
+            <translation>hel längd</translation>
         </message>
         <message>
             <source>greatest width of the heel at 10 to 22 % of the length</source>
@@ -1354,6 +1750,10 @@
         <message>
             <source>has two feet of the same side</source>
             <translation>har två fötter av samma sida</translation>
+        </message>
+        <message>
+            <source>has {count} letters, but may have {most}</source>
+            <translation>har {count} bokstäver, men får ha {most}</translation>
         </message>
         <message>
             <source>has {count} markers, but a reference system has at most {most}</source>
@@ -1380,6 +1780,18 @@
             <translation>hälcentrum</translation>
         </message>
         <message>
+            <source>heel cup</source>
+            <translation>hälskål</translation>
+        </message>
+        <message>
+            <source>heel lift</source>
+            <translation>hälhöjning</translation>
+        </message>
+        <message>
+            <source>heel skive</source>
+            <translation>hälskivning</translation>
+        </message>
+        <message>
             <source>heel width of the simulated foot (mm)</source>
             <translation>den simulerade fotens hälbredd (mm)</translation>
         </message>
@@ -1388,8 +1800,16 @@
             <translation>hälsporreurtag</translation>
         </message>
         <message>
+            <source>heights_mm of form must have {rows} rows of {columns} heights, one for each station.</source>
+            <translation>heights_mm i form måste ha {rows} rader med {columns} höjder, en för varje station.</translation>
+        </message>
+        <message>
             <source>highest dorsal point at half of the foot length</source>
             <translation>högsta dorsala punkten vid halva fotlängden</translation>
+        </message>
+        <message>
+            <source>holds the weight of a body or the points of a trim line, which belong to one foot; leave them out</source>
+            <translation>innehåller en kroppsvikt eller punkterna på en klipplinje, som hör till en enda fot; utelämna dem</translation>
         </message>
         <message>
             <source>horseshoe</source>
@@ -1438,6 +1858,14 @@
         <message>
             <source>is no check; those are {check_names}</source>
             <translation>är ingen kontroll; kontrollerna är {check_names}</translation>
+        </message>
+        <message>
+            <source>is no key of a device; check its spelling or leave it out ({known} are known)</source>
+            <translation>är ingen nyckel för ett inlägg; kontrollera stavningen eller utelämna den ({known} är kända)</translation>
+        </message>
+        <message>
+            <source>is no key of a finding; check its spelling or leave it out</source>
+            <translation>är ingen nyckel för ett fynd; kontrollera stavningen eller utelämna den</translation>
         </message>
         <message>
             <source>is no rigid transform</source>
@@ -1568,6 +1996,10 @@
             <translation>större</translation>
         </message>
         <message>
+            <source>lateral</source>
+            <translation>lateral</translation>
+        </message>
+        <message>
             <source>laterally</source>
             <translation>lateralt</translation>
         </message>
@@ -1598,6 +2030,10 @@
         <message>
             <source>lower right</source>
             <translation>nere till höger</translation>
+        </message>
+        <message>
+            <source>medial</source>
+            <translation>medial</translation>
         </message>
         <message>
             <source>medially</source>
@@ -1856,6 +2292,14 @@
             <translation>formen</translation>
         </message>
         <message>
+            <source>posting</source>
+            <translation>kilning</translation>
+        </message>
+        <message>
+            <source>posts of shell holds two for one region; keep one of them.</source>
+            <translation>posts i shell har två för samma område; behåll en av dem.</translation>
+        </message>
+        <message>
             <source>pseudonym</source>
             <translation>Pseudonymen</translation>
         </message>
@@ -1866,6 +2310,14 @@
         <message>
             <source>pternion to the tip of the longest toe, along the foot axis</source>
             <translation>pternion till den längsta tåns spets, längs fotaxeln</translation>
+        </message>
+        <message>
+            <source>pull</source>
+            <translation>sänk</translation>
+        </message>
+        <message>
+            <source>push</source>
+            <translation>höj</translation>
         </message>
         <message>
             <source>px apart in the colour image</source>
@@ -1940,6 +2392,14 @@
             <translation>höger</translation>
         </message>
         <message>
+            <source>rim of finish has {count} stations, and may have {most}; remove some.</source>
+            <translation>rim i finish har {count} stationer och får ha {most}; ta bort några.</translation>
+        </message>
+        <message>
+            <source>rocker</source>
+            <translation>rullsula</translation>
+        </message>
+        <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
         </message>
@@ -1968,6 +2428,10 @@
             <translation>mindre</translation>
         </message>
         <message>
+            <source>smooth</source>
+            <translation>jämna</translation>
+        </message>
+        <message>
             <source>smooth map that varies with disparity</source>
             <translation>jämn karta som ändras med disparitet</translation>
         </message>
@@ -1994,6 +2458,18 @@
         <message>
             <source>strength{where} is {strength:g}, and for smoothing must be 0 to 1; 1 evens out all it can.</source>
             <translation>strength{where} är {strength:g}, och måste för utjämning vara 0 till 1; 1 jämnar ut allt den kan.</translation>
+        </message>
+        <message>
+            <source>stroke</source>
+            <translation>drag</translation>
+        </message>
+        <message>
+            <source>sulcus</source>
+            <translation>tåfåra</translation>
+        </message>
+        <message>
+            <source>switched off</source>
+            <translation>avstängd</translation>
         </message>
         <message>
             <source>tape round the foot through the two points of the ball</source>
@@ -2058,6 +2534,14 @@
         <message>
             <source>the foot is cut off at the {edges} edge of the depth picture; turn the sensor or move it back</source>
             <translation>foten är avskuren vid djupbildens kant ({edges}); vrid sensorn eller flytta den bakåt</translation>
+        </message>
+        <message>
+            <source>the form {form}</source>
+            <translation>formen {form}</translation>
+        </message>
+        <message>
+            <source>the form {form}, {percent:g} % from the foot</source>
+            <translation>formen {form}, {percent:g} % från foten</translation>
         </message>
         <message>
             <source>the heel or the medial side of the ball was not scanned</source>
@@ -2172,6 +2656,10 @@
             <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
+            <source>three-quarter</source>
+            <translation>trekvarts</translation>
+        </message>
+        <message>
             <source>to the left</source>
             <translation>åt vänster</translation>
         </message>
@@ -2252,6 +2740,14 @@
             <translation>du får inte skriva där; välj en annan plats eller be om behörighet</translation>
         </message>
         <message>
+            <source>{angle} lateral</source>
+            <translation>{angle} lateralt</translation>
+        </message>
+        <message>
+            <source>{angle} medial</source>
+            <translation>{angle} medialt</translation>
+        </message>
+        <message>
             <source>{archive} holds the path "{file}", which leads out of the archive; do not use this file.</source>
             <translation>{archive} innehåller sökvägen ”{file}”, som leder ut ur arkivet; använd inte denna fil.</translation>
         </message>
@@ -2314,6 +2810,10 @@
         <message>
             <source>{columns}×{rows} inner corners, square {square_mm:g} mm</source>
             <translation>{columns}×{rows} inre hörn, ruta {square_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>{count:g} places</source>
+            <translation>{count:g} punkter</translation>
         </message>
         <message>
             <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
@@ -2388,6 +2888,10 @@
             <translation>{file}: {key} {problem}.</translation>
         </message>
         <message>
+            <source>{file}: {place} {reason}</source>
+            <translation>{file}: {place} {reason}</translation>
+        </message>
+        <message>
             <source>{file}: {place}design: {reason}</source>
             <translation>{file}: {place}design: {reason}</translation>
         </message>
@@ -2452,6 +2956,26 @@
             <translation>{given} avstånd är angivna, men {folder} innehåller {count} tagningar; ange ett avstånd för var och en, i namnens ordning.</translation>
         </message>
         <message>
+            <source>{heights} mm</source>
+            <translation>{heights} mm</translation>
+        </message>
+        <message>
+            <source>{heights} mm over the foot</source>
+            <translation>{heights} mm över foten</translation>
+        </message>
+        <message>
+            <source>{heights} mm over the toes</source>
+            <translation>{heights} mm över tårna</translation>
+        </message>
+        <message>
+            <source>{key} of form has {count} stations, and must have {least} to {most}; add or remove some.</source>
+            <translation>{key} i form har {count} stationer och måste ha {least} till {most}; lägg till eller ta bort några.</translation>
+        </message>
+        <message>
+            <source>{key} of form must increase; put its stations in order.</source>
+            <translation>{key} i form måste stiga; ordna stationerna.</translation>
+        </message>
+        <message>
             <source>{key}{where} has {count} places, and must have {least} to {most}; draw it again.</source>
             <translation>{key}{where} har {count} platser, och måste ha {least} till {most}; rita den igen.</translation>
         </message>
@@ -2474,6 +2998,10 @@
         <message>
             <source>{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} mm, and {allowed_mm:g} mm are allowed; allow more triangles or more deviation.</source>
             <translation>{limit} trianglar är för få för denna kropp: {count} avviker {deviation_mm:.3f} mm, och {allowed_mm:g} mm är tillåtet; tillåt fler trianglar eller större avvikelse.</translation>
+        </message>
+        <message>
+            <source>{list}[{number}]</source>
+            <translation>{list}[{number}]</translation>
         </message>
         <message>
             <source>{markers} excluded</source>
@@ -2606,6 +3134,10 @@
         <message>
             <source>{path} cannot be read: {reason}; export it again.</source>
             <translation>{path} kan inte läsas: {reason}; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be removed ({reason}); check that you may write there.</source>
+            <translation>{path} kan inte tas bort ({reason}); kontrollera att du får skriva där.</translation>
         </message>
         <message>
             <source>{path} cannot be written: the disk is full; free some space and try again.</source>
@@ -2900,8 +3432,40 @@
             <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
         </message>
         <message>
+            <source>{value:g}</source>
+            <translation>{value:g}</translation>
+        </message>
+        <message>
+            <source>{value:g} {unit}</source>
+            <translation>{value:g} {unit}</translation>
+        </message>
+        <message>
             <source>{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
             <translation>{value:g} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
+        </message>
+        <message>
+            <source>{value:g}°</source>
+            <translation>{value:g}°</translation>
+        </message>
+        <message>
+            <source>{value} at the forefoot</source>
+            <translation>{value} i framfoten</translation>
+        </message>
+        <message>
+            <source>{value} at the rearfoot</source>
+            <translation>{value} i bakfoten</translation>
+        </message>
+        <message>
+            <source>{value} behind the heads</source>
+            <translation>{value} bakom huvudena</translation>
+        </message>
+        <message>
+            <source>{value} long</source>
+            <translation>{value} lång</translation>
+        </message>
+        <message>
+            <source>{value} over the floor</source>
+            <translation>{value} över golvet</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>
@@ -2910,6 +3474,10 @@
         <message>
             <source>{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of that range.</source>
             <translation>{what} är {value:g}, och måste vara {least} till {most} {unit}; ange ett värde i det området.</translation>
+        </message>
+        <message>
+            <source>{what}: {before} → {after}</source>
+            <translation>{what}: {before} → {after}</translation>
         </message>
         <message>
             <source>{where} has the key "{key}", which this version does not know; check its spelling or leave it out.</source>
@@ -2934,6 +3502,14 @@
         <message>
             <source>{where} must be a JSON object, with keys and values in {{ }}.</source>
             <translation>{where} måste vara ett JSON-objekt, med nycklar och värden i {{ }}.</translation>
+        </message>
+        <message>
+            <source>{where} must be a list of numbers; put them in [ ].</source>
+            <translation>{where} måste vara en lista med tal; sätt dem inom [ ].</translation>
+        </message>
+        <message>
+            <source>{where} must be a list of objects; put them in [ ].</source>
+            <translation>{where} måste vara en lista med objekt; sätt dem inom [ ].</translation>
         </message>
         <message>
             <source>{where} must be a list of places, each two numbers in [ ].</source>

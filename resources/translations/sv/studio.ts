@@ -204,6 +204,10 @@
             <translation>Börjar vid</translation>
         </message>
         <message>
+            <source>Behind the heads</source>
+            <translation>Bakom huvudena</translation>
+        </message>
+        <message>
             <source>Born</source>
             <translation>Född</translation>
         </message>
@@ -340,6 +344,10 @@
             <translation>Bekräfta landmärkena</translation>
         </message>
         <message>
+            <source>Contact</source>
+            <translation>Kontaktyta</translation>
+        </message>
+        <message>
             <source>Contour lines</source>
             <translation>Höjdkurvor</translation>
         </message>
@@ -370,6 +378,10 @@
         <message>
             <source>Cut the insole anywhere and read its thickness. Then export: Ctrl+E.</source>
             <translation>Snitta inlägget var som helst och läs av tjockleken. Exportera sedan: Ctrl+E.</translation>
+        </message>
+        <message>
+            <source>Cut the insole where the pointer is, and show the heights there</source>
+            <translation>Snitta inlägget där pekaren är, och visa höjderna där</translation>
         </message>
         <message>
             <source>Cut-out</source>
@@ -414,6 +426,10 @@
         <message>
             <source>Distance of the highest place from the foot axis; &gt; 0 is medial</source>
             <translation>Högsta punktens avstånd från fotaxeln; &gt; 0 är medialt</translation>
+        </message>
+        <message>
+            <source>Distance of the line behind heads 1 and 5; &lt; 0 is ahead of them</source>
+            <translation>Linjens avstånd bakom huvud 1 och 5; &lt; 0 är framför dem</translation>
         </message>
         <message>
             <source>Distance of the points that the surface is computed at</source>
@@ -538,6 +554,10 @@
         <message>
             <source>Draw the outline of a pad round its place, in one go</source>
             <translation>Rita konturen av en pelott runt dess plats, i ett drag</translation>
+        </message>
+        <message>
+            <source>Draw the outline of a usual shoe of this size, with the height of its heel</source>
+            <translation>Rita konturen av en vanlig sko i denna storlek, med klackens höjd</translation>
         </message>
         <message>
             <source>Drawn</source>
@@ -780,6 +800,14 @@
             <translation>Hälhöjning</translation>
         </message>
         <message>
+            <source>Heel lift {mm:.1f} mm</source>
+            <translation>Hälhöjning {mm:.1f} mm</translation>
+        </message>
+        <message>
+            <source>Heel of the shoe {mm:.1f} mm</source>
+            <translation>Skons klack {mm:.1f} mm</translation>
+        </message>
+        <message>
             <source>Heel skive</source>
             <translation>Hälskivning</translation>
         </message>
@@ -956,6 +984,10 @@
             <translation>Låt denna sensors lampa blinka</translation>
         </message>
         <message>
+            <source>Let the underside rise ahead of a line along the heads</source>
+            <translation>Låt undersidan stiga framför en linje längs huvudena</translation>
+        </message>
+        <message>
             <source>Level</source>
             <translation>Räta upp</translation>
         </message>
@@ -964,12 +996,20 @@
             <translation>Räta upp sensorn med dess accelerometer</translation>
         </message>
         <message>
+            <source>Light from the side</source>
+            <translation>Släpljus</translation>
+        </message>
+        <message>
             <source>Light text on a dark ground</source>
             <translation>Ljus text på mörk botten</translation>
         </message>
         <message>
-            <source>Lines of equal height, a millimetre apart</source>
-            <translation>Linjer med lika höjd, en millimeter isär</translation>
+            <source>Light the insole from the side, so that bumps and hollows show</source>
+            <translation>Belys inlägget från sidan, så att upphöjningar och gropar syns</translation>
+        </message>
+        <message>
+            <source>Lines of equal height on the contact surface, a millimetre apart</source>
+            <translation>Linjer med lika höjd på kontaktytan, en millimeter isär</translation>
         </message>
         <message>
             <source>Linked views</source>
@@ -1184,6 +1224,10 @@
             <translation>Kontur</translation>
         </message>
         <message>
+            <source>Outline of a shoe EU {size:g}</source>
+            <translation>Kontur av en sko EU {size:g}</translation>
+        </message>
+        <message>
             <source>Oval pad</source>
             <translation>Oval pelott</translation>
         </message>
@@ -1218,6 +1262,10 @@
         <message>
             <source>Plantar</source>
             <translation>Plantart</translation>
+        </message>
+        <message>
+            <source>Point at the insole or the foot to cut the insole there</source>
+            <translation>Peka på inlägget eller foten för att snitta inlägget där</translation>
         </message>
         <message>
             <source>Point {number}</source>
@@ -1380,8 +1428,8 @@
             <translation>Avlastning, femte tån</translation>
         </message>
         <message>
-            <source>Relief, base of the 5th metatarsal</source>
-            <translation>Avlastning, femte metatarsalbenets bas</translation>
+            <source>Relief, base of the 5th</source>
+            <translation>Avlastning, femte metatarsalbasen</translation>
         </message>
         <message>
             <source>Remove</source>
@@ -1418,6 +1466,10 @@
         <message>
             <source>Right foot</source>
             <translation>Höger fot</translation>
+        </message>
+        <message>
+            <source>Rocker</source>
+            <translation>Rullsula</translation>
         </message>
         <message>
             <source>Save</source>
@@ -1458,6 +1510,10 @@
         <message>
             <source>Section</source>
             <translation>Snitt</translation>
+        </message>
+        <message>
+            <source>Section follows the pointer</source>
+            <translation>Snittet följer pekaren</translation>
         </message>
         <message>
             <source>Semi weight-bearing</source>
@@ -1520,6 +1576,10 @@
             <translation>Skal</translation>
         </message>
         <message>
+            <source>Shoe outline</source>
+            <translation>Skokontur</translation>
+        </message>
+        <message>
             <source>Shoe size</source>
             <translation>Skostorlek</translation>
         </message>
@@ -1566,6 +1626,10 @@
         <message>
             <source>Slope</source>
             <translation>Lutning</translation>
+        </message>
+        <message>
+            <source>Slope of the underside ahead of the line</source>
+            <translation>Undersidans lutning framför linjen</translation>
         </message>
         <message>
             <source>Slope of the wedge against the ground</source>
@@ -1816,6 +1880,10 @@
             <translation>Vrid vyn; klicka på en pelott för att välja den</translation>
         </message>
         <message>
+            <source>Underside</source>
+            <translation>Undersida</translation>
+        </message>
+        <message>
             <source>Undo</source>
             <translation>Ångra</translation>
         </message>
@@ -1932,6 +2000,10 @@
             <translation>med.</translation>
         </message>
         <message>
+            <source>not measured</source>
+            <translation>inte uppmätt</translation>
+        </message>
+        <message>
             <source>not scanned</source>
             <translation>inte skannat</translation>
         </message>
@@ -1957,7 +2029,7 @@
         </message>
         <message>
             <source>{depth} mm deep</source>
-            <translation>{depth} mm djup</translation>
+            <translation>djup {depth} mm</translation>
         </message>
         <message>
             <source>{fps:.0f} frames/s, {lost} lost</source>

@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.plane_section import boundary_crossings, section_segments
+from insole_core.geometry.plane_section import (
+    ParallelSections,
+    boundary_crossings,
+    section_segments,
+)
 
 TETRAHEDRON = TriangleMesh(
     np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 6.0, 0.0], [0.0, 0.0, 8.0]]),
@@ -57,3 +61,11 @@ def test_the_boundary_of_an_open_mesh_crosses_the_plane_where_its_section_ends()
     points = section_segments(opened, origin, up).reshape(-1, 3)
     for end in ends:
         assert (np.linalg.norm(points - end, axis=1) < 1e-9).sum() == 1
+
+
+def test_parallel_sections_are_those_of_single_planes() -> None:
+    normal = np.array([1.0, 2.0, 2.0]) / 3
+    sections = ParallelSections(TETRAHEDRON, normal)
+    for origin in np.array([[1.0, 1.0, 1.0], [0.2, 0.1, 0.3], [0.0, 0.0, 7.0], [9.0, 9.0, 9.0]]):
+        single = section_segments(TETRAHEDRON, origin, normal)
+        np.testing.assert_allclose(sections.through(origin), single, atol=1e-12)

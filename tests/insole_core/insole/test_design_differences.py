@@ -70,28 +70,28 @@ ONE_LINE = [
         replace(PLAIN, shell=Shell(posts=(Post(angle_deg=4, length_mm=60),))),
         "Rearfoot post: none → 4° medial, 60 mm long, edge 4 mm",
     ),
-    (PLAIN, PLAIN.with_added(PAD), "Pelott: added, 4 mm, 60 mm long"),
-    (PLAIN.with_added(PAD), PLAIN, "Pelott: removed"),
+    (PLAIN, PLAIN.with_added(PAD), "Added: pelott, 4 mm, 60 mm long"),
+    (PLAIN.with_added(PAD), PLAIN, "Removed: pelott"),
     (
         PLAIN.with_added(PAD),
         PLAIN.with_added(replace(PAD, height_mm=6)),
-        "Pelott: 4 mm, 60 mm long → 6 mm, 60 mm long",
+        "Changed: pelott, 4 mm, 60 mm long → 6 mm, 60 mm long",
     ),
     (
         PLAIN.with_added(PAD),
         PLAIN.with_added(replace(PAD, centre_mm=(3, 0))),
-        "Pelott: moved or reshaped",
+        "Moved or reshaped: pelott",
     ),
     (
         PLAIN,
         PLAIN.with_added(Posting(rearfoot_deg=4, forefoot_deg=-2)),
-        "Posting: added, 4° medial at the rearfoot, 2° lateral at the forefoot",
+        "Added: posting, 4° medial at the rearfoot, 2° lateral at the forefoot",
     ),
-    (PLAIN, PLAIN.with_added(HeelSkive(depth_mm=3)), "Heel skive: added, medial, 3 mm"),
+    (PLAIN, PLAIN.with_added(HeelSkive(depth_mm=3)), "Added: heel skive, medial, 3 mm"),
     (
         PLAIN.with_added(PAD),
         PLAIN.with_added(replace(PAD, enabled=False)),
-        "Pelott: 4 mm, 60 mm long → 4 mm, 60 mm long, switched off",
+        "Changed: pelott, 4 mm, 60 mm long → 4 mm, 60 mm long, switched off",
     ),
 ]
 

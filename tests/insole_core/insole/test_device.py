@@ -7,7 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import pytest
+from referencing import Registry, Resource
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
@@ -143,6 +145,28 @@ BAD = [
     (with_design(shell={"trim_mm": [[1, 2], [3, 4]]}), "design.shell .* belong to one foot"),
     ([], "one JSON object"),
 ]
+
+
+FORMATS = Path(__file__).parents[3] / "docs" / "formats"
+SCHEMAS = [
+    json.loads((FORMATS / f"{n}.schema.json").read_text("utf-8")) for n in ("device", "design")
+]
+VALIDATOR = jsonschema.Draft202012Validator(
+    {**SCHEMAS[0], "$id": "device.schema.json"},
+    registry=Registry().with_resource("design.schema.json", Resource.from_contents(SCHEMAS[1])),
+)
+
+
+@pytest.mark.parametrize("path", DEVICES, ids=lambda path: path.stem)
+def test_the_devices_obey_the_schema(path: Path):
+    VALIDATOR.validate(content(path.stem))
+    VALIDATOR.validate(json.loads(json.dumps(device_to_json(read_device(path)))))
+
+
+@pytest.mark.parametrize(("bad", "sentence"), BAD, ids=[sentence for _, sentence in BAD])
+def test_the_schema_refuses_what_the_reader_refuses(bad: Any, sentence: str):
+    if sentence != "1 to 60 characters":  # which characters count is more than a schema says
+        assert not VALIDATOR.is_valid(bad)
 
 
 @pytest.mark.parametrize(("bad", "sentence"), BAD, ids=[sentence for _, sentence in BAD])

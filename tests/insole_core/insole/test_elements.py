@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from insole_core.foot.landmarks import HEADS, TOE_TIPS, Landmark, Landmarks
+from insole_core.foot.landmarks import HEADS, TOE_TIPS, Landmark
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.outline.outline_curve import inside_curve
@@ -34,7 +34,7 @@ LEFT_MM = {
 PADS = {pad.kind: pad for pad in load_pads()}
 
 
-def landmarks_of(side: Side) -> Landmarks:
+def landmarks_of(side: Side) -> dict[str, Landmark]:
     return {
         name: Landmark(np.array([side.medial_sign * x, y, 0.0]), 1.0)
         for name, (x, y) in LEFT_MM.items()
@@ -175,6 +175,13 @@ def test_a_toe_filler_reaches_from_ahead_of_the_head_to_the_tip(number: int) -> 
     assert height_at(pad, *head) == 0.0
 
 
+def test_a_filler_of_a_toe_that_ends_at_its_head_has_room() -> None:
+    stump = landmarks_of(Side.LEFT) | {"toe_tip_2": Landmark(np.array([6.0, 197.0, 0.0]), 1.0)}
+    pad = PADS["toe_filler_2"]
+    put = placed_pad(pad.template, pad.place, Side.LEFT, stump, 8.0)
+    assert (put.centre_mm, put.length_mm, put.turn_deg) == ((6.0, 194.0 + 12.0 + 10.0), 20.0, 0.0)
+
+
 def test_fillers_of_neighbouring_toes_make_one_level() -> None:
     third, fourth = laid("toe_filler_3"), laid("toe_filler_4")
     across = np.linspace(third.centre_mm, fourth.centre_mm, 200)
@@ -187,6 +194,19 @@ def test_a_forefoot_filler_begins_at_the_end_of_the_foot() -> None:
     pad = laid("forefoot_filler")
     assert pad_outline(pad)[:, 1].min() == pytest.approx(255.0, abs=1e-6)
     assert pad.centre_mm[0] == (26 - 37) / 2
+
+
+@pytest.mark.parametrize(
+    "pad",
+    [pad for pad in load_pads() if pad.kind != "arch_support"],  # its flat side ends at the flank
+    ids=lambda pad: pad.kind + pad.size,
+)
+def test_no_element_has_a_step_or_is_steeper_than_60_degrees(pad: LibraryPad) -> None:
+    put = placed_pad(pad.template, pad.place, Side.LEFT, landmarks_of(Side.LEFT), 8.0)
+    x, y = np.meshgrid(np.arange(-75, 75, 0.5), np.arange(-10, 325, 0.5))
+    heights = pad_heights(put, np.stack([x, y], axis=-1))
+    steps = (np.diff(heights, axis=0), np.diff(heights, axis=1))
+    assert max(np.abs(step).max() for step in steps) < 0.5 * np.tan(np.radians(60))
 
 
 def test_a_pelott_of_the_library_is_4_mm_high() -> None:

@@ -92,8 +92,8 @@ def test_lateral_instability_adds_skive_posting_and_post(right_foot):
     assert told[0] == "Heel cup: 12 mm → 16 mm"
     assert "Rearfoot post: none → 0°, edge 4 mm" in told
     assert told[-2:] == [
-        "Heel skive: added, lateral, 2.5 mm",
-        "Posting: added, 0° at the rearfoot, 3° lateral at the forefoot",
+        "Added: heel skive, lateral, 2.5 mm",
+        "Added: posting, 0° at the rearfoot, 3° lateral at the forefoot",
     ]
 
 

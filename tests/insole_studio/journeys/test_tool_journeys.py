@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from pointing import LEFT, drag, pixel
+from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScroller, QToolButton
+from pytestqt.qtbot import QtBot
 from round_foot import round_foot
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
-from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott
+from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott, Shell
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.bootstrap import Application
+from insole_studio.document.section_plane import SectionPlane
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.features.design.tools.metatarsal_line import clearance
@@ -289,6 +293,79 @@ def test_the_insole_is_seen_through_the_foot(opened: Application, foot: SceneVie
     assert plotter.actors["ghost"].bounds[5] >= high
     act(opened, "ghost")
     assert "ghost" not in plotter.actors
+
+
+def test_the_section_follows_the_pointer_and_tells_the_heights(
+    opened: Application, foot: SceneView, qtbot: QtBot
+) -> None:
+    stage = opened.stage
+    act(opened, "section_follows")
+    assert stage.section.isVisible()
+    assert "Point at" in stage.section._sentence
+    for y_mm in (60.0, 110.0):
+        QTest.mouseMove(foot.surface, pixel(foot, 10.0, y_mm))
+        qtbot.waitUntil(lambda y=y_mm: _cut_y(opened) == pytest.approx(y, abs=1.0))
+        contact = stage.preview.height_mm(10.0, y_mm)
+        told = dict(stage.section.legend())
+        assert float(told["Contact"]) == pytest.approx(contact, abs=0.3)
+        assert float(told["Foot"]) == pytest.approx(contact, abs=0.3)  # it stands on it
+        assert told["Underside"] == "0.0"
+    act(opened, "section_follows")
+    QTest.mouseMove(foot.surface, pixel(foot, 0.0, 180.0))
+    QTest.qWait(50)
+    assert _cut_y(opened) == pytest.approx(110.0, abs=1.0)  # it stays where it was left
+
+
+def test_the_section_does_not_follow_a_gesture(
+    opened: Application, foot: SceneView, qtbot: QtBot
+) -> None:
+    act(opened, "section_follows")
+    QTest.mouseMove(foot.surface, pixel(foot, 0.0, 60.0))
+    qtbot.waitUntil(lambda: _cut_y(opened) == pytest.approx(60.0, abs=1.0))
+    act(opened, "tool_pelott")
+    lead(foot, pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 0, 140))
+    QTest.qWait(50)
+    assert _cut_y(opened) == pytest.approx(60.0, abs=1.0)
+    QTest.mouseRelease(foot.surface, LEFT, pos=pixel(foot, 0, 140))
+
+
+def test_the_section_follows_within_a_frame(opened: Application) -> None:
+    act(opened, "section_follows")
+    seconds = []
+    for y_mm in np.arange(40.0, 200.0, 4.0):
+        start = time.process_time()
+        opened.stage._cut.show(SectionPlane((0.0, float(y_mm))))
+        seconds.append(time.process_time() - start)
+    assert np.median(seconds) < 0.06  # some 7 ms usually, of 16
+
+
+def _cut_y(app: Application) -> float | None:
+    plane = app.stage._cut.plane
+    return None if plane is None else plane.origin_mm[1]
+
+
+def test_the_outline_of_a_shoe_comes_and_goes(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    plotter = opened.stage.insole.scene.painter._plotter
+    act(opened, "shoe")
+    assert plotter.actors["shoe"].bounds[4] == 0.0
+    design = opened.case.record.design
+    assert design is not None
+    opened.case.apply(replace(design, shell=Shell(heel_pitch_mm=10.0)), "Pitch")
+    settle()
+    assert plotter.actors["shoe"].bounds[4] == pytest.approx(-10.0)
+    act(opened, "shoe")
+    assert "shoe" not in plotter.actors
+
+
+def test_light_from_the_side_comes_and_goes(opened: Application) -> None:
+    lights = opened.stage.insole.scene.painter._plotter.renderer.lights
+    ahead = [(light.position, light.intensity) for light in lights]
+    act(opened, "grazing_light")
+    assert [(light.position, light.intensity) for light in lights] != ahead
+    act(opened, "grazing_light")
+    assert [(light.position, light.intensity) for light in lights] == ahead
 
 
 def test_contours_and_wireframe_come_and_go(opened: Application) -> None:

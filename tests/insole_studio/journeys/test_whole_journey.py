@@ -17,7 +17,7 @@ from insole_core.workflows.foot_landmarks import metatarsal_line
 
 pytestmark = pytest.mark.slow
 
-MOST_ACTIONS = 12
+MOST_ACTIONS, MOST_FOR_A_DEVICE = 12, 6
 
 
 def test_the_standard_case_takes_few_actions(
@@ -63,4 +63,34 @@ def test_the_standard_case_takes_few_actions(
     assert design.thickness_mm == 4.0
     assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
     assert hands.actions <= MOST_ACTIONS
+    print(f"{hands.actions} actions")
+
+
+def test_a_finished_device_takes_six_actions(
+    hands: Hands, small_session: Path, tmp_path: Path
+) -> None:
+    """Device chosen, pelott placed, checked, exported."""
+    hands.studio.open(small_session)
+    case = hands.app.case
+    hands.choose("choose_device")
+    hands.pick_device("sport")
+    assert case.record.design is not None
+    assert case.record.design.device == "Sport, full length"
+
+    hands.choose("tool_pelott")
+    line = metatarsal_line(case.record)
+    assert line is not None
+    x, y, _ = line[1]
+    hands.click((x, y - 42.0))
+    hands.export(tmp_path / "insole.stl")
+
+    design = case.record.design
+    (pad,) = design.corrections
+    assert isinstance(pad, Pelott)
+    assert design.finish is not None
+    base = hands.app.stage.preview.base
+    assert base is not None
+    assert base.finished is not None, "what is exported has the designed rim"
+    assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
+    assert hands.actions <= MOST_FOR_A_DEVICE
     print(f"{hands.actions} actions")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ import pyvista as pv
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.contour_lines import ContourLines
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.painter import Painter, direction_words
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -114,6 +116,52 @@ def test_a_map_runs_from_dark_to_light(painter: Painter, plotter: Any, make_foot
         for y in (10.0, 240.0)
     )
     assert high.sum() > low.sum() + 100
+
+
+def test_contour_lines_are_drawn_and_labelled_from_above_only(
+    painter: Painter, plotter: Any, make_foot: Any
+) -> None:
+    mesh = make_foot(Side.LEFT).mesh.flipped()  # faces up, as a contact surface
+    painter.show_surface(mesh)
+    strong = np.array([[[-20.0, 120.0, 1.0], [20.0, 120.0, 1.0]]])
+    place = np.array([30.0, 40.0, 1.0])
+    lines = ContourLines(np.empty((0, 2, 3)), strong, ((place, "5"),))
+    box = mesh.bounds_mm
+    seen = look(fitted(ViewCamera(Preset.PLANTAR), box, SIZE), Subject.INSOLE, Side.LEFT, SIZE)
+    painter.aim(seen)
+    painter.show_contours(None)
+    without = pixels(plotter)
+    painter.show_contours(lines)
+    changed = np.argwhere(np.abs(pixels(plotter) - without).sum(axis=2) > 60)[:, ::-1]
+    from_line = np.abs(changed - seen.pixels_of(np.array([0.0, 120.0, 1.0]))[0])
+    from_label = np.abs(changed - seen.pixels_of(place)[0])
+    assert (from_line[:, 1] <= 2).sum() > 20
+    assert (from_label.max(axis=1) < 20).sum() > 5
+    assert ((from_line[:, 1] <= 2) | (from_label.max(axis=1) < 20)).all()
+    labels = next(actor for name, actor in plotter.actors.items() if "contour-labels" in name)
+    assert labels.visibility
+    painter.aim(look(fitted(ViewCamera(Preset.MEDIAL), box, SIZE), Subject.INSOLE, Side.LEFT, SIZE))
+    assert not labels.visibility
+
+
+def test_light_from_the_side_shades_a_slope(painter: Painter, plotter: Any, make_foot: Any) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    aim(painter, replace(mesh, colors=None))
+    painter.show_surface(replace(mesh, colors=None))
+    contrast = []
+    for on in (False, True):
+        painter.show_grazing_light(on)
+        skin = pixels(plotter)[150:250, 100:200].sum(axis=2) / 3
+        contrast.append(np.ptp(skin) / skin.mean())
+    assert contrast[1] > 1.5 * contrast[0]
+
+
+def test_what_has_no_value_is_grey(painter: Painter, plotter: Any, make_foot: Any) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    seen = aim(painter, mesh)
+    painter.show_surface(mesh, Coloring(np.full(len(mesh.vertices), np.nan), (0.0, 1.0), "Height"))
+    x, y = seen.pixels_of(np.array([-20.0, 200.0, 0.0]))[0].astype(int)
+    assert np.ptp(pixels(plotter)[y, x]) < 12
 
 
 def test_marks_appear_and_go(painter: Painter, plotter: Any, make_foot: Any) -> None:

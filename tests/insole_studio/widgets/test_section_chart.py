@@ -30,6 +30,29 @@ def test_it_measures_the_material(chart: SectionChart) -> None:
     assert chart.thickness_mm(50.0) is None
 
 
+SKIN = np.array([[[-30.0, 14.0], [10.0, 10.0]], [[-30.0, 90.0], [10.0, 90.0]]])
+
+
+def test_the_legend_tells_every_curve_at_a_place(chart: SectionChart) -> None:
+    ends = ("Lateral", "Medial")
+    chart.show_cut(TOP, BOTTOM, SKIN, ends, cover=TOP - [0.0, 2.0], at_mm=-20.0)
+    told = [("Foot", "13.0"), ("Contact", "10.0"), ("Cover", "8.0"), ("Underside", "0.0")]
+    assert chart.legend() == told
+    chart.show_cut(TOP, BOTTOM, SKIN, ends, at_mm=30.0)
+    assert chart.legend() == [("Foot", ""), ("Contact", "6.0"), ("Underside", "0.0")]
+    chart.show_cut(TOP, BOTTOM, SKIN, ends)
+    assert chart.legend() == [("Foot", ""), ("Contact", ""), ("Underside", "")]
+
+
+def test_the_pointer_over_the_chart_goes_before_the_place(chart: SectionChart) -> None:
+    chart.show_cut(TOP, BOTTOM, SKIN, ("Lateral", "Medial"), at_mm=-40.0)
+    assert chart.measured_mm == -40.0
+    QTest.mouseMove(chart, QPoint(190, 70))
+    QTest.qWait(10)
+    assert chart.measured_mm == pytest.approx(-4.0, abs=20.0)
+    assert chart.legend()[0] == ("Foot", f"{chart.skin_mm(chart.measured_mm):.1f}")
+
+
 def test_body_is_painted_and_the_pointer_adds_a_measure(chart: SectionChart) -> None:
     chart.show_sentence("Nothing yet")
     empty = chart.grab().toImage()

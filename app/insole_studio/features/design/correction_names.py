@@ -15,6 +15,7 @@ from insole_core.insole.prescription.design import (
     HeelSkive,
     Pelott,
     Posting,
+    Rocker,
 )
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.texts import localised, tr
@@ -38,6 +39,7 @@ _NAMES: dict[type[Correction], Callable[[], str]] = {
     HeelLift: lambda: tr("Heel lift"),
     ArchRaise: lambda: tr("Arch raise"),
     HeelCup: lambda: tr("Heel cup"),
+    Rocker: lambda: tr("Rocker"),
     BrushStroke: lambda: tr("Brush stroke"),
 }
 WORDS: dict[str, Callable[[], str]] = {
@@ -57,7 +59,15 @@ WORDS: dict[str, Callable[[], str]] = {
     "three_quarter": lambda: tr("Three-quarter"),
 }
 """Translated names of the values of choices in a prescription."""
-
+_OWN_WORDS: dict[tuple[str, str], Callable[[], str]] = {
+    ("over", "heel"): lambda: tr("Heel"),
+    ("over", "toes"): lambda: tr("Toe zone"),
+    ("over", "foot"): lambda: tr("The foot itself"),
+    ("toe_zone", "sulcus"): lambda: tr("Sulcus"),
+    ("toe_zone", "crest"): lambda: tr("Toe crest"),
+    ("toe_zone", "as_scanned"): lambda: tr("As scanned"),
+}
+"""Those of values that mean something else, or nothing, for another choice, by its name."""
 
 KIND_NAMES: dict[str, Callable[[], str]] = {
     "reverse_mortons_extension": lambda: tr("Reverse Morton's extension"),
@@ -69,7 +79,7 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
     "relief_head_3": lambda: tr("Relief, 3rd head"),
     "relief_head_4": lambda: tr("Relief, 4th head"),
     "relief_head_5": lambda: tr("Relief, 5th head"),
-    "relief_base_5": lambda: tr("Relief, base of the 5th metatarsal"),
+    "relief_base_5": lambda: tr("Relief, base of the 5th"),
     "cuboid_raise": lambda: tr("Cuboid raise"),
     "heel_spur_recess": lambda: tr("Heel-spur recess"),
     "relief_toe_1": lambda: tr("Relief, 1st toe"),
@@ -85,6 +95,11 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
     "forefoot_filler": lambda: tr("Forefoot filler"),
 }
 """Translated names of the kinds of pads that their shape does not name."""
+
+
+def word_of(choice: str, word: str) -> str:
+    """Return the name of a value of a choice."""
+    return _OWN_WORDS.get((choice, word), WORDS.get(word, lambda: word))()
 
 
 def pad_text(pad: LibraryPad) -> str:
@@ -129,8 +144,10 @@ def _numbers(correction: Correction) -> str:
     return _rise(correction)
 
 
-def _rise(correction: ArchRaise | HeelCup | HeelLift) -> str:
+def _rise(correction: ArchRaise | HeelCup | HeelLift | Rocker) -> str:
     """Write what a correction adds; of an arch with a target, the height that it reaches."""
+    if isinstance(correction, Rocker):
+        return f"{_plain(correction.slope_deg)}°"
     if isinstance(correction, ArchRaise) and correction.target_mm is not None:
         return tr("to {height} mm").format(height=_plain(correction.target_mm))
     height = correction.depth_mm if isinstance(correction, HeelCup) else correction.height_mm

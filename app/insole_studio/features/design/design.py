@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import SideBySide
 from insole_studio.features.design.actions.edit_actions import EditActions
@@ -19,6 +21,7 @@ from insole_studio.features.design.actions.prescription_actions import Prescript
 from insole_studio.features.design.actions.repeat_actions import RepeatActions
 from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
 from insole_studio.features.design.actions.variant_actions import VariantActions
+from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -40,6 +43,7 @@ class Design:
     side_by_side: SideBySideActions
     repeat: RepeatActions
     prescriber: PrescriberSetting
+    devices: DeviceActions
 
 
 def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
@@ -55,12 +59,15 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
         Whether to use the dark theme.
     """
     section, preview = SectionModel(), InsolePreview(case, jobs)
+    rim = RimModel(case, preview)
     pads, rules = load_pads(), load_rules()
-    tools = make_tools(section, pads, rules)
+    tools = make_tools(section, rim, pads, rules)
     return DesignStage(
         case=case,
         surface=preview,
+        foot_display=FootDisplay(case, jobs),
         section=section,
+        rim=rim,
         counterpart=SideBySide(case, jobs, preview.builder),
         tool_controller=ToolController(case, tools),
         pads=pads,
@@ -90,4 +97,7 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
         side_by_side=SideBySideActions(case, stage),
         repeat=RepeatActions(services, feet),
         prescriber=PrescriberSetting(services),
+        devices=DeviceActions(
+            services, stage.preview, stage.pads, stage.rules.pelott_usual_behind_heads_mm
+        ),
     )

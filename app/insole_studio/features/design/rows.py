@@ -44,7 +44,10 @@ class CorrectionRow:
 
 @dataclass(frozen=True)
 class FieldSpec:
-    """One editable number; `tip` says what it does."""
+    """One editable number; `tip` says what it does.
+
+    With a `slider`, the value can also be dragged, from `least` to `greatest`.
+    """
 
     key: str
     label: str
@@ -55,6 +58,7 @@ class FieldSpec:
     step: float
     decimals: int = 1
     tip: str = ""
+    slider: bool = False
 
 
 @dataclass(frozen=True)

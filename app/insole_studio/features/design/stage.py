@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QWidget
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.features.design.models.model_presenter import (
@@ -20,6 +22,8 @@ from insole_studio.features.design.models.model_presenter import (
     ModelPresenter,
 )
 from insole_studio.features.design.models.rear_lines import rear_lines
+from insole_studio.features.design.models.rim_presenter import RimPresenter
+from insole_studio.features.design.models.section_follower import SectionFollower
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
@@ -34,6 +38,7 @@ from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
 from insole_studio.texts import localised, tr
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.notice_bar import NoticeBar
+from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.widgets.typed_text import is_typing
@@ -48,13 +53,17 @@ class DesignStage(QObject):
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
     """Whether to show the section panel: a section exists, or its tool is chosen."""
+    rim_wanted = Signal(bool)
+    """Whether to show the graph of the rim: its tool is chosen."""
 
     def __init__(
         self,
         *,
         case: Case,
         surface: InsolePreview,
+        foot_display: FootDisplay,
         section: SectionModel,
+        rim: RimModel,
         counterpart: SideBySide,
         tool_controller: ToolController,
         pads: Sequence[LibraryPad],
@@ -69,6 +78,7 @@ class DesignStage(QObject):
         self.pads = pads
         self.rules = rules
         self._cut = section
+        self.rim_model = rim
         self.linked = True
         self.steps = StepStrip()
         self.patient = PatientView()
@@ -77,6 +87,7 @@ class DesignStage(QObject):
         self.notices = NoticeBar()
         self.parameters = ParametersView()
         self.section = SectionChart()
+        self.rim = RimChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
         self.foot_presenter = FootPresenter(
@@ -86,6 +97,7 @@ class DesignStage(QObject):
             section=section,
             tool_controller=tool_controller,
             counterpart=counterpart,
+            display=foot_display,
         )
         self.insole_presenter = InsolePresenter(
             self.insole,
@@ -114,6 +126,7 @@ class DesignStage(QObject):
             tool_controller,
             pads,
             rules,
+            rim=rim,
             request_action=self.action_requested.emit,
         )
         self._section_presenter = SectionPresenter(
@@ -123,9 +136,14 @@ class DesignStage(QObject):
             section=section,
             tool_controller=tool_controller,
         )
+        self._rim_presenter = RimPresenter(
+            self.rim, case=case, rim=rim, tool_controller=tool_controller
+        )
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
+            rim.selection_changed.connect(presenter.show_marks)
         self.insole.listed_chosen.connect(self.recent_chosen)
+        self.section_follower = SectionFollower(section, tool_controller, self)
         self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
         self._keeps_focus = False
@@ -136,19 +154,24 @@ class DesignStage(QObject):
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
         counterpart.failed.connect(self.insole.show_warning)
+        self._follow_changes(surface, section, rim)
+
+    def _follow_changes(self, surface: InsolePreview, section: SectionModel, rim: RimModel) -> None:
+        """Update what the stage itself shows, besides its panels."""
+        case, tool_changed = self._case, self._tool_controller.tool_changed
         case.leaving.connect(self._note_typing)
         case.opened.connect(self._fit_later)
         surface.changed.connect(self._fit_insole_once)
-        case.selection_changed.connect(self._show_hint)
-        case.changed.connect(self._show_hint)
-        case.preview_changed.connect(self._show_hint)
-        tool_controller.tool_changed.connect(self._show_hint)
-        tool_controller.tool_changed.connect(self._forget_highlight)
-        tool_controller.tool_changed.connect(self._show_rear)
-        case.changed.connect(self._forget_highlight)
+        for signal in (case.selection_changed, case.preview_changed, rim.selection_changed):
+            signal.connect(self._show_hint)
+        for signal in (tool_changed, case.changed):
+            signal.connect(self._show_hint)
+            signal.connect(self._forget_highlight)
+        for signal in (section.changed, tool_changed):
+            signal.connect(self._ask_for_section)
         section.changed.connect(self._show_hint)
-        section.changed.connect(self._ask_for_section)
-        tool_controller.tool_changed.connect(self._ask_for_section)
+        tool_changed.connect(self._show_rear)
+        tool_changed.connect(self._ask_for_rim)
 
     @property
     def panels(self) -> tuple[QWidget, ...]:
@@ -160,6 +183,7 @@ class DesignStage(QObject):
             self.insole,
             self.foot,
             self.parameters,
+            self.rim,
             self.section,
         )
 
@@ -224,6 +248,7 @@ class DesignStage(QObject):
         """Set the size at which handles are grabbed, for touch or for a mouse."""
         for view, _ in self._presenters.values():
             view.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
+        self.rim.set_touch(touch)
 
     def set_dark(self, dark: bool) -> None:
         """Change the colour scheme of the scenes."""
@@ -235,6 +260,7 @@ class DesignStage(QObject):
     def clear(self) -> None:
         """Take away what is shown of the case, and what was chosen for looking at it."""
         self._tool_controller.reset()
+        self.section_follower.stop()
         self._cut.show(None)
         self._forget_highlight()
         for view, presenter in self._presenters.values():
@@ -247,6 +273,7 @@ class DesignStage(QObject):
 
     def close(self) -> None:
         """Free the renderers."""
+        self.section_follower.stop()
         for view, _ in self._presenters.values():
             view.scene.close_scene()
 
@@ -339,8 +366,11 @@ class DesignStage(QObject):
             view.show_scale()
 
     def _ask_for_section(self) -> None:
-        wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
-        self.section_wanted.emit(wanted)
+        is_tool = self._tool_controller.tool.key == "section"
+        self.section_wanted.emit(self._cut.plane is not None or self._cut.follows or is_tool)
+
+    def _ask_for_rim(self) -> None:
+        self.rim_wanted.emit(self._tool_controller.tool.key == "rim")
 
     def _show_hint(self) -> None:
         hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""
@@ -348,6 +378,7 @@ class DesignStage(QObject):
 
     def _point(self, event: PointerEvent) -> None:
         self.pointed.emit(_describe(event))
+        self.section_follower.point(event)
         view, _ = self._presenters[event.subject]
         grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
         if grabbed is not None and not self._tool_controller.is_busy:

@@ -36,7 +36,7 @@ from insole_studio.features.foot.rows import (
     view_row,
 )
 from insole_studio.jobs import JobProgress, Jobs
-from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.coloring import Coloring, on_display
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
 
@@ -228,15 +228,16 @@ class FootStagePresenter:
         work, opened, limits = self._work, self._work.opened, self._limits
         self._trouble = ""
 
+        def tell(made: MadeFoot) -> None:
+            _prepare_display(made)
+            self._jobs.tell(lambda: self._take_preview(work, made))
+
         def task(progress: Progress) -> MadeFoot:
-            return make_foot(
-                opened,
-                limits,
-                progress,
-                on_preview=lambda made: self._jobs.tell(lambda: self._take_preview(work, made)),
-                compare_views=True,
-                force=force,
+            made = make_foot(
+                opened, limits, progress, on_preview=tell, compare_views=True, force=force
             )
+            _prepare_display(made)
+            return made
 
         self._jobs.start(MAKING, task, self._take_foot, self._take_trouble)
         self._show_buttons()
@@ -378,7 +379,8 @@ class FootStagePresenter:
         if self._map is FootMap.VIEWS:
             self._show_view_meshes()
         elif self._made is not None:
-            self._panel.show_foot(self._made.mesh, color_foot(self._map, self._made))
+            coloring = color_foot(self._map, self._made)
+            self._panel.show_foot(*on_display(self._made.display_surface(), coloring))
 
     def _possible_maps(self) -> list[FootMap]:
         if self._made is None:
@@ -435,6 +437,12 @@ class FootStagePresenter:
                 has_session=self._work is not None,
             )
         )
+
+
+def _prepare_display(made: MadeFoot) -> None:
+    """Compute in the job what this window shows, and what the design stage shows next."""
+    made.display_surface()
+    made.scan.foot.display_surface()
 
 
 def _shown(limits: RegistrationLimits) -> Limits:

@@ -23,6 +23,7 @@ from insole_core.insole.prescription.design import (
     Outline,
     Pelott,
     Posting,
+    Rocker,
 )
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.correction_names import describe
@@ -44,7 +45,7 @@ FREE_PAD = Pelott(
 PARTS = (
     PAD, FREE_PAD, Posting(rearfoot_deg=4.0), ForefootTwist(angle_deg=-2.0), HeelSkive(),
     HeelLift(),
-    ArchRaise(apex_mm=(20.0, 110.0)), HeelCup(), BrushStroke(points_mm=((0.0, 50.0),)),
+    ArchRaise(apex_mm=(20.0, 110.0)), HeelCup(), Rocker(), BrushStroke(points_mm=((0.0, 50.0),)),
     InsoleDesign(Side.RIGHT), Layers(), Outline(source="shoe_size", shoe_size_eu=42.0),
 )  # fmt: skip
 OF_THE_PROGRAM = ("sigma", "egg", "blend", "apex", " x", " y")
@@ -127,6 +128,13 @@ def test_the_zone_of_a_posting_is_typed_in_per_cent_under_expert(opened: Applica
         (replace(PAD, height_mm=4.96), "Pelott 5 mm (60 × 40)"),
         (ForefootTwist(angle_deg=-3.0), "Forefoot twist 3° lateral"),
         (Posting(rearfoot_deg=-9.2, forefoot_deg=0.01), "Posting 9.2° lateral / 0°"),
+        (ArchRaise(target_mm=28.04), "Arch raise to 28 mm"),
+        (
+            replace(PAD, shape="cut_out", kind="relief_toe_2", height_mm=-2.0),
+            "Relief, 2nd toe 2 mm deep (60 × 40)",
+        ),
+        (replace(PAD, kind="felt_pad", height_mm=3.0), "felt pad 3 mm (60 × 40)"),
+        (Rocker(slope_deg=8.0), "Rocker 8°"),
     ],
 )
 def test_the_list_has_the_precision_of_the_fields_and_no_signs(correction: Any, text: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,9 @@ from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.document.side_by_side import SideBySide
 from insole_studio.features.design.models.model_presenter import FootPresenter, InsolePresenter
@@ -48,6 +51,8 @@ class MockView:
         self.can_move = False
         for name in (
             "field_edited",
+            "field_moved",
+            "move_cancelled",
             "side_chosen",
             "variant_chosen",
             "proposal_chosen",
@@ -67,7 +72,7 @@ class MockView:
         if name not in ("clear", "forget_typed") and not name.startswith("show_"):
             raise AttributeError(name)
 
-        def show(*arguments: Any) -> None:
+        def show(*arguments: Any, **_named: Any) -> None:
             self.shown[name] = arguments
 
         return show
@@ -96,8 +101,13 @@ def case() -> Case:
 
 
 @pytest.fixture
-def tool_controller(case: Case, section: SectionModel) -> ToolController:
-    return ToolController(case, make_tools(section, load_pads(), load_rules()))
+def tool_controller(case: Case, section: SectionModel, rim: RimModel) -> ToolController:
+    return ToolController(case, make_tools(section, rim, load_pads(), load_rules()))
+
+
+@pytest.fixture
+def rim(case: Case, surface: InsolePreview) -> RimModel:
+    return RimModel(case, surface)
 
 
 @pytest.fixture
@@ -125,6 +135,13 @@ def facts(
         "tool_controller": tool_controller,
         "counterpart": SideBySide(case, jobs, surface.builder),
     }
+    jobs.close()
+
+
+@pytest.fixture
+def display(case: Case) -> Iterator[FootDisplay]:
+    jobs = Jobs()
+    yield FootDisplay(case, jobs)
     jobs.close()
 
 
@@ -255,10 +272,16 @@ class TestPatient:
 class TestParameters:
     @pytest.fixture
     def presenter(
-        self, view: Any, case: Case, tool_controller: ToolController
+        self, view: Any, case: Case, tool_controller: ToolController, rim: RimModel
     ) -> ParametersPresenter:
         return ParametersPresenter(
-            view, case, tool_controller, load_pads(), load_rules(), request_action=lambda _key: None
+            view,
+            case,
+            tool_controller,
+            load_pads(),
+            load_rules(),
+            rim=rim,
+            request_action=lambda _key: None,
         )
 
     def test_numbers_of_the_selected_pelott(
@@ -361,8 +384,10 @@ class TestParameters:
 
 
 class TestModels:
-    def test_no_foot_offers_what_comes_next(self, view: Any, facts: dict[str, Any]) -> None:
-        FootPresenter(view, **facts).show_all()
+    def test_no_foot_offers_what_comes_next(
+        self, view: Any, facts: dict[str, Any], display: FootDisplay
+    ) -> None:
+        FootPresenter(view, display=display, **facts).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
         assert list(offers) == ["capture", "open_session", "open_mesh", "open_example"]
@@ -374,13 +399,17 @@ class TestModels:
         case: Case,
         surface: InsolePreview,
         facts: dict[str, Any],
-        open_foot: Any,
+        display: FootDisplay,
+        make_foot: Any,
+        qtbot: QtBot,
         side: Side,
     ) -> None:
-        presenter = FootPresenter(view, **facts)
-        open_foot(side)
-        assert case.foot is not None
-        assert view.shown["show_mesh"] == (case.foot.mesh, None)
+        presenter = FootPresenter(view, display=display, **facts)
+        foot = replace(make_foot(side))  # whose surface for display is not known yet
+        case.open_foot(foot, NOWHERE)
+        assert view.shown["show_mesh"] == (foot.mesh, None)
+        qtbot.waitUntil(lambda: view.shown["show_mesh"][0] is not foot.mesh, timeout=20_000)
+        assert view.shown["show_mesh"] == (foot.display_surface().mesh, None)
         assert view.shown["show_side"] == (side,)
         assert view.shown["show_directions"][0] is side
         assert presenter.side is side
@@ -414,11 +443,18 @@ class TestModels:
         surface: InsolePreview,
         facts: dict[str, Any],
         tool_controller: ToolController,
+        rim: RimModel,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
         ParametersPresenter(
-            view, case, tool_controller, (), load_rules(), request_action=lambda _key: None
+            view,
+            case,
+            tool_controller,
+            (),
+            load_rules(),
+            rim=rim,
+            request_action=lambda _key: None,
         )
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)

@@ -7,14 +7,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane, ScanSource
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import ArchRaise, InsoleDesign, Pelott, Posting
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.key_point_tool import confidence, distances, shown_points
@@ -67,7 +69,15 @@ def case(make_foot: Any) -> Case:
 
 @pytest.fixture
 def tool_controller(case: Case, section: SectionModel) -> ToolController:
-    return ToolController(case, make_tools(section, load_pads(), load_rules()))
+    rim = RimModel(case, AsScanned())
+    return ToolController(case, make_tools(section, rim, load_pads(), load_rules()))
+
+
+class AsScanned(QObject):
+    """The preview of an insole without a rim of its own."""
+
+    changed = Signal()
+    finished = None
 
 
 @pytest.fixture
@@ -202,6 +212,60 @@ def test_arrows_nudge_as_one_sees(case: Case, tool_controller: ToolController) -
     tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0, coarse=True), 0, 1)
     tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0, fine=True), 0, 1)
     assert only_pelott(case).centre_mm == (-0.5, 155.05)
+
+
+def with_arch(case: Case, arch: ArchRaise) -> None:
+    case.apply(design(case).with_added(arch), "Raise the arch")
+    case.select(arch.id)
+
+
+def only_arch(case: Case) -> ArchRaise:
+    (arch,) = design(case).corrections
+    assert isinstance(arch, ArchRaise)
+    return arch
+
+
+@pytest.mark.parametrize("tool", ["pelott", "orbit"])
+@pytest.mark.parametrize(
+    ("arch", "key", "value"),
+    [
+        (ArchRaise(height_mm=3.0, apex_mm=(10.0, 110.0)), "height_mm", 5.0),
+        (ArchRaise(target_mm=30.0, apex_mm=(10.0, 110.0)), "target_mm", 32.0),
+        (ArchRaise(target_mm=59.0, apex_mm=(10.0, 110.0)), "target_mm", 60.0),
+    ],
+    ids=["added", "to a height", "to the greatest height"],
+)
+def test_an_arch_is_moved_stretched_and_raised_by_handles(
+    case: Case, tool_controller: ToolController, tool: str, arch: ArchRaise, key: str, value: float
+) -> None:
+    tool_controller.take(tool)
+    with_arch(case, arch)
+    names = {handle.name for handle in tool_controller.tool.handles(case, GROUND)}
+    assert names == {"move", "length", "width", "height"}
+    drag(tool_controller, (10.0, 110.0), (14.0, 100.0), handle="move")
+    assert only_arch(case) == replace(arch, apex_mm=(14.0, 100.0))
+    drag(tool_controller, (14.0, 150.0), (14.0, 160.0), handle="length")
+    drag(tool_controller, (39.0, 100.0), (34.0, 100.0), handle="width")
+    assert (only_arch(case).length_mm, only_arch(case).width_mm) == (120.0, 40.0)
+    drag(tool_controller, (14.0, 40.0), (14.0, 48.0), handle="height")
+    assert getattr(only_arch(case), key) == value
+    case.undo()
+    assert getattr(only_arch(case), key) == getattr(arch, key)
+
+
+def test_the_foots_own_arch_is_raised_where_it_is_until_it_is_moved(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("pelott")
+    with_arch(case, ArchRaise(height_mm=3.0))
+    (move,) = (h for h in tool_controller.tool.handles(case, GROUND) if h.name == "move")
+    x, y, _ = move.position_mm
+    assert tool_controller.wheel(at(Phase.MOVE, x, y), 1.0)
+    assert (only_arch(case).height_mm, only_arch(case).apex_mm) == (3.5, None)
+    assert tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0), 0, 1)
+    apex = only_arch(case).apex_mm
+    assert apex is not None
+    assert apex == pytest.approx((x, y + 0.5), abs=0.01)
 
 
 def test_no_pelott_beside_the_insole_or_on_the_back_of_the_foot(

@@ -323,6 +323,24 @@ def test_every_map_has_a_value_for_every_vertex(made: Bench) -> None:
     assert np.isnan(spread.values).any()
 
 
+def test_what_was_filled_for_display_is_marked_as_not_measured(made: Bench) -> None:
+    made.panel.map_chosen.emit(FootMap.SKIN)
+    skin, coloring = made.panel.feet[-1]
+    assert coloring is None
+    made.panel.map_chosen.emit(FootMap.CONFIDENCE)
+    mesh, coloring = made.panel.feet[-1]
+    unknown = np.isnan(coloring.values)[mesh.triangles].all(axis=1)
+    assert coloring.missing == "not measured"
+    assert 0.005 < mesh.triangle_areas_mm2[unknown].sum() / mesh.area_mm2 < 0.15
+    assert mesh.area_mm2 == pytest.approx(skin.area_mm2)
+    made.panel.map_chosen.emit(FootMap.AGREEMENT)
+    _, spread = made.panel.feet[-1]
+    assert spread.missing == ""  # there it is grey also where only one view sees the foot
+    made.panel.go_on_requested.emit()
+    (handed,) = made.handed
+    assert len(handed.foot.mesh.triangles) != len(skin.triangles)  # it is handed on as measured
+
+
 def test_a_limit_refuses_a_view_and_names_its_markers(opened: Bench) -> None:
     opened.panel.limits_edited.emit(Limits(4.0, 1.0, 0.7))
     assert not opened.panel.rows["top"].is_used

@@ -96,6 +96,12 @@ EDIT_ACTIONS: tuple[ActionRecord[Design], ...] = (
         "U",
     ),
     _tool(
+        "rim",
+        lambda: tr("Rim"),
+        lambda: tr("Shape the rim by its stations, in the views and in the graph below"),
+        "E",
+    ),
+    _tool(
         "brush",
         lambda: tr("Brush"),
         lambda: tr("Raise, lower or smooth the surface with strokes"),

@@ -13,6 +13,7 @@ from insole_core.insole.prescription.design import (
     HeelLift,
     HeelSkive,
     Posting,
+    Rocker,
 )
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
@@ -34,6 +35,23 @@ def _prescription(
 
 
 PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
+    ActionRecord(
+        "choose_device",
+        lambda: tr("Device or finding…"),
+        lambda: tr("Choose a device, a base form, or what is proposed for a finding"),
+        lambda design, _on: design.devices.open(),
+        icon="device",
+        shortcut="Ctrl+F",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "toggle_as_scanned",
+        lambda: tr("As scanned / designed"),
+        lambda: tr("Change between the imprint of the foot and the designed device"),
+        lambda design, _on: design.devices.toggle_as_scanned(),
+        shortcut="Y",
+        needs_foot=True,
+    ),
     _prescription(
         lambda: tr("Posting"),
         lambda: tr("Tilt rear- and forefoot by degrees"),
@@ -60,6 +78,11 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda: tr("Prescribe the height of the finished arch and its place"),
         lambda design, _on: design.prescription.prescribe_arch_height(),
         needs_foot=True,
+    ),
+    _prescription(
+        lambda: tr("Rocker"),
+        lambda: tr("Let the underside rise ahead of a line along the heads"),
+        Rocker,
     ),
     ActionRecord(
         "confirm_landmarks",

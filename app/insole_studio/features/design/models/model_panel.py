@@ -10,6 +10,7 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.contour_lines import ContourLines
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -35,9 +36,11 @@ class ModelPanel(Protocol):
         moved: IntArray | None = None,
         coloring: Coloring | None = None,
     ) -> bool: ...
+    def show_shoe(self, lines: GuideLines | None) -> None: ...  # noqa: D102
+    def show_grazing_light(self, on: bool) -> None: ...  # noqa: D102
     def show_wireframe(self, shown: bool) -> None: ...  # noqa: D102
     def show_ghost(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102
-    def show_contours(self, step_mm: float) -> None: ...  # noqa: D102
+    def show_contours(self, lines: ContourLines | None) -> None: ...  # noqa: D102
     def show_guide(  # noqa: D102
         self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
     ) -> None: ...

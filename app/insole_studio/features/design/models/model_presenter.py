@@ -15,12 +15,14 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
+from insole_core.insole.outline.shoe_outline import heel_lift_mm, shoe_outline
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
+from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
-from insole_studio.document.section_plane import SectionModel, section_line
+from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.models.color_maps import (
@@ -31,6 +33,7 @@ from insole_studio.features.design.models.color_maps import (
 )
 from insole_studio.features.design.models.model_panel import ModelPanel
 from insole_studio.features.design.models.rear_lines import axes_of
+from insole_studio.features.design.models.shoe_lines import shoe_lines
 from insole_studio.features.design.models.side_by_side_layout import (
     NAME_ROOM_MM,
     is_right,
@@ -44,7 +47,8 @@ from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearan
 from insole_studio.features.design.tools.outline_tool import curve_of
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.coloring import Coloring, on_display
+from insole_studio.scene.contour_lines import ContourLines, contour_lines
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import localised, tr
@@ -52,8 +56,8 @@ from insole_studio.widgets.empty_page import ListedRow
 
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
-CONTOUR_MM = 1.0
-_NOTHING = (object(),) * 7
+SECTION_POINTS = 192
+_NOTHING = (object(),) * 8
 
 
 class ModelPresenter:
@@ -85,7 +89,7 @@ class ModelPresenter:
         case.selection_changed.connect(self.show_marks)
         tool_controller.tool_changed.connect(self.show_marks)
         surface.changed.connect(self.show_surface)
-        section.changed.connect(self.show_marks)
+        section.changed.connect(self._show_section)
         tool_controller.gesture_ended.connect(self.rest)
         counterpart.changed.connect(self.show_counterpart)
 
@@ -203,6 +207,7 @@ class ModelPresenter:
             self._case.selection,
             tool,
             tool.sketch,
+            tool.selection,
             self._surface.contact,
             plane,
             turn,
@@ -219,7 +224,7 @@ class ModelPresenter:
         self.panel.show_turned(tool.foot_step if is_foot else None)
         self._show_plane(record.annotations.plane)
         self.panel.show_section(self._section_line())
-        self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
+        self.panel.show_sketch(self.places(np.array(tool.sketch).reshape(-1, 2)))
 
     def press(self, event: PointerEvent) -> bool:
         """Start a gesture of the tool."""
@@ -284,14 +289,24 @@ class ModelPresenter:
         if pad is None or found is None or abs(found.distance_mm) > NEAR_MM:
             self.panel.show_guide((), "")
             return
-        way = self._on_surface(np.stack([found.front, found.nearest]))
-        lines = self._on_surface(found.line), way
+        way = self.places(np.stack([found.front, found.nearest]))
+        lines = self.places(found.line), way
         self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", self._outline(pad))
 
+    def _show_section(self) -> None:
+        """Show the section in its place; its handles come with the other marks."""
+        if self._tool_controller.tool.key == "section":
+            self.show_marks()
+        elif self.mesh is not None:
+            self.panel.show_section(self._section_line())
+
     def _section_line(self) -> FloatArray | None:
-        plane = self._section.plane
-        line = section_line(self._surface, plane) if plane is not None else None
-        return None if line is None else line + np.array([0.0, 0.0, self._lift_mm])
+        line = self._section.line(self._surface)
+        if line is None:
+            return None
+        # Always as many points, so that a line that follows the pointer is only moved.
+        numbers = np.linspace(0.0, len(line) - 1, SECTION_POINTS).round().astype(int)
+        return line[numbers] + np.array([0.0, 0.0, self._lift_mm])
 
     @property
     def _lift_mm(self) -> float:
@@ -308,19 +323,20 @@ class ModelPresenter:
                 lines[False].append(self._outline(pad))
         if selected is not None and selected.enabled:
             lines[True].append(self._outline(selected))
-        if self._tool_controller.tool.key == "outline":
+        if self._tool_controller.tool.key in ("outline", "rim"):
             lines[True] = [self._insole_outline()]
         return lines[False], lines[True]
 
     def _insole_outline(self) -> FloatArray:
         curve = curve_of(self._case.shown)[::OUTLINE_STRIDE]
-        return self._on_surface(np.concatenate([curve, curve[:1]]))
+        return self.places(np.concatenate([curve, curve[:1]]))
 
     def _outline(self, pad: Pelott) -> FloatArray:
         around = pad_outline(pad, OUTLINE_POINTS)
-        return self._on_surface(np.concatenate([around, around[:1]]))
+        return self.places(np.concatenate([around, around[:1]]))
 
-    def _on_surface(self, xy: FloatArray) -> FloatArray:
+    def places(self, xy: FloatArray) -> FloatArray:
+        """Return the points (n, 3) of the shown surface at positions (n, 2)."""
         return np.column_stack([xy, self._surface.heights_mm(xy) + self._lift_mm])
 
 
@@ -331,6 +347,28 @@ class FootPresenter(ModelPresenter):
     _is_compared = False
     _ghost = False
     """Whether the insole is shown translucently below the foot."""
+
+    def __init__(
+        self,
+        panel: ModelPanel,
+        *,
+        case: Case,
+        surface: InsolePreview,
+        section: SectionModel,
+        tool_controller: ToolController,
+        counterpart: SideBySide,
+        display: FootDisplay,
+    ) -> None:
+        super().__init__(
+            panel,
+            case=case,
+            surface=surface,
+            section=section,
+            tool_controller=tool_controller,
+            counterpart=counterpart,
+        )
+        self._display = display
+        display.changed.connect(self._show_evened)
 
     @property
     def mesh(self) -> TriangleMesh | None:
@@ -376,18 +414,26 @@ class FootPresenter(ModelPresenter):
 
     def _show_foot(self, foot: Foot) -> None:
         coloring = color_foot(foot, self._counterpart) if self._is_compared else None
-        self.panel.show_mesh(foot.mesh, coloring)
+        shown = self._display.surface
+        if shown is None:
+            self.panel.show_mesh(foot.mesh, coloring)
+        else:
+            self.panel.show_mesh(*on_display(shown, coloring))
         record = self._case.record.current
         text = ""
         if coloring is not None and record is not None:
             text = f"{pair_text(record, self._counterpart)}:  {numbers_text(coloring.values)}"
         self.panel.show_numbers(text)
 
+    def _show_evened(self) -> None:
+        if self._case.foot is not None:
+            self._show_foot(self._case.foot)
+
     def _beside(self) -> TriangleMesh | None:
         built = self._counterpart.built
         if built is None or self._counterpart.kind is not Beside.FOOT:
             return None
-        return built.foot.mesh
+        return built.foot_display.mesh
 
     def rest(self) -> None:
         """Update the translucent insole after a gesture."""
@@ -440,6 +486,9 @@ class InsolePresenter(ModelPresenter):
         )
         self._map = MapKind.NONE
         self._contours = True
+        self._shoe = False
+        self._shoe_of: tuple[object, ...] | None = None
+        """What the shown outline of a shoe was made of."""
         self._recent: list[ListedRow] = []
         self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
         surface.failed.connect(self.panel.show_warning)
@@ -488,6 +537,31 @@ class InsolePresenter(ModelPresenter):
         self._contours = shown
         self._show_contours()
 
+    def show_all(self) -> None:
+        """Show the insole of another foot, or in another theme."""
+        self._shoe_of = None
+        super().show_all()
+
+    def show_shoe(self, shown: bool) -> None:
+        """Show or hide the outline of a shoe around the insole."""
+        self._shoe = shown
+        self._show_shoe()
+
+    def _show_shoe(self) -> None:
+        foot, design = self._case.foot, self._case.shown.design
+        if not self._shoe or foot is None or design is None or self._surface.mesh is None:
+            self._shoe_of = None
+            self.panel.show_shoe(None)
+            return
+        made_of = foot, design.outline, design.shell, heel_lift_mm(design)
+        if made_of != self._shoe_of:  # not for every step of a pad
+            self._shoe_of = made_of
+            self.panel.show_shoe(shoe_lines(shoe_outline(foot, design)))
+
+    def show_grazing_light(self, on: bool) -> None:
+        """Light the insole from the side, or from ahead."""
+        self.panel.show_grazing_light(on)
+
     def show_wireframe(self, shown: bool) -> None:
         """Show only edges, or the whole surface."""
         self.panel.show_wireframe(shown)
@@ -495,6 +569,7 @@ class InsolePresenter(ModelPresenter):
     def show_surface(self) -> None:
         """Show the current preview."""
         mesh, normals = self._surface.mesh, self._surface.normals
+        self._show_shoe()
         if mesh is None or normals is None:
             self._contoured = None, False
             self._show_why_empty()
@@ -529,7 +604,13 @@ class InsolePresenter(ModelPresenter):
         if self._contoured == (self._surface.mesh, wanted):
             return  # they are slow to draw, and one change emits several signals
         self._contoured = self._surface.mesh, wanted
-        self.panel.show_contours(CONTOUR_MM if wanted else 0.0)
+        self.panel.show_contours(self._contour_lines() if wanted else None)
+
+    def _contour_lines(self) -> ContourLines | None:
+        mesh, normals, skins = self._surface.mesh, self._surface.normals, self._surface.skins
+        if mesh is None or normals is None or skins is None:
+            return None
+        return contour_lines(mesh.vertices, normals, skins[0].triangles, skins[0].links.is_boundary)
 
     def _show_why_empty(self) -> None:
         is_start = self._case.foot is None

@@ -8,7 +8,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
-from insole_studio.document.section_plane import SectionModel, SectionPlane, cut_profile
+from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.texts import tr
 
@@ -18,7 +18,14 @@ class SectionPanel(Protocol):
 
     def show_sentence(self, sentence: str) -> None: ...  # noqa: D102
     def show_cut(  # noqa: D102
-        self, top: FloatArray, bottom: FloatArray, skin: FloatArray, ends: tuple[str, str]
+        self,
+        top: FloatArray,
+        bottom: FloatArray,
+        skin: FloatArray,
+        ends: tuple[str, str],
+        *,
+        cover: FloatArray | None,
+        at_mm: float | None,
     ) -> None: ...
 
 
@@ -50,13 +57,22 @@ class SectionPresenter:
         if plane is None or side is None:
             self._panel.show_sentence(self._next_step())
             return
-        profile = cut_profile(self._surface, plane)
+        profile = self._section.profile(self._surface)
         if profile is None:
             self._panel.show_sentence(tr("The section lies beside the insole."))
             return
-        self._panel.show_cut(profile.top, profile.bottom, profile.skin, end_words(plane, side))
+        self._panel.show_cut(
+            profile.top,
+            profile.bottom,
+            profile.skin,
+            end_words(plane, side),
+            cover=profile.cover,
+            at_mm=0.0 if self._section.follows else None,  # the pointer is the plane's origin
+        )
 
     def _next_step(self) -> str:
+        if self._section.follows:
+            return tr("Point at the insole or the foot to cut the insole there")
         if self._tool_controller.tool.key == "section":
             return tr("Click on the sole to cut the insole there")
         return tr("Choose the section tool and click on the sole.")

@@ -13,6 +13,7 @@ from insole_core.insole.pads.pad_shapes import DOMED, local_outline, pad_size, r
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
+    Finish,
     ForefootTwist,
     HeelCup,
     HeelLift,
@@ -21,18 +22,26 @@ from insole_core.insole.prescription.design import (
     Layers,
     Outline,
     Pelott,
+    Post,
     Posting,
+    RimStation,
+    Rocker,
+    Shell,
 )
 from insole_core.insole.prescription.design_limits import (
     CHOICES,
     CORRECTION_RANGES,
     DESIGN_RANGES,
+    FINISH_RANGES,
     LAYER_RANGES,
     OUTLINE_RANGES,
+    POST_RANGES,
+    RIM_RANGES,
+    SHELL_RANGES,
     Range,
     range_beside,
 )
-from insole_studio.features.design.correction_names import WORDS
+from insole_studio.features.design.correction_names import word_of
 from insole_studio.features.design.rows import ChoiceSpec, FieldSpec
 from insole_studio.texts import tr
 
@@ -59,7 +68,7 @@ class Editable:
     is_medial
         Whether it is the x of a place, which is shown as > 0 on the medial side of either foot.
     expert
-        Whether it is about the computation, not about the foot: shown apart, after all others.
+        Whether it is about the computation, or rarely changed: shown apart, after all others.
     """
 
     name: str
@@ -113,6 +122,14 @@ def _place(name: str) -> tuple[Editable, Editable]:
 
 def _share(name: str, label: Callable[[], str], tip: Callable[[], str]) -> Editable:
     return Editable(name, label, tip, step=1, is_share=True, expert=True)
+
+
+def _blend(name: str, label: Callable[[], str], where: Callable[[], str]) -> Editable:
+    def tip() -> str:
+        text = tr("Width of the transition from support to rim {where}")
+        return text.format(where=where())
+
+    return Editable(name, label, tip, expert=True)
 
 
 EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
@@ -242,6 +259,18 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             lambda: tr("Share of the foot's length at which the cup ends"),
         ),
     ),
+    Rocker: (
+        Editable(
+            "behind_heads_mm",
+            lambda: tr("Behind the heads"),
+            lambda: tr("Distance of the line behind heads 1 and 5; < 0 is ahead of them"),
+        ),
+        Editable(
+            "slope_deg",
+            lambda: tr("Slope"),
+            lambda: tr("Slope of the underside ahead of the line"),
+        ),
+    ),
     BrushStroke: (
         Editable(
             "strength",
@@ -323,12 +352,63 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             lambda: tr("Size of the shoe, which decides the length"),
         ),
     ),
+    Finish: (
+        Editable(
+            "toe_zone",
+            lambda: tr("Toe zone"),
+            lambda: tr("What lies ahead of the metatarsal heads, in place of the scanned toes"),
+        ),
+        Editable(
+            "toe_line_mm",
+            lambda: tr("Toe line"),
+            lambda: tr("How far ahead of the metatarsal heads the toe zone begins"),
+            expert=True,
+        ),
+        _blend("heel_blend_mm", lambda: tr("Heel transition"), lambda: tr("at the heel")),
+        _blend("arch_blend_mm", lambda: tr("Arch transition"), lambda: tr("in the arch")),
+        _blend(
+            "forefoot_blend_mm", lambda: tr("Forefoot transition"), lambda: tr("at the forefoot")
+        ),
+        Editable(
+            "expansion_mm",
+            lambda: tr("Soft tissue"),
+            lambda: tr("Widening of heel and lateral border: soft tissue spreads in stance"),
+            expert=True,
+        ),
+        Editable(
+            "skin_smoothing_mm",
+            lambda: tr("Skin smoothing"),
+            lambda: tr("Width over which folds of the skin are evened out; 0 for none"),
+            expert=True,
+        ),
+    ),
+    RimStation: (
+        Editable(
+            "height_mm",
+            lambda: tr("Height"),
+            lambda: tr("Height of the rim at this station over its level"),
+        ),
+        Editable(
+            "over", lambda: tr("Over"), lambda: tr("The level from which the height is counted")
+        ),
+        Editable(
+            "along",
+            lambda: tr("Place"),
+            lambda: tr("0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes"),
+            step=1,
+            is_share=True,
+        ),
+    ),
 }
 _RANGES: dict[type[Any], dict[str, Range]] = {
     **CORRECTION_RANGES,
     InsoleDesign: DESIGN_RANGES,
     Layers: LAYER_RANGES,
     Outline: OUTLINE_RANGES,
+    Finish: FINISH_RANGES,
+    RimStation: RIM_RANGES,
+    Shell: SHELL_RANGES,
+    Post: POST_RANGES,
 }
 
 
@@ -404,7 +484,7 @@ def _spec(part: Any, editable: Editable, key: str, side: Side) -> FieldSpec | Ch
     label, tip = editable.label(), editable.tip()
     words = CHOICES.get(type(part), {}).get(editable.name)
     if words is not None:
-        options = tuple((word, WORDS[word]()) for word in words)
+        options = tuple((word, word_of(editable.name, word)) for word in words)
         return ChoiceSpec(key, label, getattr(part, editable.name), options, tip)
     value = _number(part, editable)
     if value is None:

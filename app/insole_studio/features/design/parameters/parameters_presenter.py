@@ -8,6 +8,7 @@ from typing import Any, Protocol, TypeAlias
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.side import Side
+from insole_core.insole.finishing.rim_edits import counted_from, replaced_station
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.insole.prescription.design import (
     Correction,
@@ -18,17 +19,26 @@ from insole_core.insole.prescription.design import (
 from insole_core.insole.prescription.design_limits import Range
 from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.case import Case
+from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.correction_names import name_of, pad_text
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
+from insole_studio.features.design.parameters.device_fields import (
+    SLIDERS,
+    device_group,
+    with_device_value,
+)
 from insole_studio.features.design.parameters.foot_proposals import FootProposals
+from insole_studio.features.design.rim_texts import place_text
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.brush_tool import BrushTool
 from insole_studio.features.design.tools.editable_pads import selected_pelott
 from insole_studio.features.design.tools.outline_tool import with_source
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
+from insole_studio.features.design.tools.rim_tool import remove_station
 from insole_studio.features.design.tools.tool import with_number
 from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.scene.gesture import AnyGesture
 from insole_studio.texts import tr
 
 ANGLE = Range(-90, 90, "degrees")
@@ -41,6 +51,8 @@ class ParametersPanel(Protocol):
     """The parameters panel as its presenter sees it, with the signals it emits."""
 
     field_edited: Any
+    field_moved: Any
+    move_cancelled: Any
     proposal_chosen: Any
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None: ...  # noqa: D102
@@ -57,21 +69,27 @@ class ParametersPresenter:
         pads: Sequence[LibraryPad],
         rules: ClinicRules,
         *,
+        rim: RimModel,
         request_action: Callable[[str], None],
     ) -> None:
         self._panel = panel
+        self._rim = rim
+        self._is_sliding = False
         self._request = request_action
         self._case = case
         self._tool_controller = tool_controller
         self._pads = pads
         self._foot_offers = FootProposals(case, rules, default_pelott(pads))
         panel.field_edited.connect(self.edit)
+        panel.field_moved.connect(self.slide)
+        panel.move_cancelled.connect(tool_controller.cancel)
         panel.proposal_chosen.connect(self.choose)
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.preview_changed.connect(self.show)
         case.selection_changed.connect(self.show)
         tool_controller.tool_changed.connect(self.show)
+        rim.selection_changed.connect(self.show)
         self.show()
 
     def show(self) -> None:
@@ -83,13 +101,34 @@ class ParametersPresenter:
             return
         is_outline = self._tool_controller.tool.key == "outline"
         make = _make_groups(design, self._expert_fields(design), outline_first=is_outline)
-        self._panel.show_groups([*self._groups(design), *make])
+        device = device_group(design, design.side)
+        self._panel.show_groups([*self._groups(design), device, *make])
 
     def edit(self, key: str, value: Any) -> None:
         """Set a value; consecutive edits of one field are one undo step."""
+        if self._is_sliding:
+            self._tool_controller.drag(None)
         group, name = key.split(".", 1)
         _EDITS[group](self, name, value)
         self.show()
+
+    def slide(self, key: str, value: float) -> None:
+        """Show a value while its slider is dragged."""
+        design = self._case.record.design
+        if design is None:
+            return
+        if not self._tool_controller.is_busy:
+            self._tool_controller.begin(self._follow_slider())
+        self._tool_controller.drag(with_device_value(design, key.split(".", 1)[1], value))
+
+    def _follow_slider(self) -> AnyGesture:
+        """Preview each design that comes; the last one comes as an edit of its own."""
+        self._is_sliding = True
+        try:
+            while (design := (yield)) is not None:
+                self._case.preview(design)
+        finally:
+            self._is_sliding = False
 
     def choose(self, key: str) -> None:
         """Run the action of a button."""
@@ -159,6 +198,15 @@ class ParametersPresenter:
         fields = field_specs(posting, "posting", self._side)
         return FieldGroup(title, fields, offers, note)
 
+    def _rim_groups(self) -> list[FieldGroup]:
+        """Return the group of the selected station."""
+        placed = self._rim.placed.get(-1 if self._rim.selected is None else self._rim.selected)
+        if placed is None:
+            return []
+        fields = field_specs(placed.station, "station", self._side)
+        offers = (Proposal("remove.station", tr("Remove")),)
+        return [FieldGroup(f"{tr('Rim')}: {place_text(placed)}", fields, offers)]
+
     def _plane_groups(self) -> list[FieldGroup]:
         return [_plane_group(self._case.shown.annotations.plane)]
 
@@ -190,6 +238,8 @@ class ParametersPresenter:
             self.show()
 
     def _remove(self, name: str) -> None:
+        if name == "station" and self._rim.selected is not None:
+            remove_station(self._case, self._rim, self._rim.selected)
         if name == "plane":
             self._case.apply(
                 replace(self._case.record.annotations, plane=None), tr("Remove the reference plane")
@@ -215,6 +265,33 @@ class ParametersPresenter:
             before = posting_of(design) or self._case.stamped(Posting())
             changed = with_posting(design, with_value(before, name, value, self._side))
             self._case.apply(changed, tr("Edit the posting"), f"posting:{name}")
+
+    def _edit_station(self, name: str, value: Any) -> None:
+        design, rim, number = self._case.record.design, self._rim.rim, self._rim.selected
+        placed = None if number is None else self._rim.placed.get(number)
+        if design is None or design.finish is None or rim is None or placed is None:
+            return
+        stations = design.finish.rim
+        if name == "over":
+            changed = counted_from(rim, placed.station, value)
+        else:
+            changed = with_value(placed.station, name, value, self._side)
+        stations = replaced_station(stations, placed.number, changed)
+        self._case.apply(
+            with_stations(design, stations), tr("Change the rim"), f"rim:{number}:{name}"
+        )
+
+    def _edit_device(self, name: str, value: float) -> None:
+        design = self._case.record.design
+        if design is not None:
+            changed = with_device_value(design, name, value)
+            self._case.apply(changed, SLIDERS[name].label(), f"device:{name}")
+
+    def _edit_finish(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None and design.finish is not None:
+            changed = replace(design, finish=with_value(design.finish, name, value, self._side))
+            self._case.apply(changed, tr("Edit the device"), f"finish:{name}")
 
     def _edit_insole(self, name: str, value: Any) -> None:
         design = self._case.record.design
@@ -284,6 +361,8 @@ def _make_groups(
         FieldGroup(tr("Layers"), field_specs(design.layers, "layers", side)),
     ]
     outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline", side))
+    if design.finish is not None:
+        expert_fields = (*expert_fields, *field_specs(design.finish, "finish", side, expert=True))
     expert_fields = (*expert_fields, *field_specs(design, "insole", side, expert=True))
     expert = FieldGroup(tr("Expert"), expert_fields)
     return [outline, *made, expert] if outline_first else [*made, outline, expert]
@@ -297,6 +376,7 @@ def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:
 _TOOL_GROUPS: dict[str, Callable[[ParametersPresenter], list[FieldGroup]]] = {
     "outline": lambda _presenter: [],
     "plane": ParametersPresenter._plane_groups,
+    "rim": ParametersPresenter._rim_groups,
     "turn": lambda presenter: presenter._foot_offers.pose_groups(),
     "key_point": lambda presenter: presenter._foot_offers.landmark_groups(),
 }
@@ -305,6 +385,9 @@ _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "correction": ParametersPresenter._edit_correction,
     "template": ParametersPresenter._edit_template,
     "posting": ParametersPresenter._edit_posting,
+    "station": ParametersPresenter._edit_station,
+    "device": ParametersPresenter._edit_device,
+    "finish": ParametersPresenter._edit_finish,
     "insole": ParametersPresenter._edit_insole,
     "layers": ParametersPresenter._edit_layers,
     "outline": ParametersPresenter._edit_outline,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TypeAlias
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
@@ -21,6 +22,9 @@ from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.slider_field import SliderField
+
+ValueField: TypeAlias = NumberField | SliderField | ComboBox
 
 ROWS, TOUCH_ROWS = 3, 2
 """Rows of fields that fit a low screen with a mouse, and with touch."""
@@ -35,13 +39,16 @@ class ParametersView(QScrollArea):
     """Groups of fields side by side, wrapped at the width of the panel."""
 
     field_edited = Signal(str, object)
+    field_moved = Signal(str, float)
+    """A slider is being dragged: what a release would enter."""
+    move_cancelled = Signal()
     proposal_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._groups: Sequence[FieldGroup] = ()
         self._shape: tuple[object, ...] = ()
-        self._fields: dict[str, NumberField | ComboBox] = {}
+        self._fields: dict[str, ValueField] = {}
         self._rows = ROWS
         self._restyled = QTimer(self)
         self._restyled.setSingleShot(True)
@@ -75,7 +82,7 @@ class ParametersView(QScrollArea):
 
     def _show_value(self, spec: FieldSpec | ChoiceSpec) -> None:
         field = self._fields[spec.key]
-        if isinstance(field, NumberField):
+        if isinstance(field, NumberField | SliderField):
             assert isinstance(spec, FieldSpec)
             field.show_range(spec.least, spec.greatest)
             field.show_value(spec.value)
@@ -126,18 +133,20 @@ class ParametersView(QScrollArea):
     ) -> None:
         field = _make_field(spec)
         field.setProperty("key", spec.key)
-        field.setAccessibleName(spec.label)
-        field.setAccessibleDescription(spec.tip)
-        if isinstance(field, NumberField):
-            field.set_room(FIELD_PX)
-        else:
+        _describe(field, spec)
+        if isinstance(field, ComboBox):
             field.setFixedWidth(CHOICE_PX)
+        else:
+            field.set_room(FIELD_PX)
         field.edited.connect(self._edited)
+        if isinstance(field, SliderField):
+            field.number.setProperty("key", spec.key)
+            field.moved.connect(self._moved)
+            field.cancelled.connect(self.move_cancelled)
         self._fields[spec.key] = field
         label = QLabel(spec.label)
         label.setBuddy(field)
-        for widget in (label, field):
-            widget.setToolTip(spec.tip)
+        label.setToolTip(spec.tip)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         row, column = number % self._rows, before + 2 * (number // self._rows)
         grid.addWidget(label, row, column)
@@ -166,6 +175,9 @@ class ParametersView(QScrollArea):
     def _edited(self, value: object) -> None:
         self.field_edited.emit(self.sender().property("key"), value)
 
+    def _moved(self, value: float) -> None:
+        self.field_moved.emit(self.sender().property("key"), value)
+
     def _choose(self) -> None:
         self.proposal_chosen.emit(self.sender().property("offer"))
 
@@ -193,10 +205,20 @@ def _row(widgets: Sequence[QWidget]) -> QWidget:
     return whole
 
 
-def _make_field(spec: FieldSpec | ChoiceSpec) -> NumberField | ComboBox:
+def _describe(field: ValueField, spec: FieldSpec | ChoiceSpec) -> None:
+    if isinstance(field, SliderField):
+        field.describe(spec.label, spec.tip)
+        return
+    field.setAccessibleName(spec.label)
+    field.setAccessibleDescription(spec.tip)
+    field.setToolTip(spec.tip)
+
+
+def _make_field(spec: FieldSpec | ChoiceSpec) -> ValueField:
     if isinstance(spec, ChoiceSpec):
         return ComboBox(spec.options)
-    return NumberField(
+    make = SliderField if spec.slider else NumberField
+    return make(
         spec.unit,
         least=spec.least,
         greatest=spec.greatest,

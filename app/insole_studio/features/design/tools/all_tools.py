@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad, default_pelott
+from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.features.design.tools.brush_tool import BrushTool
 from insole_studio.features.design.tools.free_hand_tool import FreeHandTool
@@ -15,13 +16,14 @@ from insole_studio.features.design.tools.outline_tool import OutlineTool
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.plane_tool import PlaneTool
 from insole_studio.features.design.tools.posting_tool import PostingTool
+from insole_studio.features.design.tools.rim_tool import RimTool
 from insole_studio.features.design.tools.section_tool import SectionTool
 from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.turn_tool import TurnTool
 
 
 def make_tools(
-    section: SectionModel, pads: Sequence[LibraryPad], rules: ClinicRules
+    section: SectionModel, rim: RimModel, pads: Sequence[LibraryPad], rules: ClinicRules
 ) -> tuple[Tool, ...]:
     """Construct one instance of every tool.
 
@@ -29,6 +31,8 @@ def make_tools(
     ----------
     section
         Plane of the section tool.
+    rim
+        Rim that its tool shapes.
     pads
         Library of the clinic.
     rules
@@ -43,6 +47,7 @@ def make_tools(
         FreeHandTool(),
         PostingTool(),
         OutlineTool(),
+        RimTool(rim),
         BrushTool(),
         PlaneTool(),
         SectionTool(section),

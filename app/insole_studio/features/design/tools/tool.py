@@ -68,6 +68,10 @@ class SurfaceContext(Protocol):
         """
         ...
 
+    def places(self, xy: FloatArray) -> FloatArray:
+        """Return the points (n, 3) of the surface at positions (n, 2), mm, insole frame."""
+        ...
+
     def covers(self, x_mm: float, y_mm: float) -> bool:
         """Return whether the surface covers a position of the insole frame."""
         ...
@@ -108,6 +112,11 @@ class Tool:
     def sketch(self) -> tuple[Place, ...]:
         """The line being drawn, in the insole frame."""
         return ()
+
+    @property
+    def selection(self) -> object:
+        """What of the tool's own is selected; marks are drawn again when it changes."""
+        return None
 
     @property
     def foot_step(self) -> FloatArray | None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
-from insole_studio.scene.gesture import RunningGesture
+from insole_studio.scene.gesture import AnyGesture, RunningGesture
 from insole_studio.scene.pointer import PointerEvent
 
 
@@ -52,8 +53,13 @@ class ToolController(QObject):
         self._gesture.begin(gesture)
         return True
 
-    def drag(self, event: PointerEvent) -> None:
-        """Continue the gesture or, on a release, finish it."""
+    def begin(self, gesture: AnyGesture) -> None:
+        """Run a gesture of a panel, which is fed by `drag` as well: of a chart, of a slider."""
+        self.cancel()
+        self._gesture.begin(gesture)
+
+    def drag(self, event: Any) -> None:
+        """Continue the gesture or, if the event is its last, finish it."""
         if self._gesture.send(event):
             self.gesture_ended.emit()
 

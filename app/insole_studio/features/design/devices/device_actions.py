@@ -1,0 +1,249 @@
+"""Actions of devices, findings and base forms: choose, keep, share, and back to the imprint."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from insole_core.errors import InsoleError
+from insole_core.geometry.side import Side
+from insole_core.insole.forms.kept_form import form_of
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.device import Device, apply_device, device_of
+from insole_core.insole.prescription.item_name import key_of
+from insole_core.workflows.clinic_devices import (
+    AS_SCANNED,
+    clinic_devices,
+    clinic_forms,
+    find_device,
+)
+from insole_core.workflows.default_device import DefaultDevice
+from insole_core.workflows.findings import Catalogue, ClinicFindings, Finding, apply_finding
+from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.pad_library import LibraryPad
+from insole_core.workflows.starting_design import starting_device
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.features.design.devices.device_choices import (
+    Choice,
+    Kind,
+    device_choices,
+    finding_choices,
+    form_choices,
+)
+from insole_studio.features.design.devices.devices_presenter import DevicesPresenter
+from insole_studio.features.design.devices.devices_view import DevicesView, MenuEntry
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.file_kinds import DEVICE_SUFFIX, device_kinds
+from insole_studio.services.last_folders import Kept
+from insole_studio.texts import tr, translate_core_message
+
+
+class DeviceActions:
+    """Opens the list of devices, and does what its menu offers.
+
+    Parameters
+    ----------
+    preview
+        Of the insole whose form is kept.
+    pads
+        The library that findings propose from.
+    behind_heads_mm
+        The clinic's rule on the place of pads.
+    """
+
+    def __init__(
+        self,
+        services: AppServices,
+        preview: InsolePreview,
+        pads: Sequence[LibraryPad],
+        behind_heads_mm: float,
+    ) -> None:
+        self._services = services
+        self._case = services.case
+        self._preview = preview
+        self._pads = pads
+        self._behind_heads_mm = behind_heads_mm
+        folder = services.paths.settings_folder
+        self._devices, self._forms = clinic_devices(folder), clinic_forms(folder)
+        self._default_device = DefaultDevice(folder)
+        self._findings = ClinicFindings(folder / "findings.json")
+        self._view: DevicesView | None = None
+        self._presenter: DevicesPresenter | None = None
+        self._designed: dict[Side, InsoleDesign] = {}
+        """The design of each foot before it was last shown as scanned."""
+        services.case.closing.connect(self._forget)
+
+    @property
+    def view(self) -> DevicesView | None:
+        """The list, while it is open."""
+        return self._view
+
+    def open(self) -> None:
+        """Open the list of devices and findings."""
+        choices = self._choices()
+        self._view = DevicesView(self._services.window)
+        self._presenter = DevicesPresenter(
+            self._view, self._case, choices, self._default_key, self._entries
+        )
+        self._view.apply_requested.connect(self._view.accept)
+        self._view.entry_chosen.connect(self._take_entry)
+        self._view.finished.connect(self._close)
+        self._view.open()
+
+    def toggle_as_scanned(self) -> None:
+        """Change between the imprint of the foot and the device that was designed last."""
+        design = self._case.record.design
+        if design is None:
+            return
+        devices = self._devices.load().items
+        if design.finish is None:
+            before = self._designed.get(design.side)
+            device = find_device(devices, self._default)
+            changed = apply_device(device, design) if before is None else _again(before, design)
+            self._case.apply(changed, tr("Design the rim"))
+        else:
+            self._designed[design.side] = design
+            changed = apply_device(find_device(devices, AS_SCANNED), design)
+            self._case.apply(changed, tr("As scanned"))
+
+    def save_as_device(self) -> None:
+        """Keep the values of this design as a device of the clinic."""
+        design = self._case.record.design
+        asked = self._services.messages.questions.text(
+            tr("Save as a device"),
+            tr("Name of the device"),
+            "" if design is None else design.device,
+        )
+        if asked is None or design is None:
+            return
+        device = device_of(design, asked)
+        self._devices.save(device)
+        self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+
+    def import_device(self) -> None:
+        """Take a device from a file of another clinic."""
+        path = self._services.messages.questions.file_to_open(device_kinds(), Kept.CASES)
+        if path is not None:
+            device = self._devices.import_file(path)
+            self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+
+    def export_device(self, device: Device) -> None:
+        """Write a device to a file for another clinic."""
+        path = self._services.messages.questions.file_to_write(
+            f"{device.key}{DEVICE_SUFFIX}", device_kinds(), Kept.CASES
+        )
+        if path is not None:
+            self._devices.export(device, path)
+            self._services.messages.say(tr("Written: {name}").format(name=path.name))
+
+    def make_default(self, device: Device) -> None:
+        """Start new designs with a device."""
+        self._default_device.save(device.name)
+        self._renew("", tr("New designs start with: {name}").format(name=_shown(device)))
+
+    def remove_device(self, device: Device) -> None:
+        """Remove a device of the clinic."""
+        self._devices.remove(device.name)
+        self._renew("", tr("Removed: {name}").format(name=_shown(device)))
+
+    def keep_form(self) -> None:
+        """Keep the form of this insole as a base for others."""
+        design = self._case.record.design
+        insole = self._preview.insole
+        if design is None or insole is None:
+            return
+        asked = self._services.messages.questions.text(
+            tr("Keep this insole's form as a base"), tr("Name of the form"), design.device
+        )
+        if asked is not None:
+            form = form_of(insole, asked)
+            self._forms.save(form)
+            self._renew(f"form:{key_of(form.name)}", tr("Stored: {name}").format(name=form.name))
+
+    @property
+    def _default(self) -> str:
+        """Name of the device that new designs start with."""
+        return starting_device(self._services.paths.settings_folder).device.name
+
+    @property
+    def _default_key(self) -> str:
+        return f"device:{key_of(self._default)}"
+
+    def _choices(self) -> list[Choice]:
+        return [
+            *device_choices(self._devices.load()),
+            *finding_choices(self._findings.load(), self._with_finding),
+            *form_choices(self._forms.load()),
+        ]
+
+    def _with_finding(self, finding: Finding, design: InsoleDesign) -> InsoleDesign:
+        """Return a design with what is proposed for a finding."""
+        catalogue = Catalogue(
+            self._devices.load().items, self._default, self._pads, self._behind_heads_mm
+        )
+        landmarks = landmarks_of(self._case.record)
+        return apply_finding(finding, design, landmarks, catalogue, self._case.stamped)
+
+    def _entries(self, choice: Choice | None) -> list[MenuEntry]:
+        """Return the menu below the list, for what is chosen in it."""
+        is_device = choice is not None and choice.kind is Kind.DEVICE
+        is_own = choice is not None and is_device and choice.is_own
+        return [
+            MenuEntry("save", tr("Save this design as a device…")),
+            MenuEntry("import", tr("Import a device…")),
+            MenuEntry("export", tr("Export this device…"), is_device),
+            MenuEntry("default", tr("Make it the clinic's default"), is_device),
+            MenuEntry("remove", tr("Remove this device"), is_own),
+            MenuEntry("form", tr("Keep this insole's form as a base…")),
+        ]
+
+    def _take_entry(self, key: str) -> None:
+        choice = None if self._presenter is None else self._presenter.chosen
+        try:
+            if key in _ON_DEVICE:
+                assert choice is not None, "the menu offers it for a device only"
+                device = self._devices.load().items[choice.key.removeprefix("device:")]
+                _ON_DEVICE[key](self, device)
+            else:
+                _ON_DESIGN[key](self)
+        except InsoleError as error:
+            self._services.messages.show_error(error, self._view)
+
+    def _renew(self, chosen: str, said: str) -> None:
+        """Show what was stored in the list, if it is open, and say it."""
+        self._services.messages.say(said)
+        if self._presenter is not None:
+            self._presenter.renew(self._choices(), self._default_key, chosen)
+
+    def _close(self) -> None:
+        view, self._view, self._presenter = self._view, None, None
+        if view is not None:
+            view.deleteLater()
+
+    def _forget(self) -> None:
+        """Let go of what belongs to the case that is left."""
+        self._designed.clear()
+        if self._view is not None:
+            self._view.reject()
+
+
+def _again(before: InsoleDesign, design: InsoleDesign) -> InsoleDesign:
+    """Return a design with the device part of an earlier one; its corrections stay."""
+    changed = apply_device(device_of(before, before.device or AS_SCANNED), design)
+    return replace(changed, device=before.device)
+
+
+def _shown(device: Device) -> str:
+    return translate_core_message(device.name)
+
+
+_ON_DEVICE: dict[str, Callable[[DeviceActions, Device], None]] = {
+    "export": DeviceActions.export_device,
+    "default": DeviceActions.make_default,
+    "remove": DeviceActions.remove_device,
+}
+_ON_DESIGN: dict[str, Callable[[DeviceActions], None]] = {
+    "save": DeviceActions.save_as_device,
+    "import": DeviceActions.import_device,
+    "form": DeviceActions.keep_form,
+}

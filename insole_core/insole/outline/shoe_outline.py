@@ -1,0 +1,96 @@
+"""The outline of a usual shoe of the right size around an insole, to judge its place in one.
+
+It follows from size, foot and heel height alone: it is no last, and no certain shoe.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.measures import PARIS_MM, shoe_size_eu
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.outline.insole_outline import full_outline
+from insole_core.insole.outline.outline_curve import smoothed_along
+from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Outline
+
+_BALL_MM, _HEEL_MM = 4.0, 3.0
+"""Room of a usual shoe beside the ball and the heel of the foot."""
+_WALL_MM, _EVENING_MM = 6.0, 6.0
+"""Upper and edge of the sole, by which it is wider than the shoe's inside."""
+_BALL_SHARE = 0.68
+"""Place of the ball on the shoe's length: from there on the sole lies on the ground."""
+
+
+@dataclass(frozen=True, eq=False)
+class ShoeOutline:
+    """The outline of a shoe, mm, insole frame; z = 0 is the floor on which the insole lies.
+
+    Parameters
+    ----------
+    size_eu, inside_mm
+        Size in Paris points, and the inside's length.
+    inside : (n, 3) float64
+        Closed curve around the floor.
+    ground : (n, 3) float64
+        Closed curve around the sole; below the heel as far down as the heel is high.
+    heel : (2, 3) float64
+        From the rearmost point of the inside to the ground below.
+    pitch_mm
+        Height of the shoe's heel over its forefoot.
+    lift_mm
+        Height of the heel lifts in the insole.
+    """
+
+    size_eu: float
+    inside_mm: float
+    inside: FloatArray
+    ground: FloatArray
+    heel: FloatArray
+    pitch_mm: float
+    lift_mm: float
+
+
+def shoe_outline(foot: Foot, design: InsoleDesign) -> ShoeOutline:
+    """Return the outline of a shoe for a foot.
+
+    Its size is that of the design's outline; else that of the foot, with 15 mm before the toes.
+    """
+    size = design.outline.shoe_size_eu or shoe_size_eu(foot.length_mm)
+    room = Outline(
+        source="shoe_size",
+        shoe_size_eu=size,
+        ball_allowance_mm=_BALL_MM,
+        heel_allowance_mm=_HEEL_MM,
+    )
+    inside = full_outline(foot, room)
+    sole = smoothed_along(inside + _WALL_MM * _outward(inside), _EVENING_MM)
+    pitch_mm = 0.0 if design.shell is None else design.shell.heel_pitch_mm
+    back = inside[inside[:, 1].argmin()]
+    length_mm = float(np.ptp(inside[:, 1]))
+    ahead = (sole[:, 1] - back[1]) / (_BALL_SHARE * length_mm)
+    drop = pitch_mm * np.clip(1.0 - ahead, 0.0, 1.0)
+    return ShoeOutline(
+        size,
+        PARIS_MM * size,
+        np.column_stack([inside, np.zeros(len(inside))]),
+        np.column_stack([sole, -drop]),
+        np.array([[*back, 0.0], [*back, -pitch_mm]]),
+        pitch_mm,
+        heel_lift_mm(design),
+    )
+
+
+def heel_lift_mm(design: InsoleDesign) -> float:
+    """Return the height of all heel lifts of a design together."""
+    lifts = (c for c in design.corrections if isinstance(c, HeelLift) and c.enabled)
+    return sum((lift.height_mm for lift in lifts), 0.0)
+
+
+def _outward(curve: FloatArray) -> FloatArray:
+    """Return the unit normals (n, 2) of a closed curve that runs counter-clockwise."""
+    along = np.roll(curve, -1, axis=0) - np.roll(curve, 1, axis=0)
+    normals = along[:, ::-1] * [1.0, -1.0]
+    return np.asarray(normals / np.linalg.norm(normals, axis=1, keepdims=True))

@@ -1,0 +1,395 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes</source>
+            <translation>0 % bakom hälen, 70 % vid metatarsalhuvudet, 100 % vid tårna</translation>
+        </message>
+        <message>
+            <source>Add a station here</source>
+            <translation>Lägg till en kantpunkt här</translation>
+        </message>
+        <message>
+            <source>Add a station to the rim</source>
+            <translation>Lägg till en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Apply</source>
+            <translation>Använd</translation>
+        </message>
+        <message>
+            <source>Arch fill</source>
+            <translation>Valvfyllnad</translation>
+        </message>
+        <message>
+            <source>Arch transition</source>
+            <translation>Övergång, hålfot</translation>
+        </message>
+        <message>
+            <source>As scanned</source>
+            <translation>Som skannad</translation>
+        </message>
+        <message>
+            <source>As scanned / designed</source>
+            <translation>Som skannad / utformad</translation>
+        </message>
+        <message>
+            <source>As scanned: the imprint of the foot</source>
+            <translation>Som skannad: fotens avtryck</translation>
+        </message>
+        <message>
+            <source>As scanned: the rim is that of the foot. Choose a device to design it.</source>
+            <translation>Som skannad: kanten är fotens egen. Välj en inläggstyp för att utforma den.</translation>
+        </message>
+        <message>
+            <source>Base form: {name}</source>
+            <translation>Grundform: {name}</translation>
+        </message>
+        <message>
+            <source>Base forms</source>
+            <translation>Grundformer</translation>
+        </message>
+        <message>
+            <source>Behind the heel</source>
+            <translation>Bakom hälen</translation>
+        </message>
+        <message>
+            <source>Change between the imprint of the foot and the designed device</source>
+            <translation>Växla mellan fotens avtryck och det utformade inlägget</translation>
+        </message>
+        <message>
+            <source>Change the rim</source>
+            <translation>Ändra kanten</translation>
+        </message>
+        <message>
+            <source>Choose a device, a base form, or what is proposed for a finding</source>
+            <translation>Välj en inläggstyp, en grundform eller det som föreslås för ett fynd</translation>
+        </message>
+        <message>
+            <source>Design the rim</source>
+            <translation>Utforma kanten</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Inläggstyp</translation>
+        </message>
+        <message>
+            <source>Device of an insole</source>
+            <translation>Inläggstyp</translation>
+        </message>
+        <message>
+            <source>Device or finding</source>
+            <translation>Inläggstyp eller fynd</translation>
+        </message>
+        <message>
+            <source>Device or finding…</source>
+            <translation>Inläggstyp eller fynd…</translation>
+        </message>
+        <message>
+            <source>Device: {name}</source>
+            <translation>Inläggstyp: {name}</translation>
+        </message>
+        <message>
+            <source>Devices</source>
+            <translation>Inläggstyper</translation>
+        </message>
+        <message>
+            <source>Devices and findings</source>
+            <translation>Inläggstyper och fynd</translation>
+        </message>
+        <message>
+            <source>Drag a station of the rim to raise it, or along the edge; double click adds or removes one</source>
+            <translation>Dra en kantpunkt för att höja den, eller längs kanten; dubbelklick lägger till eller tar bort en</translation>
+        </message>
+        <message>
+            <source>Drag a station to shape the rim; double click adds one, Delete removes it</source>
+            <translation>Dra en kantpunkt för att forma kanten; dubbelklick lägger till en, Delete tar bort den</translation>
+        </message>
+        <message>
+            <source>Drag to move the line at which the toe zone begins</source>
+            <translation>Dra för att flytta linjen där tåzonen börjar</translation>
+        </message>
+        <message>
+            <source>Drag to raise the rim here, or to move the station along the edge</source>
+            <translation>Dra för att höja kanten här, eller för att flytta kantpunkten längs kanten</translation>
+        </message>
+        <message>
+            <source>Edit the device</source>
+            <translation>Ändra inläggstypen</translation>
+        </message>
+        <message>
+            <source>Export this device…</source>
+            <translation>Exportera inläggstypen…</translation>
+        </message>
+        <message>
+            <source>Finding: {name}</source>
+            <translation>Fynd: {name}</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Fynd</translation>
+        </message>
+        <message>
+            <source>Flank of the foot</source>
+            <translation>Fotens sida</translation>
+        </message>
+        <message>
+            <source>Forefoot transition</source>
+            <translation>Övergång, framfot</translation>
+        </message>
+        <message>
+            <source>Give the imprint a designed rim and toe zone</source>
+            <translation>Ge avtrycket en utformad kant och tåzon</translation>
+        </message>
+        <message>
+            <source>Heel transition</source>
+            <translation>Övergång, häl</translation>
+        </message>
+        <message>
+            <source>Height of the medial rim at its peak, over the heel's floor</source>
+            <translation>Den mediala kantens höjd där den är högst, över hälens botten</translation>
+        </message>
+        <message>
+            <source>Height of the rim along the edge</source>
+            <translation>Kantens höjd runt inlägget</translation>
+        </message>
+        <message>
+            <source>Height of the rim at this station over its level</source>
+            <translation>Kantens höjd vid denna kantpunkt, över dess nivå</translation>
+        </message>
+        <message>
+            <source>Height of the rim behind the heel over the heel's floor</source>
+            <translation>Kantens höjd bakom hälen, över hälens botten</translation>
+        </message>
+        <message>
+            <source>How far ahead of the metatarsal heads the toe zone begins</source>
+            <translation>Hur långt framför metatarsalhuvudena tåzonen börjar</translation>
+        </message>
+        <message>
+            <source>How far the medial arch is lowered below the scan</source>
+            <translation>Hur mycket det mediala valvet sänks under skanningen</translation>
+        </message>
+        <message>
+            <source>Import a device…</source>
+            <translation>Importera en inläggstyp…</translation>
+        </message>
+        <message>
+            <source>Keep this insole's form as a base</source>
+            <translation>Behåll inläggets form som grundform</translation>
+        </message>
+        <message>
+            <source>Keep this insole's form as a base…</source>
+            <translation>Behåll inläggets form som grundform…</translation>
+        </message>
+        <message>
+            <source>Make it the clinic's default</source>
+            <translation>Gör den till klinikens förval</translation>
+        </message>
+        <message>
+            <source>Medial flange</source>
+            <translation>Medial fläns</translation>
+        </message>
+        <message>
+            <source>More</source>
+            <translation>Mer</translation>
+        </message>
+        <message>
+            <source>Move a station of the rim</source>
+            <translation>Flytta en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Move the toe line</source>
+            <translation>Flytta tålinjen</translation>
+        </message>
+        <message>
+            <source>Name of the device</source>
+            <translation>Inläggstypens namn</translation>
+        </message>
+        <message>
+            <source>Name of the form</source>
+            <translation>Grundformens namn</translation>
+        </message>
+        <message>
+            <source>New designs start with: {name}</source>
+            <translation>Nya ordinationer börjar med: {name}</translation>
+        </message>
+        <message>
+            <source>Nothing holds these words; type others.</source>
+            <translation>Inget innehåller dessa ord; skriv andra.</translation>
+        </message>
+        <message>
+            <source>Over</source>
+            <translation>Över</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Läge</translation>
+        </message>
+        <message>
+            <source>Raise a station of the rim</source>
+            <translation>Höj en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Remove a station of the rim</source>
+            <translation>Ta bort en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Remove this device</source>
+            <translation>Ta bort inläggstypen</translation>
+        </message>
+        <message>
+            <source>Remove this station</source>
+            <translation>Ta bort kantpunkten</translation>
+        </message>
+        <message>
+            <source>Removed: {name}</source>
+            <translation>Borttagen: {name}</translation>
+        </message>
+        <message>
+            <source>Rim</source>
+            <translation>Kant</translation>
+        </message>
+        <message>
+            <source>Save as a device</source>
+            <translation>Spara som inläggstyp</translation>
+        </message>
+        <message>
+            <source>Save this design as a device…</source>
+            <translation>Spara denna ordination som inläggstyp…</translation>
+        </message>
+        <message>
+            <source>Search devices and findings</source>
+            <translation>Sök inläggstyper och fynd</translation>
+        </message>
+        <message>
+            <source>Shape the rim by its stations, in the views and in the graph below</source>
+            <translation>Forma kanten med dess kantpunkter, i vyerna och i diagrammet nedan</translation>
+        </message>
+        <message>
+            <source>Show the imprint of the foot, without a designed rim; once more brings it back</source>
+            <translation>Visa fotens avtryck utan utformad kant; en gång till tar den tillbaka</translation>
+        </message>
+        <message>
+            <source>Skin smoothing</source>
+            <translation>Hudutjämning</translation>
+        </message>
+        <message>
+            <source>Soft tissue</source>
+            <translation>Mjukdelar</translation>
+        </message>
+        <message>
+            <source>Source: {source}</source>
+            <translation>Källa: {source}</translation>
+        </message>
+        <message>
+            <source>Stored: {name}</source>
+            <translation>Sparad: {name}</translation>
+        </message>
+        <message>
+            <source>Sulcus</source>
+            <translation>Sulcus</translation>
+        </message>
+        <message>
+            <source>The design is like this already; nothing would change.</source>
+            <translation>Ordinationen är redan sådan; inget skulle ändras.</translation>
+        </message>
+        <message>
+            <source>The foot itself</source>
+            <translation>Foten själv</translation>
+        </message>
+        <message>
+            <source>The insole follows the sole of the foot everywhere: total contact.</source>
+            <translation>Inlägget följer fotsulan överallt: full kontakt.</translation>
+        </message>
+        <message>
+            <source>The level from which the height is counted</source>
+            <translation>Nivån som höjden räknas från</translation>
+        </message>
+        <message>
+            <source>The rim appears here as soon as there is a foot.</source>
+            <translation>Kanten visas här så snart det finns en fot.</translation>
+        </message>
+        <message>
+            <source>This insole is as scanned; choose a device to design its rim</source>
+            <translation>Inlägget är som skannat; välj en inläggstyp för att utforma kanten</translation>
+        </message>
+        <message>
+            <source>Toe crest</source>
+            <translation>Tåkam</translation>
+        </message>
+        <message>
+            <source>Toe line</source>
+            <translation>Tålinje</translation>
+        </message>
+        <message>
+            <source>Toe zone</source>
+            <translation>Tåzon</translation>
+        </message>
+        <message>
+            <source>Type to search: cup, child, plantar fasciitis</source>
+            <translation>Skriv för att söka: hälskål, barn, plantarfasciit</translation>
+        </message>
+        <message>
+            <source>What lies ahead of the metatarsal heads, in place of the scanned toes</source>
+            <translation>Vad som ligger framför metatarsalhuvudena, i stället för de skannade tårna</translation>
+        </message>
+        <message>
+            <source>Widening of heel and lateral border: soft tissue spreads in stance</source>
+            <translation>Breddning av häl och lateral kant: mjukdelarna breder ut sig vid belastning</translation>
+        </message>
+        <message>
+            <source>Width of the transition from support to rim {where}</source>
+            <translation>Bredden på övergången från stöd till kant {where}</translation>
+        </message>
+        <message>
+            <source>Width over which folds of the skin are evened out; 0 for none</source>
+            <translation>Bredd över vilken hudveck jämnas ut; 0 för ingen</translation>
+        </message>
+        <message>
+            <source>at the forefoot</source>
+            <translation>vid framfoten</translation>
+        </message>
+        <message>
+            <source>at the heel</source>
+            <translation>vid hälen</translation>
+        </message>
+        <message>
+            <source>default</source>
+            <translation>förval</translation>
+        </message>
+        <message>
+            <source>in the arch</source>
+            <translation>i hålfoten</translation>
+        </message>
+        <message>
+            <source>mm over the heel</source>
+            <translation>mm över hälen</translation>
+        </message>
+        <message>
+            <source>of this foot</source>
+            <translation>för denna fot</translation>
+        </message>
+        <message>
+            <source>over the foot's own surface</source>
+            <translation>över fotens egen yta</translation>
+        </message>
+        <message>
+            <source>over the heel</source>
+            <translation>över hälen</translation>
+        </message>
+        <message>
+            <source>over the toe zone</source>
+            <translation>över tåzonen</translation>
+        </message>
+        <message>
+            <source>own</source>
+            <translation>egen</translation>
+        </message>
+        <message>
+            <source>total contact</source>
+            <translation>full kontakt</translation>
+        </message>
+    </context>
+</TS>

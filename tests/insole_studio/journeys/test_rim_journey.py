@@ -1,0 +1,344 @@
+"""The rim in graph, views and fields, by real mouse and key events in the real window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pointing import LEFT, drag, lead
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
+from insole_core.workflows.clinic_devices import clinic_devices
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.design.devices.device_actions import DeviceActions
+from insole_studio.scene.scene_view import SceneView
+from insole_studio.scene.view_camera import Preset
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.rim_chart import RimChart
+from insole_studio.widgets.slider_field import SliderField
+
+
+def act(app: Application, key: str) -> None:
+    app.window.actions_by_key[key].trigger()
+
+
+@pytest.fixture
+def designed(opened: Application, settle: Callable[[], None]) -> Application:
+    """The left foot with the device of the product, and the rim tool taken."""
+    act(opened, "choose_device")
+    view = opened.features.design.devices.view
+    assert view is not None
+    QTest.keyClicks(view.search, "eva full")
+    QTest.keyClick(view.search, Qt.Key.Key_Return)
+    settle()
+    act(opened, "tool_rim")
+    settle()
+    assert opened.stage.rim_model.curve is not None
+    return opened
+
+
+@pytest.fixture
+def chart(designed: Application) -> RimChart:
+    chart = designed.stage.rim
+    assert chart.isVisible()
+    return chart
+
+
+def design(app: Application) -> InsoleDesign:
+    assert app.case.record.design is not None
+    return app.case.record.design
+
+
+def finish(app: Application) -> Finish:
+    value = design(app).finish
+    assert value is not None
+    return value
+
+
+def on_chart(app: Application, number: int) -> QPoint:
+    """Where a station is painted in the graph."""
+    placed = app.stage.rim_model.placed[number]
+    edge = placed.arc_mm - app.stage.rim_model.curve.edge.medial_head_mm  # type: ignore[union-attr]
+    length_mm = app.stage.rim_model.curve.edge.length_mm  # type: ignore[union-attr]
+    return app.stage.rim.pixel_of(edge % length_mm, placed.height_mm).toPoint()
+
+
+def in_view(view: SceneView, number: int) -> QPoint:
+    handle = next(h for h in view.handles if h.name == f"rim:{number}")
+    x, y = view.look.pixels_of(np.array(handle.position_mm))[0]
+    return QPoint(round(x), round(y))
+
+
+def pull(chart: RimChart, start: QPoint, *way: QPoint) -> None:
+    QTest.mousePress(chart, LEFT, pos=start)
+    for place in way:
+        QTest.mouseMove(chart, place)
+
+
+def test_a_station_is_dragged_in_the_graph(
+    designed: Application, chart: RimChart, settle: Callable[[], None]
+) -> None:
+    before, steps = finish(designed).rim, len(designed.case.history)
+    start = on_chart(designed, 3)
+    up_mm = 1 / (chart.pixel_of(0, 0).y() - chart.pixel_of(0, 1).y())
+    pull(chart, start, start - QPoint(0, 10), start - QPoint(2, 20))
+    shown = designed.case.shown.design
+    assert shown is not None
+    assert shown.finish != finish(designed), "the views follow before the release"
+    QTest.mouseRelease(chart, LEFT, pos=start - QPoint(2, 20))
+    settle()
+    after = finish(designed).rim
+    assert after[3].height_mm == pytest.approx(before[3].height_mm + 20 * up_mm, abs=0.06)
+    assert (after[:3], after[4:]) == (before[:3], before[4:])
+    assert after[3].along == before[3].along, "raised, not shifted"
+    assert len(designed.case.history) == steps + 1
+    placed = designed.stage.rim_model.placed[3]
+    heel = designed.stage.preview.base
+    assert heel is not None
+    assert heel.finished is not None
+    act(designed, "undo")
+    assert finish(designed).rim == before
+    assert placed.height_mm != designed.stage.rim_model.placed[3].height_mm
+
+
+def test_escape_takes_a_drag_in_the_graph_back(designed: Application, chart: RimChart) -> None:
+    before, steps = design(designed), len(designed.case.history)
+    start = on_chart(designed, 3)
+    pull(chart, start, start - QPoint(0, 20))
+    QTest.keyClick(chart, Qt.Key.Key_Escape)
+    assert designed.case.shown.design == before
+    QTest.mouseRelease(chart, LEFT, pos=start - QPoint(0, 20))
+    assert design(designed) == before
+    assert len(designed.case.history) == steps
+
+
+def test_a_station_stays_between_its_neighbours(designed: Application, chart: RimChart) -> None:
+    start, beyond = on_chart(designed, 3), on_chart(designed, 1)
+    pull(chart, start, beyond)
+    QTest.mouseRelease(chart, LEFT, pos=beyond)
+    alongs = [s.along for s in finish(designed).rim if s.border == "medial"]
+    assert alongs == sorted(alongs)
+    assert designed.stage.preview.problem == ""
+
+
+def test_the_keyboard_shapes_the_rim(designed: Application, chart: RimChart) -> None:
+    steps, count = len(designed.case.history), len(finish(designed).rim)
+    chart.setFocus()
+    QTest.keyClick(chart, Qt.Key.Key_PageDown)
+    number = designed.stage.rim_model.selected
+    assert number is not None
+    before = finish(designed).rim[number]
+    for _ in range(4):
+        QTest.keyClick(chart, Qt.Key.Key_Up)
+    assert finish(designed).rim[number].height_mm == pytest.approx(before.height_mm + 2.0)
+    assert len(designed.case.history) == steps + 1, "nudges in a row are one step"
+    for _ in range(4):
+        QTest.keyClick(chart, Qt.Key.Key_Right)
+    moved = designed.stage.rim_model.placed[number].arc_mm
+    assert len(designed.case.history) == steps + 2
+    QTest.keyClick(chart, Qt.Key.Key_Insert)
+    assert len(finish(designed).rim) == count + 1
+    assert designed.stage.rim_model.selected == count
+    assert designed.stage.rim_model.placed[count].arc_mm > moved
+    QTest.keyClick(chart, Qt.Key.Key_Delete)
+    assert len(finish(designed).rim) == count
+
+
+def test_a_double_click_adds_a_station_on_the_rim_as_it_runs(
+    designed: Application, chart: RimChart
+) -> None:
+    curve = designed.stage.rim_model.curve
+    assert curve is not None
+    between = (QPointF(on_chart(designed, 3)) + QPointF(on_chart(designed, 2))) / 2
+    QTest.mouseDClick(chart, LEFT, pos=between.toPoint())
+    added = designed.stage.rim_model.placed[len(finish(designed).rim) - 1]
+    assert added.height_mm == pytest.approx(curve.height_at(added.arc_mm), abs=0.06)
+
+
+def test_the_selected_station_is_typed(designed: Application, chart: RimChart) -> None:
+    QTest.mouseClick(chart, LEFT, pos=on_chart(designed, 3))
+    panel = designed.stage.parameters
+    field = next(
+        f for f in panel.findChildren(NumberField) if f.property("key") == "station.height_mm"
+    )
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "19,5")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert finish(designed).rim[3].height_mm == 19.5
+
+
+@pytest.mark.parametrize("name", ["foot", "insole"])
+@pytest.mark.parametrize(("preset", "way"), [
+    (Preset.MEDIAL, QPoint(0, -20)),
+    (Preset.PLANTAR, None),
+])  # fmt: skip
+def test_a_station_is_raised_in_the_views(
+    designed: Application, name: str, preset: Preset, way: QPoint | None
+) -> None:
+    """From the side upwards; seen from below or above by a drag outwards."""
+    designed.stage.look(preset)
+    view: SceneView = getattr(designed.stage, name).scene
+    before, steps = finish(designed).rim, len(designed.case.history)
+    middle = view.look.pixels_of(np.array([0.0, 125.0, 0.0]))[0]
+    start = in_view(view, 3)
+    outward = way or QPoint(20 if start.x() > middle[0] else -20, 0)
+    drag(view, start, start + outward)
+    after = finish(designed).rim
+    assert len(designed.case.history) == steps + 1
+    assert after[3].along == before[3].along
+    by_mm = after[3].height_mm - before[3].height_mm
+    assert by_mm == pytest.approx(20 * view.look.mm_per_px, rel=0.2)
+    assert designed.stage.rim_model.selected == 3
+    assert next(h for h in view.handles if h.name == "rim:3").kind == "move"
+
+
+def test_a_station_is_moved_along_the_edge_in_a_view(designed: Application) -> None:
+    view = designed.stage.insole.scene
+    before = finish(designed).rim
+    start = in_view(view, 3)
+    drag(view, start, start + QPoint(0, 8))
+    after = finish(designed).rim
+    assert after[3].height_mm == before[3].height_mm
+    assert after[3].along < before[3].along, "towards the heel"
+
+
+def test_escape_takes_a_drag_in_a_view_back(designed: Application) -> None:
+    view, before = designed.stage.insole.scene, design(designed)
+    start = in_view(view, 3)
+    lead(view, start, start + QPoint(20, 0))
+    assert designed.case.shown.design != before
+    QTest.keyClick(view.surface, Qt.Key.Key_Escape)
+    assert designed.case.shown.design == before
+    QTest.mouseRelease(view.surface, LEFT, pos=start + QPoint(20, 0))
+    assert design(designed) == before
+
+
+def test_the_toe_line_is_dragged(designed: Application) -> None:
+    view = designed.stage.insole.scene
+    handle = next(h for h in view.handles if h.name == "toe_line")
+    x, y = view.look.pixels_of(np.array(handle.position_mm))[0]
+    start, before = QPoint(round(x), round(y)), finish(designed).toe_line_mm
+    drag(view, start, start - QPoint(0, 10))
+    ahead_mm = finish(designed).toe_line_mm - before
+    assert ahead_mm == pytest.approx(10 * view.look.mm_per_px, abs=1.0)
+    assert designed.case.history.undo_sentence == "Move the toe line"
+
+
+def slider(app: Application, key: str) -> SliderField:
+    fields = app.stage.parameters.findChildren(SliderField)
+    return next(f for f in fields if f.property("key") == key)
+
+
+def test_cup_flange_and_fill_are_the_first_controls(designed: Application) -> None:
+    act(designed, "tool_orbit")
+    fields = designed.stage.parameters.findChildren(NumberField)
+    keys = [field.property("key") for field in fields]
+    assert keys[:3] == ["device.cup", "device.flange", "device.fill"]
+
+
+def test_a_slider_is_followed_and_is_one_step(
+    designed: Application, settle: Callable[[], None]
+) -> None:
+    act(designed, "tool_orbit")
+    cup = slider(designed, "device.cup")
+    before, steps = finish(designed), len(designed.case.history)
+    cup.slider.setSliderDown(True)
+    for place in range(25, 41):
+        cup.slider.setValue(place)
+    shown = designed.case.shown.design
+    assert shown is not None
+    assert shown.finish is not None
+    assert shown.finish.rim[0].height_mm == 20.0
+    assert finish(designed) == before
+    cup.slider.setSliderDown(False)
+    settle()
+    assert finish(designed).rim[0].height_mm == 20.0
+    assert len(designed.case.history) == steps + 1
+    assert not designed.stage.tool_controller.is_busy
+
+
+def test_escape_takes_a_slider_back(designed: Application) -> None:
+    act(designed, "tool_orbit")
+    fill, before = slider(designed, "device.fill"), design(designed)
+    fill.slider.setSliderDown(True)
+    fill.slider.setValue(9)
+    assert designed.case.shown.design != before
+    QTest.keyClick(fill.slider, Qt.Key.Key_Escape)
+    assert designed.case.shown.design == before
+    assert (design(designed), fill.number.value()) == (before, 0.0)
+    assert not designed.stage.tool_controller.is_busy
+
+
+def test_the_rim_goes_with_the_prescription_to_the_other_foot(
+    designed: Application, make_foot: Callable[[Side], object], settle: Callable[[], None]
+) -> None:
+    changed = RimStation(border="medial", along=0.45, height_mm=23.5)
+    rim = (*finish(designed).rim[:3], changed, *finish(designed).rim[4:])
+    kept = replace(design(designed), finish=replace(finish(designed), rim=rim))
+    designed.case.apply(kept, "Change the rim")
+    source = ScanSource("mesh", "/nowhere/right.ply", "0" * 64)
+    other = FootRecord.begun(make_foot(Side.RIGHT), source)  # type: ignore[arg-type]
+    designed.case.apply(other, "Add the right foot")
+    settle()
+    designed.case.take_foot(Side.LEFT)
+    act(designed, "copy_to_other")
+    settle()
+    record = designed.case.record.of_side(Side.RIGHT)
+    assert record is not None
+    assert record.design.finish == kept.finish
+    assert record.design.device == kept.device
+
+
+def test_as_scanned_and_back_is_one_click_each(
+    designed: Application, settle: Callable[[], None]
+) -> None:
+    before = design(designed)
+
+    def press(text: str) -> None:
+        buttons = designed.stage.parameters.findChildren(QPushButton)
+        QTest.mouseClick(next(b for b in buttons if b.text() == text), LEFT)
+        settle()
+
+    act(designed, "tool_orbit")
+    press("As scanned")
+    assert design(designed).finish is None
+    assert designed.stage.rim_model.curve is None
+    press("Design the rim")
+    assert design(designed).finish == before.finish
+    assert design(designed).device == before.device
+
+
+def entry(devices: DeviceActions, key: str) -> QAction:
+    assert devices.view is not None
+    return next(a for a in devices.view.more.menu().actions() if a.data() == key)
+
+
+def test_own_devices_are_kept_shared_and_made_the_default(
+    designed: Application, questions: object, tmp_path: object
+) -> None:
+    devices = designed.features.design.devices
+    devices.open()
+    assert devices.view is not None
+    questions.typed = "Own sport"  # type: ignore[attr-defined]
+    entry(devices, "save").trigger()
+    assert devices.view.chosen == "device:own-sport"
+    questions.path = tmp_path / "shared.insole-device"  # type: ignore[attr-defined,operator]
+    entry(devices, "export").trigger()
+    entry(devices, "default").trigger()
+    folder = designed.services.paths.settings_folder
+    stored = clinic_devices(folder).load()
+    assert stored.items["own-sport"].values.finish == finish(designed)
+    assert "default" in devices.view.list.currentItem().text()
+    entry(devices, "remove").trigger()
+    assert "own-sport" not in clinic_devices(folder).load().items
+    entry(devices, "import").trigger()
+    assert clinic_devices(folder).load().items["own-sport"].values.finish == finish(designed)
