@@ -135,7 +135,7 @@ def make_part(
         grid_mm=insole.design.grid_mm,
         least_thickness=None if shell is None else least_thickness(insole, shell),
     )
-    return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
+    return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(insole, order))
 
 
 def nest_parts(left: Part, right: Part, block_mm: tuple[float, float, float]) -> Nest:
@@ -216,17 +216,27 @@ def _reduced(solid: TriangleMesh, order: Order) -> Simplified:
     return simplify(solid, order.most_triangles, order.most_deviation_mm)
 
 
-def _notes(order: Order) -> tuple[str, ...]:
+def _notes(insole: Insole, order: Order) -> tuple[str, ...]:
+    notes = []
     missing = missing_letters("".join(order.mark))
-    if not missing:
-        return ()
-    return (
-        Message(
-            "The font has no letters {missing}; the identification shows a likeness or “?” "
-            "instead.",
-            missing=missing,
-        ),
-    )
+    if missing:
+        notes.append(
+            Message(
+                "The font has no letters {missing}; the identification shows a likeness or “?” "
+                "instead.",
+                missing=missing,
+            )
+        )
+    walls, usual = order.options, DEFAULT_OPTIONS
+    is_asked = (walls.draft_deg, walls.chamfer_mm) != (usual.draft_deg, usual.chamfer_mm)
+    if is_asked and order.kind == "insole" and insole.design.shell is not None:
+        notes.append(
+            Message(
+                "Draft and chamfer of the walls are those of the prescription's shell; those of "
+                "the order are not used."
+            )
+        )
+    return tuple(notes)
 
 
 def _require_known_letters(order: Order) -> None:

@@ -382,6 +382,18 @@ def test_a_large_radius_leaves_half_of_the_wall(left_foot: Foot):
     assert (left < wall).all()
 
 
+def test_the_walls_of_the_order_give_way_to_those_of_the_shell(left_foot: Foot):
+    rules = read_rules().only(())
+    insole = build_insole(left_foot, cupped())
+    usual, asked = (
+        make_part(insole, Order(options=options), rules)
+        for options in (SolidOptions(), SolidOptions(draft_deg=10.0))
+    )
+    assert np.array_equal(usual.solid.vertices, asked.solid.vertices)
+    assert usual.notes == ()
+    assert [str(note)[:36] for note in asked.notes] == ["Draft and chamfer of the walls are t"]
+
+
 def test_drafts_differ_between_the_borders(left_foot: Foot):
     shell = Shell(draft_medial_deg=20.0, draft_lateral_deg=5.0, edge_radius_mm=0.0)
     insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=8.0, shell=shell))
