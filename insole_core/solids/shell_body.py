@@ -79,7 +79,13 @@ def _thickness_mm(design: InsoleDesign) -> float:
     return max(design.made_thickness_mm, least_mm)
 
 
-def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineDistance) -> Body:
+def shell_body(
+    insole: Insole,
+    shell: Shell,
+    made: HeightField,
+    outline: FloatArray,
+    edge: OutlineDistance,
+) -> Body:
     """Return the body of an insole with a shell: tapered, posted, and nowhere too thin.
 
     The taper thins a flat insole from above and one with a following underside from below. Where
@@ -87,13 +93,15 @@ def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineD
 
     Parameters
     ----------
+    made
+        The `made_surface` of the insole.
     outline : (n, 2) float64, mm, insole frame
         Counter-clockwise.
     edge
         The distance to it.
     """
     field, design, length_mm = insole.contact, insole.design, insole.foot.length_mm
-    top, bottom = made_surface(insole).heights_mm, plain_underside(insole)
+    top, bottom = made.heights_mm, plain_underside(insole)
     behind = behind_front_mm(outline, field)
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
     front_mm = max(shell.taper_mm, _material(shell).least_edge_mm)
