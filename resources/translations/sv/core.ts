@@ -397,7 +397,7 @@
         </message>
         <message>
             <source>Finishing rim and toe zone</source>
-            <translation>Formar kant och tåzon</translation>
+            <translation>Färdigställer rand och tåzon</translation>
         </message>
         <message>
             <source>Fitting both cameras to {count} boards</source>
@@ -820,6 +820,10 @@
             <translation>Fotvalvet är bara {height_mm:g} mm högt där {target_mm:g} mm är ordinerat; ett urtag eller ett penseldrag sänker det där.</translation>
         </message>
         <message>
+            <source>The arch is to be filled by {asked_mm:.1f} mm and is only {height_mm:.1f} mm high; it is filled by {height_mm:.1f} mm; set a smaller fill.</source>
+            <translation>Fotvalvet ska fyllas ut med {asked_mm:.1f} mm och är bara {height_mm:.1f} mm högt; det fylls ut med {height_mm:.1f} mm; ställ in en mindre utfyllnad.</translation>
+        </message>
+        <message>
             <source>The arch is to be raised beside the insole; move its place inwards.</source>
             <translation>Fotvalvet ska höjas bredvid inlägget; flytta platsen inåt.</translation>
         </message>
@@ -1000,6 +1004,10 @@
             <translation>Hälen saknas, eller är avskuren baktill; längder och allt som placeras från hälen är gissningar. Skanna foten igen med hälen.</translation>
         </message>
         <message>
+            <source>The heel is widened by {expansion_mm:.1f} mm, and the outline lies only {beside_mm:.1f} mm behind the foot; widen the outline at the heel by as much.</source>
+            <translation>Hälen breddas med {expansion_mm:.1f} mm, och konturen ligger bara {beside_mm:.1f} mm bakom foten; bredda konturen vid hälen lika mycket.</translation>
+        </message>
+        <message>
             <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
             <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
         </message>
@@ -1152,6 +1160,18 @@
             <translation>Resultatet passar inte en Kinect v1: {findings}; {reason}.</translation>
         </message>
         <message>
+            <source>The rim is {rim_mm:.0f} mm high {where}, and the scan of the foot reaches up to {flank_mm:.0f} mm beside it: above that the wall is designed, and no foot carries it; lower the rim, or scan more of the flank.</source>
+            <translation>Randen är {rim_mm:.0f} mm hög {where}, och skanningen av foten når upp till {flank_mm:.0f} mm bredvid den: däröver är väggen konstruerad och bärs inte av foten; sänk randen eller skanna mer av fotens sida.</translation>
+        </message>
+        <message>
+            <source>The rim is {rim_mm:.1f} mm high where a station {where} asks for {asked_mm:.1f} mm, or it would bend too sharply; move the neighbouring stations away or nearer to its height.</source>
+            <translation>Randen är {rim_mm:.1f} mm hög där en station {where} anger {asked_mm:.1f} mm, annars skulle den böjas för skarpt; flytta grannstationerna bort eller närmare dess höjd.</translation>
+        </message>
+        <message>
+            <source>The rim lies {below_mm:.1f} mm below the sole, so that the whole insole is {below_mm:.1f} mm thicker to keep its least thickness there; raise the rim or lower the posting.</source>
+            <translation>Randen ligger {below_mm:.1f} mm under sulan, så att hela inlägget blir {below_mm:.1f} mm tjockare för att behålla minsta tjockleken där; höj randen eller minska kilningen.</translation>
+        </message>
+        <message>
             <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
@@ -1252,6 +1272,14 @@
             <translation>Tårna saknas; fotens längd uppskattades till {length_mm:.0f} mm av resten.</translation>
         </message>
         <message>
+            <source>The transition to the rim is {used_mm:.0f} mm wide {where} instead of {asked_mm:.0f} mm, or the wall would be too steep or bent too sharply; a rim nearer to the foot needs less.</source>
+            <translation>Övergången till randen är {used_mm:.0f} mm bred {where} i stället för {asked_mm:.0f} mm, annars skulle väggen bli för brant eller för skarpt böjd; en rand närmare foten behöver mindre.</translation>
+        </message>
+        <message>
+            <source>The transition to the rim of {asked_mm:.0f} mm has no room {where}, where the insole is {width_mm:.0f} mm wide: it is {used_mm:.0f} mm there; set a narrower transition.</source>
+            <translation>Övergången till randen på {asked_mm:.0f} mm får inte plats {where}, där inlägget är {width_mm:.0f} mm brett: den är {used_mm:.0f} mm där; ställ in en smalare övergång.</translation>
+        </message>
+        <message>
             <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
             <translation>De två ytorna överlappar inte i något läge, så de kan inte jämföras; kontrollera att båda visar samma sida av samma fot.</translation>
         </message>
@@ -1282,6 +1310,10 @@
         <message>
             <source>The volume of interest was set by hand.</source>
             <translation>Volymen av intresse sattes för hand.</translation>
+        </message>
+        <message>
+            <source>The wall to the rim is {angle:.0f}° steep, and there is no room for a wider one; lower the rim there.</source>
+            <translation>Väggen till randen lutar {angle:.0f}°, och det finns ingen plats för en bredare; sänk randen där.</translation>
         </message>
         <message>
             <source>The walls are still off by {rms_raw:.1f} raw units, which is more than noise; take care that they are flat and empty, and that the sensor stands still.</source>
@@ -1434,6 +1466,10 @@
         <message>
             <source>Two stations of the rim lie at the same place of the {border} edge, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
             <translation>Två stationer på kanten ligger på samma ställe ({border}), den ena {height_mm:.1f} mm hög och den andra {other_mm:.1f} mm; ta bort en av dem.</translation>
+        </message>
+        <message>
+            <source>Two stations of the rim lie at the same place {where}, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
+            <translation>Två stationer på randen ligger på samma plats {where}, en {height_mm:.1f} mm hög och en {other_mm:.1f} mm; ta bort en av dem.</translation>
         </message>
         <message>
             <source>UCBL, child</source>
@@ -3418,6 +3454,10 @@
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
             <translation>{share:.0%} av bilden fylldes aldrig av en vägg; flytta skivan dit.</translation>
+        </message>
+        <message>
+            <source>{share:.0%} of the {pad} lie on the transition to the rim; move it inwards or set a narrower transition.</source>
+            <translation>{share:.0%} av {pad} ligger på övergången till randen; flytta den inåt eller ställ in en smalare övergång.</translation>
         </message>
         <message>
             <source>{text} is no date; write year, month and day, such as 1970-02-28.</source>
