@@ -13,11 +13,13 @@ from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import (
     ArchRaise,
     Correction,
+    Finish,
     HeelCup,
     HeelSkive,
     InsoleDesign,
     Pelott,
     Posting,
+    RimStation,
 )
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import vary_shape
@@ -55,6 +57,34 @@ def random_design(foot: Foot, rng: np.random.Generator) -> InsoleDesign:
         grid_mm=float(rng.choice([1.0, 1.5, 2.0])),
         max_height_mm=float(rng.uniform(15, 35)),
         bottom=str(rng.choice(["flat", "following"])),
+    )
+
+
+def random_finish(rng: np.random.Generator) -> Finish:
+    """Draw a finish between those of a dress insole and of a UCBL."""
+    cup, flange, lateral, head, toes = (
+        float(rng.uniform(*r)) for r in ((8, 23), (9, 24), (6, 18), (1, 5), (0, 3))
+    )
+    rim = [
+        RimStation(border="medial", along=0.0, height_mm=cup),
+        RimStation(border="medial", along=1.0, height_mm=toes, over="toes"),
+    ]
+    for border, arch in (("medial", flange), ("lateral", lateral)):
+        rim += [
+            RimStation(border=border, along=0.2, height_mm=cup),
+            RimStation(border=border, along=0.45, height_mm=arch),
+            RimStation(border=border, along=0.7, height_mm=head, over="toes"),
+        ]
+    return Finish(
+        expansion_mm=float(rng.choice([0.0, 2.0])),
+        arch_fill_mm=float(rng.choice([0.0, 1.6, 3.2, 6.4])),
+        skin_smoothing_mm=float(rng.uniform(1.5, 3)),
+        toe_zone=str(rng.choice(["flat", "flat", "sulcus", "crest", "as_scanned"])),
+        toe_line_mm=float(rng.uniform(2, 8)),
+        heel_blend_mm=float(rng.uniform(7, 10)),
+        arch_blend_mm=float(rng.uniform(9, 13)),
+        forefoot_blend_mm=float(rng.uniform(7, 9)),
+        rim=tuple(rim),
     )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray
+from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.design_totals import check_totals
@@ -50,12 +51,15 @@ class Insole:
         The surface that touches the foot; insole frame, z = 0 is the bottom plane.
     measured : (ny, nx) bool
         Nodes of `contact` where the foot was measured.
+    finished
+        How the surface below the pads was finished; None of a design without a finish.
     """
 
     design: InsoleDesign
     foot: Foot
     contact: HeightField
     measured: BoolArray
+    finished: FinishedSurface | None = None
 
 
 class BaseStep(Protocol):
@@ -94,7 +98,7 @@ def build_insole(
     check_design_for(foot, design)
     base = base_of(foot, design, progress.part(0.0, 0.9))
     progress.step(0.9, "Adding pads")
-    insole = Insole(design, foot, apply_pads(base, design), base.measured)
+    insole = Insole(design, foot, apply_pads(base, design), base.measured, base.finished)
     problem = material_problem(insole.contact, design, foot.length_mm)
     if problem is not None:
         raise problem

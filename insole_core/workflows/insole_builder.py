@@ -208,7 +208,7 @@ def _base(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> C
 def _bare(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> BareInsole:
     base = _base(memo, foot, design, progress.part(0.0, 0.7))
     progress.step(0.7, "Trimming the insole")
-    insole = Insole(without_added(design), foot, base.surface, base.measured)
+    insole = Insole(without_added(design), foot, base.surface, base.measured, base.finished)
     is_shaped = design.shell is not None or design.taken_off_mm > 0
     solid = insole_solid(insole)
     return BareInsole.of(bare_key(foot, design), foot, base, solid, is_shaped=is_shaped)

@@ -143,8 +143,11 @@ class RimModel(QObject):
         trim = None if design.shell is None else design.shell.trim_mm
         key = foot, design.outline, trim, record.annotations
         if self._outline_of != key:
-            self._known_outline = insole_outline(foot, design, landmarks_of(record))
             self._outline_of = key
+            try:
+                self._known_outline = insole_outline(foot, design, landmarks_of(record))
+            except DesignError:  # the preview says why, and shows the insole before
+                return self._known_outline
         return self._known_outline
 
     @property

@@ -21,9 +21,10 @@ from insole_core.insole.surface.height_field import HeightField
 _ZONES_ALONG = (0.18, 0.35, 0.55, HEADS_ALONG)
 _OF_ROOM = 0.75
 """Greatest width as a share of the way to the middle: in between, the insole supports."""
-_STEEPEST = np.tan(np.radians(59.0))
-"""Of a wall by the beam's equation; 60 degrees are asked of the plate."""
-_MOST_BEND = (0.19, 0.24)
+STEEPEST_DEG = 60.0
+"""Greatest inclination of a wall."""
+_STEEPEST = np.tan(np.radians(STEEPEST_DEG - 1.0))  # by the beam's equation
+_MOST_BEND = (0.18, 0.235)
 """Greatest curvature at the foot of a wall that turns down to a low rim, and of one that turns up
 to a high one, 1/mm, likewise; 0.3 is asked of the Laplacian, and 0.1 of its root mean square."""
 _SPREAD_MM, _SIGMA_MM = 6.0, 6.0

@@ -82,10 +82,16 @@ class EdgeDistance:
 
     @cached_property
     def nearest_in_plate(self) -> tuple[IntArray, IntArray]:
-        """Row and column, (ny, nx) each, of the plate's node nearest to each node."""
+        """Row and column, (ny, nx) each, of the plate's node nearest to each node.
+
+        Of two equally near ones a mirrored insole takes the mirrored one.
+        """
+        flip = int(-self.edge.turn)
         row, column = distance_transform_edt(
-            ~self.plate.nodes, return_distances=False, return_indices=True
+            ~self.plate.nodes[:, ::flip], return_distances=False, return_indices=True
         )
+        if flip < 0:
+            row, column = row[:, ::-1], self.plate.nodes.shape[1] - 1 - column[:, ::-1]
         return row, column
 
     def at_edge(self, values: FloatArray) -> FloatArray:

@@ -42,6 +42,8 @@ class FinishedSurface:
 
     Parameters
     ----------
+    finish
+        That was applied.
     surface
         Heights in the level of the contact surface that it was made from.
     heel_mm
@@ -50,6 +52,7 @@ class FinishedSurface:
         What the plate is held at: the shaped contact surface, and the floor of the toe zone.
     """
 
+    finish: Finish
     surface: HeightField
     heel_mm: float
     rim: Rim
@@ -75,7 +78,9 @@ class FinishedSurface:
         """
         curve = self.rim.curve(stations)
         heights = _joined(self.place, self.plate, self.goal, self.heel_mm + curve.height_mm)
-        return replace(self, surface=replace(self.surface, heights_mm=heights), curve=curve)
+        surface = replace(self.surface, heights_mm=heights)
+        finish = replace(self.finish, rim=stations)
+        return replace(self, finish=finish, surface=surface, curve=curve)
 
 
 def finished(
@@ -127,7 +132,7 @@ def finished(
     plate = _factorised(foot, design.outline, place, zones.stiffness())
     surface = replace(contact, heights_mm=_joined(place, plate, goal, rim_mm))
     return FinishedSurface(
-        surface, heel_mm, rim, curve, widths, toes, arch, zones, goal, place, plate
+        finish, surface, heel_mm, rim, curve, widths, toes, arch, zones, goal, place, plate
     )
 
 

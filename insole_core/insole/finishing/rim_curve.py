@@ -187,9 +187,9 @@ def _without_twins(placed: list[PlacedStation], length_mm: float) -> Iterator[Pl
             yield station
         elif abs(station.height_mm - before.height_mm) > _SAME_HEIGHT_MM:
             raise DesignError(
-                "Two stations of the rim lie at the same place of the {border} edge, one "
-                "{height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.",
-                border=station.station.border,
+                "Two stations of the rim lie at the same place {where}, one {height_mm:.1f} mm "
+                "high and one {other_mm:.1f} mm; remove one of them.",
+                where="medially" if station.station.border == "medial" else "laterally",
                 height_mm=before.height_mm,
                 other_mm=station.height_mm,
             )

@@ -30,7 +30,7 @@ class ToeZone:
     Parameters
     ----------
     ahead_mm : (ny, nx) float64
-        How far each node lies ahead of the parabola through the five heads, along y.
+        How far each node lies ahead of the parabola through the five heads, nearly normal to it.
     level_mm
         On which the toes lie: the median of the contact surface just ahead of the heads, less the
         depth of a sulcus.
@@ -80,15 +80,16 @@ def toe_zone(
     medial = foot.side.medial_sign
     heads, tips = (_places(foot, names) for names in (HEADS, TOE_TIPS))
     parabola = np.polyfit(heads[:, 0], heads[:, 1], 2)
-    ahead_mm = place.y_mm - np.polyval(parabola, medial * place.x_mm)
+    x_mm = medial * place.x_mm
+    ahead_mm = _ahead_mm(parabola, x_mm, place.y_mm)
     level_mm = _level_mm(ahead_mm, contact_mm, measured & (place.inside_mm > 0))
     floor_mm = np.full(ahead_mm.shape, level_mm)
     if finish.toe_zone == "sulcus":
         floor_mm = level_mm - _SULCUS_DEPTH_MM * smoother_step(ahead_mm, *_SULCUS_MM)
         level_mm -= _SULCUS_DEPTH_MM
     elif finish.toe_zone == "crest":
-        reach_mm = (tips[1:4, 1] - np.polyval(parabola, tips[1:4, 0])).mean()
-        aside = (heads[0, 0] - medial * place.x_mm) / max(heads[0, 0] - heads[-1, 0], 1.0)
+        reach_mm = _ahead_mm(parabola, *tips[1:4].T).mean()
+        aside = (heads[0, 0] - x_mm) / max(heads[0, 0] - heads[-1, 0], 1.0)
         across = smoother_step(aside, *_CREST_TOES)
         away = np.abs(ahead_mm - _CREST_PLACE * reach_mm) / _CREST_HALF_MM
         floor_mm = level_mm + _CREST_MM * across * (1 - smoother_step(away, 0.0, 1.0))
@@ -97,6 +98,12 @@ def toe_zone(
     if finish.toe_zone == "as_scanned":
         begin = end = np.inf
     return ToeZone(ahead_mm, level_mm, floor_mm, begin, end)
+
+
+def _ahead_mm(parabola: FloatArray, x_mm: FloatArray, y_mm: FloatArray) -> FloatArray:
+    """Return how far places lie ahead of a parabola, nearly normal to it."""
+    steepness = np.hypot(1.0, np.polyval(np.polyder(parabola), x_mm))
+    return np.asarray((y_mm - np.polyval(parabola, x_mm)) / steepness)
 
 
 def _places(foot: Foot, names: tuple[str, ...]) -> FloatArray:

@@ -33,9 +33,10 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.insole.prescription.design_warning import DesignWarning
+from insole_core.insole.prescription.finish_warnings import finish_warnings
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.insole.prescription.pronation import PronationStep
-from insole_core.insole.prescription.rim_sliders import cup_depth_mm
+from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
 from insole_core.insole.prescription.shell_warnings import shell_warnings
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm, rockers
@@ -140,8 +141,8 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, grid, arch, pads, and shell; at most one about
-        landmarks.
+        Landmarks first, then posting, heel, height, grid, finish, arch, pads, and shell; at most
+        one about landmarks.
     """
     design = insole.design
     pads = [c for c in design.active if isinstance(c, Pelott)]
@@ -152,6 +153,7 @@ def design_warnings(
         *_of_heel(design, rules),
         *_of_height(insole, rules),
         *_of_grid(design, rules),
+        *finish_warnings(insole),
         *(w for arch in arches for w in _of_arch(insole, arch)),
         *_of_rocker(insole),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
@@ -257,9 +259,11 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
 
 def _cup_mm(design: InsoleDesign) -> float:
     """Return the depth of the heel cup: that of the designed rim, or of the corrections."""
+    if design.finish is not None:
+        rim = cup_depth_mm(finish_with_cups(design.finish, design.active))
+        return _USUAL_CUP_MM if rim is None else rim
     cups = [c.depth_mm for c in design.active if isinstance(c, HeelCup)]
-    rim = None if design.finish is None else cup_depth_mm(design.finish)
-    return min(cups, default=_USUAL_CUP_MM) if rim is None else max([rim, *cups])
+    return min(cups, default=_USUAL_CUP_MM)
 
 
 def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:

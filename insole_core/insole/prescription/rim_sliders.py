@@ -5,9 +5,10 @@ Only stations over the heel's floor count; those over the toe zone or the foot s
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from insole_core.insole.prescription.corrections import Correction, HeelCup
 from insole_core.insole.prescription.finish import HEADS_ALONG, Finish, RimStation
 
 _CUP_ALONG, _CUP_FADE = 0.2, 0.4
@@ -34,6 +35,17 @@ def with_cup_depth(finish: Finish, depth_mm: float) -> Finish:
     if old_mm is None:
         return replace(finish, rim=(*_round_heel(depth_mm), *(finish.rim or _as_the_foot())))
     return _moved(finish, depth_mm - old_mm, _cup_weight)
+
+
+def finish_with_cups(finish: Finish, corrections: Iterable[Correction]) -> Finish:
+    """Set the heel cup of a finish to the depth of the last heel cup among active corrections.
+
+    So a heel cup means the same with a designed rim as without: the depth that the cup gets.
+    """
+    for correction in corrections:
+        if isinstance(correction, HeelCup):
+            finish = with_cup_depth(finish, correction.depth_mm)
+    return finish
 
 
 def medial_flange_mm(finish: Finish) -> float | None:

@@ -19,6 +19,7 @@ from insole_core.insole.finishing.finished import FinishedSurface, finished
 from insole_core.insole.forms.form_surface import base_surface, finish_on_base
 from insole_core.insole.outline.insole_outline import outline_reach
 from insole_core.insole.prescription.design import (
+    Finish,
     ForefootTwist,
     HeelCup,
     HeelLift,
@@ -27,6 +28,7 @@ from insole_core.insole.prescription.design import (
     Place,
     Posting,
 )
+from insole_core.insole.prescription.rim_sliders import finish_with_cups
 from insole_core.insole.surface.heel import cup_rows, cupped, lifted, skived
 from insole_core.insole.surface.heel_rim import RimBand, rim_band
 from insole_core.insole.surface.height_field import HeightField
@@ -157,7 +159,7 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         finish = finished(
             foot,
             design,
-            finish_on_base(design.finish, design.base),
+            _finish_of(design.finish, design),
             sole=level,
             contact=surface,
             measured=sole.measured,
@@ -180,8 +182,13 @@ def with_rim(base: ContactBase, design: InsoleDesign, length_mm: float) -> Conta
     """
     if base.finished is None or design.finish is None:
         return base
-    moved = base.finished.with_rim(design.finish.rim)
+    moved = base.finished.with_rim(_finish_of(design.finish, design).rim)
     return replace(base, surface=_raised(moved.surface, design, length_mm), finished=moved)
+
+
+def _finish_of(finish: Finish, design: InsoleDesign) -> Finish:
+    """Return a design's finish as its base and its heel cups change it."""
+    return finish_on_base(finish_with_cups(finish, design.active), design.base)
 
 
 def _raised(surface: HeightField, design: InsoleDesign, length_mm: float) -> HeightField:

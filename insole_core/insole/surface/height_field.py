@@ -74,6 +74,11 @@ class HeightField:
         upward /= np.sqrt(np.einsum("ijc,ijc->ij", upward, upward))[..., None]
         return np.asarray(upward)
 
+    def slope_deg(self) -> FloatArray:
+        """Compute the inclination (ny, nx) of the surface from the horizontal, degrees."""
+        along_y, along_x = np.gradient(self.heights_mm, self.step_mm)
+        return np.asarray(np.degrees(np.arctan(np.hypot(along_x, along_y))))
+
     def laplacian(self) -> FloatArray:
         """Compute the sum of both second differences per step², (ny, nx), 1/mm; 0 at the rim."""
         h, bend = self.heights_mm, np.zeros_like(self.heights_mm)

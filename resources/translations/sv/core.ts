@@ -292,6 +292,18 @@
             <translation>Överdrag</translation>
         </message>
         <message>
+            <source>Cover glued on later</source>
+            <translation>Överdraget limmas på senare</translation>
+        </message>
+        <message>
+            <source>Cover to the toes.</source>
+            <translation>Överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Cup of 18 to 22.</source>
+            <translation>Hälskål på 18 till 22.</translation>
+        </message>
+        <message>
             <source>Cup of 20 or more, rearfoot post.</source>
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
@@ -301,7 +313,7 @@
         </message>
         <message>
             <source>Device</source>
-            <translation>Inlägg</translation>
+            <translation>Inläggstyp</translation>
         </message>
         <message>
             <source>Diabetes with loss of sensation</source>
@@ -397,7 +409,7 @@
         </message>
         <message>
             <source>Finishing rim and toe zone</source>
-            <translation>Formar kant och tåzon</translation>
+            <translation>Färdigställer rand och tåzon</translation>
         </message>
         <message>
             <source>Fitting both cameras to {count} boards</source>
@@ -574,6 +586,10 @@
         <message>
             <source>Measuring the difference</source>
             <translation>Mäter skillnaden</translation>
+        </message>
+        <message>
+            <source>Medial border, from the 1st metatarsal's bisection</source>
+            <translation>Medial kant, från första metatarsalens mittlinje</translation>
         </message>
         <message>
             <source>Medial draft</source>
@@ -820,6 +836,10 @@
             <translation>Fotvalvet är bara {height_mm:g} mm högt där {target_mm:g} mm är ordinerat; ett urtag eller ett penseldrag sänker det där.</translation>
         </message>
         <message>
+            <source>The arch is to be filled by {asked_mm:.1f} mm and is only {height_mm:.1f} mm high; it is filled by {height_mm:.1f} mm; set a smaller fill.</source>
+            <translation>Fotvalvet ska fyllas ut med {asked_mm:.1f} mm och är bara {height_mm:.1f} mm högt; det fylls ut med {height_mm:.1f} mm; ställ in en mindre utfyllnad.</translation>
+        </message>
+        <message>
             <source>The arch is to be raised beside the insole; move its place inwards.</source>
             <translation>Fotvalvet ska höjas bredvid inlägget; flytta platsen inåt.</translation>
         </message>
@@ -1000,6 +1020,10 @@
             <translation>Hälen saknas, eller är avskuren baktill; längder och allt som placeras från hälen är gissningar. Skanna foten igen med hälen.</translation>
         </message>
         <message>
+            <source>The heel is widened by {expansion_mm:.1f} mm, and the outline lies only {beside_mm:.1f} mm behind the foot; widen the outline at the heel by as much.</source>
+            <translation>Hälen breddas med {expansion_mm:.1f} mm, och konturen ligger bara {beside_mm:.1f} mm bakom foten; bredda konturen vid hälen lika mycket.</translation>
+        </message>
+        <message>
             <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
             <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
         </message>
@@ -1152,6 +1176,18 @@
             <translation>Resultatet passar inte en Kinect v1: {findings}; {reason}.</translation>
         </message>
         <message>
+            <source>The rim is {rim_mm:.0f} mm high {where}, and the scan of the foot reaches up to {flank_mm:.0f} mm beside it: above that the wall is designed, and no foot carries it; lower the rim, or scan more of the flank.</source>
+            <translation>Randen är {rim_mm:.0f} mm hög {where}, och skanningen av foten når upp till {flank_mm:.0f} mm bredvid den: däröver är väggen konstruerad och bärs inte av foten; sänk randen eller skanna mer av fotens sida.</translation>
+        </message>
+        <message>
+            <source>The rim is {rim_mm:.1f} mm high where a station {where} asks for {asked_mm:.1f} mm, or it would bend too sharply; move the neighbouring stations away or nearer to its height.</source>
+            <translation>Randen är {rim_mm:.1f} mm hög där en station {where} anger {asked_mm:.1f} mm, annars skulle den böjas för skarpt; flytta grannstationerna bort eller närmare dess höjd.</translation>
+        </message>
+        <message>
+            <source>The rim lies {below_mm:.1f} mm below the sole, so that the whole insole is {below_mm:.1f} mm thicker to keep its least thickness there; raise the rim or lower the posting.</source>
+            <translation>Randen ligger {below_mm:.1f} mm under sulan, så att hela inlägget blir {below_mm:.1f} mm tjockare för att behålla minsta tjockleken där; höj randen eller minska kilningen.</translation>
+        </message>
+        <message>
             <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
@@ -1252,6 +1288,14 @@
             <translation>Tårna saknas; fotens längd uppskattades till {length_mm:.0f} mm av resten.</translation>
         </message>
         <message>
+            <source>The transition to the rim is {used_mm:.0f} mm wide {where} instead of {asked_mm:.0f} mm, or the wall would be too steep or bent too sharply; a rim nearer to the foot needs less.</source>
+            <translation>Övergången till randen är {used_mm:.0f} mm bred {where} i stället för {asked_mm:.0f} mm, annars skulle väggen bli för brant eller för skarpt böjd; en rand närmare foten behöver mindre.</translation>
+        </message>
+        <message>
+            <source>The transition to the rim of {asked_mm:.0f} mm has no room {where}, where the insole is {width_mm:.0f} mm wide: it is {used_mm:.0f} mm there; set a narrower transition.</source>
+            <translation>Övergången till randen på {asked_mm:.0f} mm får inte plats {where}, där inlägget är {width_mm:.0f} mm brett: den är {used_mm:.0f} mm där; ställ in en smalare övergång.</translation>
+        </message>
+        <message>
             <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
             <translation>De två ytorna överlappar inte i något läge, så de kan inte jämföras; kontrollera att båda visar samma sida av samma fot.</translation>
         </message>
@@ -1282,6 +1326,10 @@
         <message>
             <source>The volume of interest was set by hand.</source>
             <translation>Volymen av intresse sattes för hand.</translation>
+        </message>
+        <message>
+            <source>The wall to the rim is {angle:.0f}° steep, and there is no room for a wider one; lower the rim there.</source>
+            <translation>Väggen till randen lutar {angle:.0f}°, och det finns ingen plats för en bredare; sänk randen där.</translation>
         </message>
         <message>
             <source>The walls are still off by {rms_raw:.1f} raw units, which is more than noise; take care that they are flat and empty, and that the sensor stands still.</source>
@@ -1436,6 +1484,10 @@
             <translation>Två stationer på kanten ligger på samma ställe ({border}), den ena {height_mm:.1f} mm hög och den andra {other_mm:.1f} mm; ta bort en av dem.</translation>
         </message>
         <message>
+            <source>Two stations of the rim lie at the same place {where}, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
+            <translation>Två stationer på randen ligger på samma plats {where}, en {height_mm:.1f} mm hög och en {other_mm:.1f} mm; ta bort en av dem.</translation>
+        </message>
+        <message>
             <source>UCBL, child</source>
             <translation>UCBL, barn</translation>
         </message>
@@ -1474,14 +1526,6 @@
         <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
-        </message>
-        <message>
-            <source>Wide shell; cover to the toes.</source>
-            <translation>Brett skal; överdrag till tårna.</translation>
-        </message>
-        <message>
-            <source>Wide shell; cup of 18 to 22.</source>
-            <translation>Brett skal; hälskål på 18 till 22.</translation>
         </message>
         <message>
             <source>Writing the file</source>
@@ -2188,6 +2232,10 @@
             <translation>naviculare, där det är märkt, över underlaget</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>nej</translation>
+        </message>
+        <message>
             <source>no blue marker with a depth reading is seen; check the light and that the reference system is in the picture</source>
             <translation>ingen blå markör med djupvärde syns; kontrollera ljuset och att referenssystemet är i bild</translation>
         </message>
@@ -2734,6 +2782,10 @@
         <message>
             <source>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</source>
             <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>ja</translation>
         </message>
         <message>
             <source>you may not write there; choose another place or ask for permission</source>
@@ -3418,6 +3470,10 @@
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
             <translation>{share:.0%} av bilden fylldes aldrig av en vägg; flytta skivan dit.</translation>
+        </message>
+        <message>
+            <source>{share:.0%} of the {pad} lie on the transition to the rim; move it inwards or set a narrower transition.</source>
+            <translation>{share:.0%} av {pad} ligger på övergången till randen; flytta den inåt eller ställ in en smalare övergång.</translation>
         </message>
         <message>
             <source>{text} is no date; write year, month and day, such as 1970-02-28.</source>

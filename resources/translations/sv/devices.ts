@@ -8,6 +8,18 @@
             <translation>0 % bakom hälen, 70 % vid metatarsalhuvudet, 100 % vid tårna</translation>
         </message>
         <message>
+            <source>&gt; 0 raises the medial edge (varus), &lt; 0 the lateral one (valgus)</source>
+            <translation>&gt; 0 höjer den mediala kanten (varus), &lt; 0 den laterala (valgus)</translation>
+        </message>
+        <message>
+            <source>A body below the shell that tilts it and stands flat on the ground</source>
+            <translation>En kil under skalet som lutar det och står plant på underlaget</translation>
+        </message>
+        <message>
+            <source>A cover that is glued on later is taken off what is made</source>
+            <translation>Ett överdrag som limmas på senare dras av från det som tillverkas</translation>
+        </message>
+        <message>
             <source>Add a station here</source>
             <translation>Lägg till en kantpunkt här</translation>
         </message>
@@ -56,6 +68,10 @@
             <translation>Bakom hälen</translation>
         </message>
         <message>
+            <source>Body weight</source>
+            <translation>Kroppsvikt</translation>
+        </message>
+        <message>
             <source>Change between the imprint of the foot and the designed device</source>
             <translation>Växla mellan fotens avtryck och det utformade inlägget</translation>
         </message>
@@ -66,6 +82,10 @@
         <message>
             <source>Choose a device, a base form, or what is proposed for a finding</source>
             <translation>Välj en inläggstyp, en grundform eller det som föreslås för ett fynd</translation>
+        </message>
+        <message>
+            <source>Cover is</source>
+            <translation>Överdraget</translation>
         </message>
         <message>
             <source>Design the rim</source>
@@ -108,6 +128,10 @@
             <translation>Dra en kantpunkt för att forma kanten; dubbelklick lägger till en, Delete tar bort den</translation>
         </message>
         <message>
+            <source>Drag to move the front edge of the shell</source>
+            <translation>Dra för att flytta skalets framkant</translation>
+        </message>
+        <message>
             <source>Drag to move the line at which the toe zone begins</source>
             <translation>Dra för att flytta linjen där tåzonen börjar</translation>
         </message>
@@ -116,8 +140,28 @@
             <translation>Dra för att höja kanten här, eller för att flytta kantpunkten längs kanten</translation>
         </message>
         <message>
+            <source>Edge radius</source>
+            <translation>Kantradie</translation>
+        </message>
+        <message>
             <source>Edit the device</source>
             <translation>Ändra inläggstypen</translation>
+        </message>
+        <message>
+            <source>Edit the post</source>
+            <translation>Ändra kilen</translation>
+        </message>
+        <message>
+            <source>Edit the shell</source>
+            <translation>Ändra skalet</translation>
+        </message>
+        <message>
+            <source>Expert: device</source>
+            <translation>Expert: inläggstyp</translation>
+        </message>
+        <message>
+            <source>Expert: shell</source>
+            <translation>Expert: skal</translation>
         </message>
         <message>
             <source>Export this device…</source>
@@ -136,12 +180,32 @@
             <translation>Fotens sida</translation>
         </message>
         <message>
+            <source>Forefoot post</source>
+            <translation>Framfotskil</translation>
+        </message>
+        <message>
             <source>Forefoot transition</source>
             <translation>Övergång, framfot</translation>
         </message>
         <message>
+            <source>From which, with the weight, a thickness is proposed</source>
+            <translation>Av det och vikten föreslås en tjocklek</translation>
+        </message>
+        <message>
+            <source>From {least} kg on, a thickness is proposed; 0 if unknown</source>
+            <translation>Från {least} kg föreslås en tjocklek; 0 om okänd</translation>
+        </message>
+        <message>
+            <source>Front edge</source>
+            <translation>Framkant</translation>
+        </message>
+        <message>
             <source>Give the imprint a designed rim and toe zone</source>
             <translation>Ge avtrycket en utformad kant och tåzon</translation>
+        </message>
+        <message>
+            <source>Heel pitch</source>
+            <translation>Klackhöjd</translation>
         </message>
         <message>
             <source>Heel transition</source>
@@ -164,6 +228,10 @@
             <translation>Kantens höjd bakom hälen, över hälens botten</translation>
         </message>
         <message>
+            <source>Height of the shoe's heel over its forefoot</source>
+            <translation>Hur mycket högre skons häl är än dess framfot</translation>
+        </message>
+        <message>
             <source>How far ahead of the metatarsal heads the toe zone begins</source>
             <translation>Hur långt framför metatarsalhuvudena tåzonen börjar</translation>
         </message>
@@ -176,6 +244,14 @@
             <translation>Importera en inläggstyp…</translation>
         </message>
         <message>
+            <source>Inclination of the lateral wall; &gt; 0 is wider at the bottom</source>
+            <translation>Den laterala väggens lutning; &gt; 0 är bredare nedtill</translation>
+        </message>
+        <message>
+            <source>Inclination of the medial wall; &gt; 0 is wider at the bottom</source>
+            <translation>Den mediala väggens lutning; &gt; 0 är bredare nedtill</translation>
+        </message>
+        <message>
             <source>Keep this insole's form as a base</source>
             <translation>Behåll inläggets form som grundform</translation>
         </message>
@@ -184,8 +260,24 @@
             <translation>Behåll inläggets form som grundform…</translation>
         </message>
         <message>
+            <source>Lateral draft</source>
+            <translation>Lutning lateralt</translation>
+        </message>
+        <message>
+            <source>Length over which the shell gets as thin as its front edge</source>
+            <translation>Sträcka över vilken skalet blir så tunt som framkanten</translation>
+        </message>
+        <message>
             <source>Make it the clinic's default</source>
             <translation>Gör den till klinikens förval</translation>
+        </message>
+        <message>
+            <source>Medial border against the bisection of the 1st metatarsal</source>
+            <translation>Den mediala kanten mot mittlinjen av metatarsal 1</translation>
+        </message>
+        <message>
+            <source>Medial draft</source>
+            <translation>Lutning medialt</translation>
         </message>
         <message>
             <source>Medial flange</source>
@@ -204,12 +296,20 @@
             <translation>Flytta tålinjen</translation>
         </message>
         <message>
+            <source>Move the trim line</source>
+            <translation>Flytta framkantens linje</translation>
+        </message>
+        <message>
             <source>Name of the device</source>
             <translation>Inläggstypens namn</translation>
         </message>
         <message>
             <source>Name of the form</source>
             <translation>Grundformens namn</translation>
+        </message>
+        <message>
+            <source>Narrow</source>
+            <translation>Smal</translation>
         </message>
         <message>
             <source>New designs start with: {name}</source>
@@ -228,8 +328,20 @@
             <translation>Läge</translation>
         </message>
         <message>
+            <source>Post</source>
+            <translation>Kil</translation>
+        </message>
+        <message>
             <source>Raise a station of the rim</source>
             <translation>Höj en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Rearfoot post</source>
+            <translation>Bakfotskil</translation>
+        </message>
+        <message>
+            <source>Regular</source>
+            <translation>Normal</translation>
         </message>
         <message>
             <source>Remove a station of the rim</source>
@@ -250,6 +362,10 @@
         <message>
             <source>Rim</source>
             <translation>Kant</translation>
+        </message>
+        <message>
+            <source>Rounding of the upper edge</source>
+            <translation>Avrundning av den övre kanten</translation>
         </message>
         <message>
             <source>Save as a device</source>
@@ -292,6 +408,18 @@
             <translation>Sulcus</translation>
         </message>
         <message>
+            <source>Take the usual thickness</source>
+            <translation>Ta den vanliga tjockleken</translation>
+        </message>
+        <message>
+            <source>Take {thickness} mm</source>
+            <translation>Ta {thickness} mm</translation>
+        </message>
+        <message>
+            <source>Taper length</source>
+            <translation>Avsmalning</translation>
+        </message>
+        <message>
             <source>The design is like this already; nothing would change.</source>
             <translation>Ordinationen är redan sådan; inget skulle ändras.</translation>
         </message>
@@ -310,6 +438,14 @@
         <message>
             <source>The rim appears here as soon as there is a foot.</source>
             <translation>Kanten visas här så snart det finns en fot.</translation>
+        </message>
+        <message>
+            <source>The usual thickness for this material and weight</source>
+            <translation>Den vanliga tjockleken för materialet och vikten</translation>
+        </message>
+        <message>
+            <source>Thickness of the shell at its front edge</source>
+            <translation>Skalets tjocklek vid framkanten</translation>
         </message>
         <message>
             <source>This insole is as scanned; choose a device to design its rim</source>
@@ -336,8 +472,16 @@
             <translation>Vad som ligger framför metatarsalhuvudena, i stället för de skannade tårna</translation>
         </message>
         <message>
+            <source>Wide</source>
+            <translation>Bred</translation>
+        </message>
+        <message>
             <source>Widening of heel and lateral border: soft tissue spreads in stance</source>
             <translation>Breddning av häl och lateral kant: mjukdelarna breder ut sig vid belastning</translation>
+        </message>
+        <message>
+            <source>Width of the bevel along the upper edge</source>
+            <translation>Fasens bredd längs den övre kanten</translation>
         </message>
         <message>
             <source>Width of the transition from support to rim {where}</source>
@@ -360,8 +504,16 @@
             <translation>förval</translation>
         </message>
         <message>
+            <source>glued on later</source>
+            <translation>limmas på senare</translation>
+        </message>
+        <message>
             <source>in the arch</source>
             <translation>i hålfoten</translation>
+        </message>
+        <message>
+            <source>made with it</source>
+            <translation>tillverkas med</translation>
         </message>
         <message>
             <source>mm over the heel</source>

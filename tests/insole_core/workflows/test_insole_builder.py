@@ -14,7 +14,13 @@ from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import (
+    Finish,
+    InsoleDesign,
+    Pelott,
+    Posting,
+    RimStation,
+)
 from insole_core.progress import Cancelled, Progress
 from insole_core.solids.solid import insole_solid
 from insole_core.workflows.edited_insole import EditedInsole
@@ -23,6 +29,20 @@ from insole_core.workflows.insole_builder import InsoleBuilder
 PAD = Pelott(centre_mm=(2.0, 130.0))
 PLAIN = InsoleDesign(Side.LEFT, (PAD,), grid_mm=1.0, thickness_mm=3.0)
 RECESS = replace(PAD, centre_mm=(0.0, 180.0), height_mm=-6.0)
+ROUND = (
+    RimStation(border="medial", along=0.0, height_mm=12.0),
+    RimStation(border="medial", along=0.45, height_mm=12.0),
+    RimStation(border="medial", along=0.8, height_mm=2.0, over="toes"),
+    RimStation(border="lateral", along=0.45, height_mm=9.0),
+    RimStation(border="lateral", along=0.8, height_mm=2.0, over="toes"),
+)
+FINISHED = replace(PLAIN, finish=Finish(rim=ROUND))
+
+
+def with_arch(height_mm: float) -> InsoleDesign:
+    """Return the finished design with another height of its medial arch."""
+    rim = (ROUND[0], replace(ROUND[1], height_mm=height_mm), *ROUND[2:])
+    return replace(FINISHED, finish=Finish(rim=rim))
 
 
 @pytest.fixture
@@ -106,6 +126,60 @@ def test_an_edited_insole_is_that_of_a_full_rebuild(edited: EditedInsole, left_f
         top = edited.mesh.vertices[: edited.bare.top_count]
         assert np.array_equal(top[:, 2], rebuilt.contact.height_at(top[:, :2]))
     assert not edited.can_follow(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0)))
+
+
+def test_a_dragged_rim_is_followed_closely_and_exact_again_at_its_old_place(
+    builder: InsoleBuilder, left_foot: Foot
+) -> None:
+    edited = EditedInsole(builder.bare(left_foot, FINISHED), FINISHED)
+    start = edited.mesh.vertices.copy()
+    for height_mm in (13.0, 15.0):
+        dragged = with_arch(height_mm)
+        assert not edited.can_follow(left_foot, dragged)
+        assert edited.can_follow_rim(left_foot, dragged)
+        edited.follow(dragged)
+        assert not edited.is_exact
+        exact = builder.insole(left_foot, dragged).contact
+        assert np.abs(edited.contact.heights_mm - exact.heights_mm).max() < 1.0
+        top = edited.mesh.vertices[: edited.bare.top_count]
+        assert np.array_equal(top[:, 2], edited.contact.height_at(top[:, :2]))
+    edited.follow(FINISHED)
+    assert edited.is_exact
+    assert np.array_equal(edited.mesh.vertices, start)
+
+
+def test_a_pad_moves_on_a_dragged_rim(builder: InsoleBuilder, left_foot: Foot) -> None:
+    edited = EditedInsole(builder.bare(left_foot, FINISHED), FINISHED)
+    edited.follow(with_arch(14.0))
+    below = edited.base.surface.heights_mm
+    higher = with_arch(14.0).with_changed(replace(PAD, height_mm=7.0))
+    edited.follow(higher)
+    assert edited.base.surface.heights_mm is below
+    assert (edited.contact.heights_mm - below).max() == pytest.approx(7.0, abs=0.1)
+
+
+def test_a_rim_that_contradicts_itself_is_told_and_leaves_the_surface(
+    builder: InsoleBuilder, left_foot: Foot
+) -> None:
+    edited = EditedInsole(builder.bare(left_foot, FINISHED), FINISHED)
+    twice = replace(
+        FINISHED, finish=Finish(rim=(*ROUND, replace(ROUND[0], border="lateral", height_mm=20.0)))
+    )
+    before = edited.contact
+    edited.follow(twice)
+    assert "at the same place" in edited.problem
+    assert edited.contact is before
+    edited.follow(FINISHED)
+    assert edited.problem == ""
+
+
+def test_only_the_rim_of_a_finish_can_be_dragged(builder: InsoleBuilder, left_foot: Foot) -> None:
+    edited = EditedInsole(builder.bare(left_foot, FINISHED), FINISHED)
+    filled = replace(FINISHED, finish=replace(Finish(rim=ROUND), arch_fill_mm=2.0))
+    assert not edited.can_follow_rim(left_foot, filled)
+    assert not edited.can_follow_rim(replace(left_foot), with_arch(14.0))
+    plain = EditedInsole(builder.bare(left_foot, PLAIN), PLAIN)
+    assert not plain.can_follow_rim(left_foot, FINISHED)
 
 
 def test_what_is_too_thin_is_told_by_every_step_in_the_same_words(

@@ -27,6 +27,8 @@ from insole_studio.texts import tr
 SIZE_PX = QSize(820, 480)
 LIST_PX = 300
 _KEY = Qt.ItemDataRole.UserRole
+_WRAPPED = (1, 3)
+"""Columns of the table of changes whose texts may be long."""
 
 
 @dataclass(frozen=True)
@@ -95,6 +97,7 @@ class DevicesView(QDialog):
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
         self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setWidget(self.details)
         self.more = QPushButton(tr("More"))
         self.more.setAutoDefault(False)
@@ -231,15 +234,17 @@ def _changes(changes: Sequence[tuple[str, str, str]]) -> QGridLayout:
     for row, (label, before, after) in enumerate(changes):
         texts = ((label, ""), (before, "quiet"), ("→" if before else "", "quiet"), (after, ""))
         for column, (text, name) in enumerate(texts):
-            grid.addWidget(_label(text, name), row, column)
-    grid.setColumnStretch(4, 1)
+            cell = _label(text, name, wraps=column in _WRAPPED)
+            grid.addWidget(cell, row, column, Qt.AlignmentFlag.AlignTop)
+    for column in _WRAPPED:
+        grid.setColumnStretch(column, 1)
     return grid
 
 
-def _label(text: str, name: str) -> QLabel:
+def _label(text: str, name: str, *, wraps: bool = True) -> QLabel:
     label = QLabel(text)
     label.setTextFormat(Qt.TextFormat.PlainText)
-    label.setWordWrap(bool(name) and name != "numbers" and len(text) > 40)
+    label.setWordWrap(wraps)
     if name:
         label.setObjectName(name)
     return label

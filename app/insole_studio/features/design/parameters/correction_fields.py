@@ -45,6 +45,9 @@ from insole_studio.features.design.correction_names import word_of
 from insole_studio.features.design.rows import ChoiceSpec, FieldSpec
 from insole_studio.texts import tr
 
+NARROW_MM, WIDE_MM = -3.2, 3.2
+"""Medial border of a narrow and a wide insole, from the bisection of the 1st metatarsal."""
+
 Part = TypeVar("Part")
 _SIZES = ("length_mm", "width_mm")
 
@@ -67,6 +70,8 @@ class Editable:
         Whether it is a share, which is shown in per cent.
     is_medial
         Whether it is the x of a place, which is shown as > 0 on the medial side of either foot.
+    choices
+        The values that it can have, with their names, where these are no words of the file.
     expert
         Whether it is about the computation, or rarely changed: shown apart, after all others.
     """
@@ -78,6 +83,7 @@ class Editable:
     step: float = 0.5
     is_share: bool = False
     is_medial: bool = False
+    choices: tuple[tuple[Any, Callable[[], str]], ...] = ()
     expert: bool = False
 
     @property
@@ -325,6 +331,13 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             lambda: tr("Base"),
             lambda: tr("Thickness of the layer next to the shoe; 0 for none"),
         ),
+        Editable(
+            "cover_is_taken_off",
+            lambda: tr("Cover is"),
+            lambda: tr("A cover that is glued on later is taken off what is made"),
+            choices=((False, lambda: tr("made with it")), (True, lambda: tr("glued on later"))),
+            expert=True,
+        ),
     ),
     Outline: (
         Editable(
@@ -350,6 +363,17 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             "shoe_size_eu",
             lambda: tr("EU size"),
             lambda: tr("Size of the shoe, which decides the length"),
+        ),
+        Editable(
+            "width_mm",
+            lambda: tr("Width"),
+            lambda: tr("Medial border against the bisection of the 1st metatarsal"),
+            choices=(
+                (None, lambda: tr("From the foot")),
+                (NARROW_MM, lambda: tr("Narrow")),
+                (0.0, lambda: tr("Regular")),
+                (WIDE_MM, lambda: tr("Wide")),
+            ),
         ),
     ),
     Finish: (
@@ -397,6 +421,56 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
             lambda: tr("0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes"),
             step=1,
             is_share=True,
+        ),
+    ),
+    Shell: (
+        Editable(
+            "heel_pitch_mm",
+            lambda: tr("Heel pitch"),
+            lambda: tr("Height of the shoe's heel over its forefoot"),
+        ),
+        Editable(
+            "taper_mm",
+            lambda: tr("Front edge"),
+            lambda: tr("Thickness of the shell at its front edge"),
+            expert=True,
+        ),
+        Editable(
+            "taper_length_mm",
+            lambda: tr("Taper length"),
+            lambda: tr("Length over which the shell gets as thin as its front edge"),
+            expert=True,
+        ),
+        Editable(
+            "edge_radius_mm",
+            lambda: tr("Edge radius"),
+            lambda: tr("Rounding of the upper edge"),
+            expert=True,
+        ),
+        Editable(
+            "draft_medial_deg",
+            lambda: tr("Medial draft"),
+            lambda: tr("Inclination of the medial wall; > 0 is wider at the bottom"),
+            expert=True,
+        ),
+        Editable(
+            "draft_lateral_deg",
+            lambda: tr("Lateral draft"),
+            lambda: tr("Inclination of the lateral wall; > 0 is wider at the bottom"),
+            expert=True,
+        ),
+        Editable(
+            "chamfer_mm",
+            lambda: tr("Chamfer"),
+            lambda: tr("Width of the bevel along the upper edge"),
+            expert=True,
+        ),
+    ),
+    Post: (
+        Editable(
+            "angle_deg",
+            lambda: tr("Angle"),
+            lambda: tr("> 0 raises the medial edge (varus), < 0 the lateral one (valgus)"),
         ),
     ),
 }
@@ -449,9 +523,12 @@ def with_value(part: Part, key: str, value: float | str, side: Side) -> Part:
     side
         The foot that it is for.
     """
+    (editable,) = (editable for editable in EDITABLE[type(part)] if editable.key == key)
+    if editable.choices:
+        chosen, _ = editable.choices[int(value)]
+        return replace(part, **{key: chosen})  # type: ignore[type-var]
     if isinstance(value, str):
         return _within(replace(part, **{key: value}))  # type: ignore[type-var]
-    (editable,) = (editable for editable in EDITABLE[type(part)] if editable.key == key)
     stored = value / editable.factor(side)
     if isinstance(part, Pelott) and editable.name in _SIZES:
         sizes = dict(zip(_SIZES, pad_size(part), strict=True)) | {editable.name: stored}
@@ -465,7 +542,7 @@ def with_value(part: Part, key: str, value: float | str, side: Side) -> Part:
 
 def _within(part: Part) -> Part:
     """Return the part with its numbers clipped to the ranges that its choices allow."""
-    for name in (editable.name for editable in EDITABLE[type(part)]):
+    for name in (editable.name for editable in EDITABLE[type(part)] if not editable.choices):
         number = getattr(part, name)
         if isinstance(number, int | float):
             allowed = _allowed(part, name)
@@ -486,6 +563,8 @@ def _spec(part: Any, editable: Editable, key: str, side: Side) -> FieldSpec | Ch
     if words is not None:
         options = tuple((word, word_of(editable.name, word)) for word in words)
         return ChoiceSpec(key, label, getattr(part, editable.name), options, tip)
+    if editable.choices:
+        return _choice(part, editable, key)
     value = _number(part, editable)
     if value is None:
         return None
@@ -502,6 +581,15 @@ def _spec(part: Any, editable: Editable, key: str, side: Side) -> FieldSpec | Ch
         decimals=_decimals(editable),
         tip=tip,
     )
+
+
+def _choice(part: Any, editable: Editable, key: str) -> ChoiceSpec:
+    """Return the choice among values that are no words; one of another value shows nothing."""
+    values = [value for value, _ in editable.choices]
+    current = getattr(part, editable.name)
+    shown = str(values.index(current)) if current in values else ""
+    options = tuple((str(number), name()) for number, (_, name) in enumerate(editable.choices))
+    return ChoiceSpec(key, editable.label(), shown, options, editable.tip())
 
 
 def _unit(part: Any, editable: Editable, allowed: Range) -> str:

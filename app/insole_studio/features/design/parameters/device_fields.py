@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Finish, InsoleDesign
+from insole_core.insole.prescription.design import Finish, InsoleDesign, Post
+from insole_core.insole.prescription.design_limits import SHELL_RANGES
+from insole_core.insole.prescription.materials import proposed_thickness, read_materials
 from insole_core.insole.prescription.rim_sliders import (
     cup_depth_mm,
     medial_flange_mm,
     with_cup_depth,
     with_medial_flange,
 )
-from insole_studio.features.design.parameters.correction_fields import field_specs
+from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import localised, tr, translate_core_message
 
 Fields = tuple[FieldSpec | ChoiceSpec, ...]
 
@@ -66,6 +69,13 @@ SLIDERS: dict[str, _Slider] = {
 }
 
 
+REGIONS: dict[str, Callable[[], str]] = {
+    "rearfoot": lambda: tr("Rearfoot post"),
+    "forefoot": lambda: tr("Forefoot post"),
+}
+"""Names of the posts."""
+
+
 def device_group(design: InsoleDesign, side: Side) -> FieldGroup:
     """Return the group of the device; as scanned it has no values of its own."""
     choose = Proposal(
@@ -107,6 +117,103 @@ def device_fields(finish: Finish, side: Side) -> Fields:
         if value is not None
     )  # fmt: skip
     return (*sliders, *field_specs(finish, "finish", side))
+
+
+def shell_group(design: InsoleDesign) -> FieldGroup:
+    """Return the group of a shell, with the thickness that is usual for material and weight."""
+    shell = design.shell
+    assert shell is not None, "a solid insole has no shell"
+    least, most = SHELL_RANGES["body_weight_kg"].least, SHELL_RANGES["body_weight_kg"].greatest
+    weight = FieldSpec(
+        "shell.body_weight_kg",
+        tr("Body weight"),
+        "kg",
+        shell.body_weight_kg or 0.0,
+        0.0,
+        most,
+        step=1.0,
+        tip=tr("From {least} kg on, a thickness is proposed; 0 if unknown").format(
+            least=localised(least, "g")
+        ),
+    )
+    materials = tuple((name, name) for name in read_materials().names)
+    material = ChoiceSpec(
+        "shell.material",
+        tr("Material"),
+        shell.material,
+        materials,
+        tr("From which, with the weight, a thickness is proposed"),
+    )
+    posts = (spec for region in REGIONS for spec in _post_fields(design, region))
+    fields = (material, weight, *field_specs(shell, "shell", design.side), *posts)
+    return FieldGroup(tr("Shell"), fields, _thickness_offers(design))
+
+
+def _post_fields(design: InsoleDesign, region: str) -> Fields:
+    """Return whether there is a post, and its angle."""
+    assert design.shell is not None
+    post = next((post for post in design.shell.posts if post.region == region), None)
+    options = (("", tr("None")), (region, tr("Post")))
+    label = REGIONS[region]()
+    tip = tr("A body below the shell that tilts it and stands flat on the ground")
+    choice = ChoiceSpec(f"post.{region}", label, "" if post is None else region, options, tip)
+    if post is None:
+        return (choice,)
+    return (choice, *field_specs(post, f"post.{region}", design.side))
+
+
+def _thickness_offers(design: InsoleDesign) -> tuple[Proposal, ...]:
+    """Return the button that takes the usual thickness, where another one is set."""
+    shell = design.shell
+    assert shell is not None
+    try:
+        usual_mm = proposed_thickness(shell.material, shell.body_weight_kg)
+    except DesignError:  # without weight or material there is nothing to propose
+        return ()
+    if usual_mm == design.thickness_mm:
+        return ()
+    text = tr("Take {thickness} mm").format(thickness=localised(usual_mm, "g"))
+    tip = tr("The usual thickness for this material and weight")
+    return (Proposal("thickness.usual", text, tip),)
+
+
+def with_shell_value(design: InsoleDesign, name: str, value: float | str) -> InsoleDesign:
+    """Return the design with a value of its shell: material, weight, edges."""
+    shell = design.shell
+    assert shell is not None
+    if name == "material":
+        return replace(design, shell=replace(shell, material=str(value)))
+    if name == "body_weight_kg":
+        least = SHELL_RANGES["body_weight_kg"].least
+        weight = float(value) if float(value) >= least else None
+        return replace(design, shell=replace(shell, body_weight_kg=weight))
+    return replace(design, shell=with_value(shell, name, value, design.side))
+
+
+def with_post_value(design: InsoleDesign, name: str, value: float | str) -> InsoleDesign:
+    """Return the design with a post added or removed, or with another angle."""
+    shell, (region, _, key) = design.shell, name.partition(".")
+    assert shell is not None
+    others = tuple(post for post in shell.posts if post.region != region)
+    found = next((post for post in shell.posts if post.region == region), Post(region=region))
+    if key:
+        posts: tuple[Post, ...] = (*others, with_value(found, key, value, design.side))
+    else:
+        posts = (*others, found) if value else others
+    return replace(design, shell=replace(shell, posts=posts))
+
+
+def with_usual_thickness(design: InsoleDesign) -> InsoleDesign:
+    """Return the design with the usual thickness for its material and the weight.
+
+    Raises
+    ------
+    DesignError
+        As `proposed_thickness`.
+    """
+    assert design.shell is not None
+    usual_mm = proposed_thickness(design.shell.material, design.shell.body_weight_kg)
+    return replace(design, thickness_mm=usual_mm)
 
 
 def with_device_value(design: InsoleDesign, key: str, value: float) -> InsoleDesign:

@@ -25,7 +25,11 @@ from insole_studio.features.design.parameters.correction_fields import field_spe
 from insole_studio.features.design.parameters.device_fields import (
     SLIDERS,
     device_group,
+    shell_group,
     with_device_value,
+    with_post_value,
+    with_shell_value,
+    with_usual_thickness,
 )
 from insole_studio.features.design.parameters.foot_proposals import FootProposals
 from insole_studio.features.design.rim_texts import place_text
@@ -101,8 +105,10 @@ class ParametersPresenter:
             return
         is_outline = self._tool_controller.tool.key == "outline"
         make = _make_groups(design, self._expert_fields(design), outline_first=is_outline)
-        device = device_group(design, design.side)
-        self._panel.show_groups([*self._groups(design), device, *make])
+        device = [device_group(design, design.side)]
+        if design.shell is not None:
+            device.append(shell_group(design))
+        self._panel.show_groups([*self._groups(design), *device, *make])
 
     def edit(self, key: str, value: Any) -> None:
         """Set a value; consecutive edits of one field are one undo step."""
@@ -142,6 +148,8 @@ class ParametersPresenter:
             self._take_size(self._pads[int(name)].template)
         elif kind == "remove":
             self._remove(name)
+        elif kind == "thickness":
+            self._take_thickness()
 
     def _groups(self, design: InsoleDesign) -> list[FieldGroup]:
         tool, selected = self._tool_controller.tool, self._selected(design)
@@ -237,6 +245,11 @@ class ParametersPresenter:
             self._tool_controller.tool.template = _sized(self._tool_controller.tool.template, size)
             self.show()
 
+    def _take_thickness(self) -> None:
+        design = self._case.record.design
+        if design is not None:
+            self._case.apply(with_usual_thickness(design), tr("Take the usual thickness"))
+
     def _remove(self, name: str) -> None:
         if name == "station" and self._rim.selected is not None:
             remove_station(self._case, self._rim, self._rim.selected)
@@ -292,6 +305,18 @@ class ParametersPresenter:
         if design is not None and design.finish is not None:
             changed = replace(design, finish=with_value(design.finish, name, value, self._side))
             self._case.apply(changed, tr("Edit the device"), f"finish:{name}")
+
+    def _edit_shell(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None and design.shell is not None:
+            changed = with_shell_value(design, name, value)
+            self._case.apply(changed, tr("Edit the shell"), f"shell:{name}")
+
+    def _edit_post(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None and design.shell is not None:
+            changed = with_post_value(design, name, value)
+            self._case.apply(changed, tr("Edit the post"), f"post:{name}")
 
     def _edit_insole(self, name: str, value: Any) -> None:
         design = self._case.record.design
@@ -361,11 +386,19 @@ def _make_groups(
         FieldGroup(tr("Layers"), field_specs(design.layers, "layers", side)),
     ]
     outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline", side))
-    if design.finish is not None:
-        expert_fields = (*expert_fields, *field_specs(design.finish, "finish", side, expert=True))
-    expert_fields = (*expert_fields, *field_specs(design, "insole", side, expert=True))
-    expert = FieldGroup(tr("Expert"), expert_fields)
-    return [outline, *made, expert] if outline_first else [*made, outline, expert]
+    own = (
+        *expert_fields,
+        *field_specs(design.layers, "layers", side, expert=True),
+        *field_specs(design, "insole", side, expert=True),
+    )
+    expert = [FieldGroup(tr("Expert"), own)]
+    for title, part, prefix in (
+        (tr("Expert: device"), design.finish, "finish"),
+        (tr("Expert: shell"), design.shell, "shell"),
+    ):
+        if part is not None:
+            expert.append(FieldGroup(title, field_specs(part, prefix, side, expert=True)))
+    return [outline, *made, *expert] if outline_first else [*made, outline, *expert]
 
 
 def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:
@@ -388,6 +421,8 @@ _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "station": ParametersPresenter._edit_station,
     "device": ParametersPresenter._edit_device,
     "finish": ParametersPresenter._edit_finish,
+    "shell": ParametersPresenter._edit_shell,
+    "post": ParametersPresenter._edit_post,
     "insole": ParametersPresenter._edit_insole,
     "layers": ParametersPresenter._edit_layers,
     "outline": ParametersPresenter._edit_outline,

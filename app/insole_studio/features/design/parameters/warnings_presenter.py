@@ -75,5 +75,5 @@ class WarningsPresenter:
             return ()
         if not self._surface.is_current:
             return self._warnings
-        insole = Insole(record.design, record.foot, contact, base.measured)
+        insole = Insole(record.design, record.foot, contact, base.measured, base.finished)
         return design_warnings(insole, landmarks_of(record), self._rules)

@@ -22,12 +22,13 @@ from insole_studio.features.design.tools.tool import (
     SurfaceContext,
     Tool,
 )
+from insole_studio.features.design.tools.trim_line_drag import carry_trim_point, shown_trim_points
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import ViewTransform
 from insole_studio.texts import tr
 
-PREFIX, TOE_LINE = "rim:", "toe_line"
+PREFIX, TOE_LINE, TRIM = "rim:", "toe_line", "trim:"
 TOE_LINE_STEP_MM = 0.5
 NEAR_MM = 12.0
 """Largest distance from the edge at which a double click adds a station."""
@@ -77,8 +78,8 @@ class RimTool(Tool):
             "removes one"
         )
 
-    def handles(self, _case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Return the stations as handles, the selected one larger, and one of the toe line."""
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
+        """Return the stations as handles, the selected one larger; toe line and trim line."""
         hint = tr("Drag to raise the rim here, or to move the station along the edge")
         placed, selected = self._rim.placed_in_reach, self._rim.selected
         line = self._rim.toe_line
@@ -89,6 +90,9 @@ class RimTool(Tool):
         if line:
             spots[TOE_LINE] = line[len(line) // 2]
             hints[TOE_LINE] = tr("Drag to move the line at which the toe zone begins")
+        for number, place in enumerate(shown_trim_points(case.shown)):
+            spots[f"{TRIM}{number}"] = place
+            hints[f"{TRIM}{number}"] = tr("Drag to move the front edge of the shell")
         places = surface.places(np.array(list(spots.values())).reshape(-1, 2))
         return tuple(
             Handle(
@@ -105,6 +109,8 @@ class RimTool(Tool):
         number, rim, design = _number(event), self._rim.rim, case.record.design
         if design is not None and event.handle == TOE_LINE:
             return _carry_toe_line(case, design, event)
+        if design is not None and event.handle is not None and event.handle.startswith(TRIM):
+            return carry_trim_point(case, int(event.handle.removeprefix(TRIM)), event)
         if number is None or rim is None or design is None:
             return None
         self._rim.select(number)
