@@ -78,7 +78,7 @@ class InsolePreview(QObject):
             return None
         if not self.is_current or self._case.shown.design is not design:
             return None
-        return Insole(design, foot, self._insole.contact, base.measured)
+        return Insole(design, foot, self._insole.contact, base.measured, base.finished)
 
     @property
     def contact(self) -> HeightField | None:

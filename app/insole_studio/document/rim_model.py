@@ -16,6 +16,7 @@ from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
 from insole_core.insole.finishing.toe_line import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import Finish, InsoleDesign, Place, RimStation
+from insole_core.insole.prescription.rim_sliders import finish_with_cups
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 
@@ -72,28 +73,39 @@ class RimModel(QObject):
 
     @property
     def curve(self) -> RimCurve | None:
-        """The rim through the stations of the shown design; None if two of them collide."""
-        rim, finish = self.rim, self.finish
-        if rim is None or finish is None:
+        """The rim through the stations of the shown design; None if two of them collide.
+
+        A heel cup among the corrections sets the stations round the heel.
+        """
+        rim, design = self.rim, self._case.shown.design
+        if rim is None or design is None or design.finish is None:
             return None
-        if self._curve_of != (rim, finish.rim):
-            self._curve_of = rim, finish.rim
-            self._curve = self._built_curve(finish) or _curve_through(rim, finish.rim)
+        stations = finish_with_cups(design.finish, design.active).rim
+        if self._curve_of != (rim, stations):
+            self._curve_of = rim, stations
+            self._curve = self._built_curve(stations) or _curve_through(rim, stations)
         return self._curve
 
-    def _built_curve(self, finish: Finish) -> RimCurve | None:
+    def _built_curve(self, wanted: tuple[RimStation, ...]) -> RimCurve | None:
         """Return the rim that the insole was just built with, if it has these stations."""
         built = self._surface.finished
         if built is None:
             return None
         stations = {placed.number: placed.station for placed in built.curve.stations}
-        return built.curve if stations == dict(enumerate(finish.rim)) else None
+        return built.curve if stations == dict(enumerate(wanted)) else None
 
     @property
     def placed(self) -> dict[int, PlacedStation]:
-        """The stations on their places, by their number in the finish."""
-        curve = self.curve
-        return {} if curve is None else {placed.number: placed for placed in curve.stations}
+        """The stations on their places, by their number in the finish.
+
+        Those that a heel cup has added before them are none of the finish.
+        """
+        curve, finish = self.curve, self.finish
+        if curve is None or finish is None:
+            return {}
+        added = len(curve.stations) - len(finish.rim)
+        own = (placed for placed in curve.stations if finish.rim and placed.number >= added)
+        return {p.number - added: replace(p, number=p.number - added) for p in own}
 
     @property
     def placed_in_reach(self) -> dict[int, PlacedStation]:

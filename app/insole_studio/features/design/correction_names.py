@@ -13,12 +13,13 @@ from insole_core.insole.prescription.design import (
     HeelCup,
     HeelLift,
     HeelSkive,
+    InsoleDesign,
     Pelott,
     Posting,
     Rocker,
 )
 from insole_core.workflows.pad_library import LibraryPad
-from insole_studio.texts import localised, tr
+from insole_studio.texts import localised, tr, translate_core_message
 
 PAD_NAMES: dict[str, Callable[[], str]] = {
     "egg": lambda: tr("Pelott"),
@@ -95,6 +96,13 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
     "forefoot_filler": lambda: tr("Forefoot filler"),
 }
 """Translated names of the kinds of pads that their shape does not name."""
+
+
+def device_name(design: InsoleDesign) -> str:
+    """Return the name of the device that a design started from."""
+    if design.finish is None:
+        return tr("As scanned")
+    return translate_core_message(design.device) or tr("of this foot")
 
 
 def word_of(choice: str, word: str) -> str:

@@ -56,6 +56,7 @@ class MockView:
             "side_chosen",
             "variant_chosen",
             "proposal_chosen",
+            "device_selected",
             "correction_selected",
             "correction_toggled",
             "correction_removed",

@@ -85,7 +85,9 @@ class RimPresenter:
             a is not b for a, b in zip(self._shown, state, strict=True)
         ):
             self._shown = state  # one change may be told by several signals
-            self._panel.show_graph(_graph(rim, curve, self._rim.reached), selected)
+            self._panel.show_graph(
+                _graph(rim, curve, self._rim.placed, self._rim.reached), selected
+            )
 
     def choose(self, number: int) -> None:
         """Select a station everywhere, and offer it in the views as well."""
@@ -140,7 +142,9 @@ class RimPresenter:
         return tr("The insole is being built…")
 
 
-def _graph(rim: Rim, curve: RimCurve, reached: BoolArray) -> RimGraph:
+def _graph(
+    rim: Rim, curve: RimCurve, placed: dict[int, PlacedStation], reached: BoolArray
+) -> RimGraph:
     edge = rim.edge
     first = int(np.searchsorted(edge.arc_mm, edge.medial_head_mm))
     s_mm = np.append(np.sort(_s_mm(edge, edge.arc_mm)), edge.length_mm)
@@ -149,7 +153,7 @@ def _graph(rim: Rim, curve: RimCurve, reached: BoolArray) -> RimGraph:
         rolled = np.roll(values, -first)
         return np.append(rolled, rolled[0])
 
-    stations = sorted(curve.stations, key=lambda placed: placed.number)
+    stations = [placed[number] for number in sorted(placed)]
     return RimGraph(
         s_mm,
         unrolled(curve.height_mm),

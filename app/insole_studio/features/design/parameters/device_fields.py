@@ -16,9 +16,10 @@ from insole_core.insole.prescription.rim_sliders import (
     with_cup_depth,
     with_medial_flange,
 )
+from insole_studio.features.design.correction_names import device_name
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
-from insole_studio.texts import localised, tr, translate_core_message
+from insole_studio.texts import localised, tr
 
 Fields = tuple[FieldSpec | ChoiceSpec, ...]
 
@@ -101,8 +102,8 @@ def device_group(design: InsoleDesign, side: Side) -> FieldGroup:
             tr("Show the imprint of the foot, without a designed rim; once more brings it back"),
         ),
     )
-    name = translate_core_message(design.device) or tr("of this foot")
-    return FieldGroup(tr("Device"), device_fields(design.finish, side), offers, name)
+    fields = device_fields(design.finish, side)
+    return FieldGroup(tr("Device"), fields, offers, device_name(design))
 
 
 def device_fields(finish: Finish, side: Side) -> Fields:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from insole_core.insole.build import Insole
 from insole_core.insole.prescription.clinic_rules import ClinicRules, design_warnings
 from insole_core.insole.prescription.design_warning import DesignWarning
 from insole_core.workflows.foot_landmarks import landmarks_of
@@ -70,10 +69,9 @@ class WarningsPresenter:
             self._look_at(warning.place_mm)
 
     def _found(self) -> tuple[DesignWarning, ...]:
-        record, base, contact = self._case.record, self._surface.base, self._surface.contact
-        if record.design is None or record.foot is None or base is None or contact is None:
+        record, insole = self._case.record, self._surface.insole
+        if record.design is None or self._surface.base is None:
             return ()
-        if not self._surface.is_current:
+        if insole is None:
             return self._warnings
-        insole = Insole(record.design, record.foot, contact, base.measured, base.finished)
         return design_warnings(insole, landmarks_of(record), self._rules)

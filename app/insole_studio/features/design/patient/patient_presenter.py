@@ -17,7 +17,7 @@ from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import ArchRaise, BrushStroke, Correction, Pelott
 from insole_studio.document.case import Case
 from insole_studio.document.variants import choose_variant
-from insole_studio.features.design.correction_names import describe, name_of
+from insole_studio.features.design.correction_names import describe, device_name, name_of
 from insole_studio.features.design.patient.measure_texts import distances_of, measures_of
 from insole_studio.features.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr, translate_core_message
@@ -31,6 +31,7 @@ class PatientPanel(Protocol):
     field_edited: Any
     side_chosen: Any
     variant_chosen: Any
+    device_selected: Any
     correction_selected: Any
     correction_toggled: Any
     correction_removed: Any
@@ -43,6 +44,7 @@ class PatientPanel(Protocol):
     def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None: ...  # noqa: D102
     def show_variants(self, names: Sequence[str], chosen: str) -> None: ...  # noqa: D102
     def show_measures(self, measures: Sequence[Measure]) -> None: ...  # noqa: D102
+    def show_device(self, text: str, selected: bool) -> None: ...  # noqa: D102
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None: ...  # noqa: D102
 
 
@@ -56,6 +58,7 @@ class PatientPresenter:
         panel.field_edited.connect(self.edit_field)
         panel.side_chosen.connect(case.take_foot)
         panel.variant_chosen.connect(partial(choose_variant, case))
+        panel.device_selected.connect(partial(case.select, None))
         panel.correction_selected.connect(case.select)
         panel.correction_toggled.connect(self.toggle)
         panel.correction_removed.connect(self.remove)
@@ -157,8 +160,11 @@ class PatientPresenter:
     def _show_corrections(self) -> None:
         design = self._case.record.design
         if design is None:
+            self._panel.show_device("", selected=False)
             self._panel.show_corrections([])
             return
+        device = tr("Device: {name}").format(name=device_name(design))
+        self._panel.show_device(device, selected=self._case.selection is None)
         self._panel.show_corrections(
             [
                 CorrectionRow(

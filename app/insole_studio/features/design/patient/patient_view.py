@@ -41,6 +41,7 @@ class PatientView(VerticalScroll):
     side_chosen = Signal(object)
     variant_chosen = Signal(str)
     action_requested = Signal(str)
+    device_selected = Signal()
     correction_selected = Signal(str)
     correction_toggled = Signal(str)
     correction_removed = Signal(str)
@@ -75,6 +76,13 @@ class PatientView(VerticalScroll):
         self.variants.action_requested.connect(self.action_requested)
         self._measures = MeasureGrid()
         self._measures.chosen.connect(self.measure_chosen)
+        self._device = QPushButton()
+        self._device.setObjectName("row")
+        self._device.setCheckable(True)
+        self._device.setFlat(True)
+        policy = self._device.sizePolicy().Policy
+        self._device.setSizePolicy(policy.Ignored, policy.Fixed)
+        self._device.clicked.connect(self._select_device)
         self._rows: list[CorrectionRow] | None = None
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
@@ -123,6 +131,12 @@ class PatientView(VerticalScroll):
         """Show the measures of the foot."""
         self._measures.show_measures(measures)
         self.updateGeometry()  # two feet need a wider panel than one
+
+    def show_device(self, text: str, selected: bool) -> None:
+        """Show the device above the corrections; selected are its values below."""
+        self._device.setText(text)
+        self._device.setToolTip(text)
+        self._device.setChecked(selected)
 
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
         """Show the corrections, one per row; the same rows stay, with a button being pressed."""
@@ -194,6 +208,7 @@ class PatientView(VerticalScroll):
         layout.setSpacing(8)
         layout.addWidget(_heading(tr("Corrections")))
         layout.addWidget(self.variants)
+        layout.addWidget(self._device)
         layout.addLayout(self._corrections)
         layout.addLayout(self._warnings)
         layout.addWidget(_heading(tr("Measures")))
@@ -254,6 +269,10 @@ class PatientView(VerticalScroll):
     def _notes_edited(self) -> None:
         self._notes.document().setModified(False)
         self.field_edited.emit("notes", self._notes.toPlainText())
+
+    def _select_device(self) -> None:
+        self._device.setChecked(True)  # what is selected below decides, not the click
+        self.device_selected.emit()
 
     def _select(self) -> None:
         self.correction_selected.emit(self.sender().property("correction"))
