@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,9 +18,13 @@ from insole_core.insole.prescription.design import (
     HeelCup,
     HeelSkive,
     InsoleDesign,
+    Layers,
+    Outline,
     Pelott,
+    Post,
     Posting,
     RimStation,
+    Shell,
 )
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import vary_shape
@@ -86,6 +91,57 @@ def random_finish(rng: np.random.Generator) -> Finish:
         forefoot_blend_mm=float(rng.uniform(7, 9)),
         rim=tuple(rim),
     )
+
+
+def random_shell(rng: np.random.Generator) -> Shell:
+    """Return a shell of any combination of posts, pitch, taper, edges and walls."""
+    posts = tuple(
+        Post(
+            region=region,
+            angle_deg=float(rng.uniform(-6, 6)),
+            length_mm=float(rng.choice([15.0, 40.0, 100.0])) if rng.random() < 0.5 else None,
+            edge_radius_mm=float(rng.uniform(0, 10)),
+        )
+        for region in ("rearfoot", "forefoot")
+        if rng.random() < 0.5
+    )
+    return Shell(
+        material=str(rng.choice(["polypropylene", "EVA", "PA12, printed"])),
+        taper_mm=float(rng.uniform(0.5, 5)),
+        taper_length_mm=float(rng.uniform(5, 60)),
+        edge_radius_mm=float(rng.choice([0.0, 1.0, 5.0])),
+        draft_medial_deg=float(rng.uniform(-15, 30)),
+        draft_lateral_deg=float(rng.uniform(-15, 30)),
+        chamfer_mm=float(rng.choice([0.0, 0.0, 2.5])),
+        heel_pitch_mm=float(rng.choice([0.0, 0.0, 15.0, 30.0])),
+        posts=posts,
+    )
+
+
+def random_shell_solids(count: int, seed: int = 0) -> Iterator[Insole]:
+    """Yield random insoles with shells, covers and trim lines."""
+    rng = np.random.default_rng(seed)
+    for number in range(count):
+        if number % DESIGNS_PER_FOOT == 0:
+            foot = random_foot(1000 + seed + number)
+        width = float(rng.choice([-3.2, 0.0, 3.2])) if rng.random() < 0.5 else None
+        design = random_design(foot, rng)
+        postings = [c for c in design.corrections if isinstance(c, Posting)]
+        yield build_insole(
+            foot,
+            replace(
+                design,
+                corrections=tuple(c for c in design.corrections if c not in postings),
+                grid_mm=float(rng.choice([0.5, 1.0, 2.0])),
+                outline=Outline(extent=str(rng.choice(["full", "three_quarter"])), width_mm=width),
+                layers=Layers(
+                    cover_mm=float(rng.choice([0.0, 2.0, 5.0])),
+                    cover_is_taken_off=bool(rng.random() < 0.5),
+                ),
+                finish=random_finish(rng) if rng.random() < 0.5 else None,
+                shell=random_shell(rng),
+            ),
+        )
 
 
 def random_solids(count: int, seed: int = 0) -> Iterator[tuple[Insole, Kind, SolidOptions]]:

@@ -1,14 +1,15 @@
-"""Solids of many random designs, judged by trimesh, ADMesh, manifold3d and PrusaSlicer."""
+"""Solids of random designs, with and without shells, judged by four other programs."""
 
 from __future__ import annotations
 
 import os
 import tempfile
 from collections import Counter
+from itertools import chain
 from pathlib import Path
 
 from benchmarks._measure import print_table
-from benchmarks._random_designs import random_solids
+from benchmarks._random_designs import random_shell_solids, random_solids
 from benchmarks._witnesses import (
     by_admesh,
     by_manifold,
@@ -20,7 +21,7 @@ from insole_core.errors import DesignError
 from insole_core.export.stl import write_stl
 from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.geometry.arrays import FloatArray
-from insole_core.solids.solid import make_solid
+from insole_core.solids.solid import DEFAULT_OPTIONS, KINDS, make_solid
 
 DESIGNS = int(os.environ.get("INSOLE_DESIGNS", "200"))
 SLICED = max(1, DESIGNS // 10)
@@ -32,7 +33,9 @@ def main() -> None:
     asked: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for number, (insole, kind, options) in enumerate(random_solids(DESIGNS)):
+        shells = ((insole, KINDS[0], DEFAULT_OPTIONS) for insole in random_shell_solids(DESIGNS))
+        asked_for = chain(random_solids(DESIGNS), shells)
+        for number, (insole, kind, options) in enumerate(asked_for):
             solid = make_solid(insole, kind, options)
             stl, three_mf = folder / "solid.stl", folder / "solid.3mf"
             write_stl(solid, stl)
@@ -52,7 +55,8 @@ def main() -> None:
                 asked[witness] += 1
                 good[witness] += not complaints
                 if complaints:
-                    print(f"design {number} ({kind}, {options}): {witness}: {complaints[:3]}")
+                    shape = insole.design.shell or options
+                    print(f"design {number} ({kind}, {shape}): {witness}: {complaints[:3]}")
     print_table(["witness", "solids", "without a fault"], [[w, asked[w], good[w]] for w in asked])
     if good != asked:
         raise DesignError("A solid was refused; see above.")

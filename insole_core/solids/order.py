@@ -17,6 +17,7 @@ from insole_core.solids.export_rules import CHECK_NAMES, CheckName, ExportRules,
 from insole_core.solids.layers import layer_parts
 from insole_core.solids.marking import Relief, mark
 from insole_core.solids.nesting import Nest, closest_nest, nest_pair
+from insole_core.solids.posts import INSET_MM, post_length_mm
 from insole_core.solids.shell_body import least_thickness
 from insole_core.solids.shop import Shop
 from insole_core.solids.simplification import Simplified, simplify
@@ -28,7 +29,8 @@ CHECKS_OF: dict[Kind, tuple[CheckName, ...]] = {
     "positive": ("watertight", "undercut", "grid"),
 }
 _MARK_AT, _MARK_ROOM = 0.35, (30.0, 0.5)
-"""Under the heel, where every insole's bottom is wide and complete: shares of the length, mm."""
+"""Under the heel, where every insole's bottom is wide and complete: shares of the length, mm. On a
+cupped shell it is the rearfoot post."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,7 @@ def make_part(
         grid_mm=insole.design.grid_mm,
         least_thickness=None if shell is None else least_thickness(insole, shell),
     )
-    return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
+    return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(insole, order))
 
 
 def nest_parts(left: Part, right: Part, block_mm: tuple[float, float, float]) -> Nest:
@@ -193,7 +195,19 @@ def _marked(solid: TriangleMesh, insole: Insole, order: Order) -> TriangleMesh:
     sign = -1.0 if order.kind == "positive" else 1.0
     centre = (sign * float(insole.contact.x_mm.mean()), _MARK_AT * length)
     room = (_MARK_ROOM[0], _MARK_ROOM[1] * length)
+    post_mm = _rearfoot_post_mm(insole) if order.kind == "insole" else 0.0
+    if post_mm > 0:
+        centre, room = (centre[0], post_mm / 2), (_MARK_ROOM[0], post_mm - 2 * INSET_MM)
     return mark(solid, order.mark, centre_mm=centre, room_mm=room, relief=order.relief)
+
+
+def _rearfoot_post_mm(insole: Insole) -> float:
+    """Return the length of the post that carries the lettering of a cupped shell; 0 for none."""
+    design = insole.design
+    if design.shell is None or design.bottom == "flat":
+        return 0.0
+    posts = (post for post in design.shell.posts if post.region == "rearfoot")
+    return max((post_length_mm(post, insole.foot.length_mm) for post in posts), default=0.0)
 
 
 def _reduced(solid: TriangleMesh, order: Order) -> Simplified:
@@ -202,17 +216,27 @@ def _reduced(solid: TriangleMesh, order: Order) -> Simplified:
     return simplify(solid, order.most_triangles, order.most_deviation_mm)
 
 
-def _notes(order: Order) -> tuple[str, ...]:
+def _notes(insole: Insole, order: Order) -> tuple[str, ...]:
+    notes = []
     missing = missing_letters("".join(order.mark))
-    if not missing:
-        return ()
-    return (
-        Message(
-            "The font has no letters {missing}; the identification shows a likeness or “?” "
-            "instead.",
-            missing=missing,
-        ),
-    )
+    if missing:
+        notes.append(
+            Message(
+                "The font has no letters {missing}; the identification shows a likeness or “?” "
+                "instead.",
+                missing=missing,
+            )
+        )
+    walls, usual = order.options, DEFAULT_OPTIONS
+    is_asked = (walls.draft_deg, walls.chamfer_mm) != (usual.draft_deg, usual.chamfer_mm)
+    if is_asked and order.kind == "insole" and insole.design.shell is not None:
+        notes.append(
+            Message(
+                "Draft and chamfer of the walls are those of the prescription's shell; those of "
+                "the order are not used."
+            )
+        )
+    return tuple(notes)
 
 
 def _require_known_letters(order: Order) -> None:

@@ -14,7 +14,7 @@ from insole_core.insole.surface.rocker import ahead_of_heads_mm
 
 INSET_MM = 5.0
 """How far the foot of a post's wall lies inside the edge of the insole."""
-POST_BAND_MM = 20.0
+POST_BAND_MM = 14.0
 """Beyond this distance from the edge of the insole the foot of every post's wall is reached."""
 _WALL = np.radians(65.0)  # of the walls against the ground
 _CORNER_MM = 8.0  # radius of the corners, seen from above

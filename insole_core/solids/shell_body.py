@@ -14,7 +14,7 @@ from insole_core.insole.prescription.materials import Material, read_materials
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.surface.blending import smooth_step
 from insole_core.insole.surface.height_field import HeightField
-from insole_core.insole.surface.rocker import eased, rocker_heights_mm, rockers
+from insole_core.insole.surface.rocker import LEAST_LEFT_MM, eased, rocker_heights_mm, rockers
 from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.solids.ball_offset import parallel_below
 from insole_core.solids.front_edge import behind_front_mm
@@ -57,7 +57,9 @@ def plain_underside(insole: Insole) -> FloatArray:
     if not rockers(design):
         return whole
     rise = rocker_heights_mm(design, insole.foot, insole.contact)
-    return eased(whole, made_surface(insole).heights_mm, rise)
+    shell = design.shell
+    needed_mm = 0.0 if shell is None else max(_material(shell).least_mm - LEAST_LEFT_MM, 0.0)
+    return eased(whole, made_surface(insole).heights_mm - needed_mm, rise)
 
 
 def _unrocked_underside(insole: Insole) -> FloatArray:
@@ -77,7 +79,13 @@ def _thickness_mm(design: InsoleDesign) -> float:
     return max(design.made_thickness_mm, least_mm)
 
 
-def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineDistance) -> Body:
+def shell_body(
+    insole: Insole,
+    shell: Shell,
+    made: HeightField,
+    outline: FloatArray,
+    edge: OutlineDistance,
+) -> Body:
     """Return the body of an insole with a shell: tapered, posted, and nowhere too thin.
 
     The taper thins a flat insole from above and one with a following underside from below. Where
@@ -85,13 +93,15 @@ def shell_body(insole: Insole, shell: Shell, outline: FloatArray, edge: OutlineD
 
     Parameters
     ----------
+    made
+        The `made_surface` of the insole.
     outline : (n, 2) float64, mm, insole frame
         Counter-clockwise.
     edge
         The distance to it.
     """
     field, design, length_mm = insole.contact, insole.design, insole.foot.length_mm
-    top, bottom = made_surface(insole).heights_mm, plain_underside(insole)
+    top, bottom = made.heights_mm, plain_underside(insole)
     behind = behind_front_mm(outline, field)
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
     front_mm = max(shell.taper_mm, _material(shell).least_edge_mm)

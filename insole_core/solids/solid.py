@@ -150,7 +150,7 @@ def _shell_solid(insole: Insole, made: Insole, shell: Shell, polygon: FloatArray
         POST_BAND_MM if shell.posts else 0.0,
     )
     distance = _distance_within(made, polygon, reach)
-    body = shell_body(insole, shell, polygon, distance)
+    body = shell_body(insole, shell, field, polygon, distance)
     plan, tips = _plan(made, distance, max(shell.edge_radius_mm, shell.chamfer_mm))
     at = tips[:, :2]
     top, bottom = (

@@ -22,6 +22,7 @@ from insole_core.insole.prescription.design import Correction, InsoleDesign, Pel
 from insole_core.insole.prescription.design_limits import (
     CORRECTION_RANGES,
     FINISH_RANGES,
+    OUTLINE_RANGES,
     RIM_RANGES,
     Range,
 )
@@ -65,6 +66,8 @@ class Finding:
         Name of the device to start from; empty: that of the design.
     cup_mm, medial_flange_mm, arch_fill_mm
         Of the finish; None leaves them.
+    width_mm
+        Of the outline; None leaves it.
     posts
         Of the shell, by region.
     corrections
@@ -81,6 +84,7 @@ class Finding:
     cup_mm: float | None = None
     medial_flange_mm: float | None = None
     arch_fill_mm: float | None = None
+    width_mm: float | None = None
     posts: tuple[Post, ...] = ()
     corrections: tuple[Correction, ...] = ()
     pads: tuple[ProposedPad, ...] = ()
@@ -134,6 +138,8 @@ def apply_finding(
         If the finding names a device or a kind of pad that the clinic does not have.
     """
     design = _on_device(finding, design, catalogue)
+    if finding.width_mm is not None:
+        design = replace(design, outline=replace(design.outline, width_mm=finding.width_mm))
     design = _with_posts(_with_rim(finding, design), finding.posts)
     for correction in finding.corrections:
         design = _with_correction(design, correction, stamp)
@@ -291,6 +297,7 @@ def _finding(item: JsonObject) -> Finding:
         cup_mm=_number(item, "cup_mm", height),
         medial_flange_mm=_number(item, "medial_flange_mm", height),
         arch_fill_mm=_number(item, "arch_fill_mm", fill),
+        width_mm=_number(item, "width_mm", OUTLINE_RANGES["width_mm"]),
         posts=() if design.shell is None else design.shell.posts,
         corrections=design.corrections,
         pads=tuple(_pad(pad) for pad in item.objects("pads")) if item.has("pads") else (),

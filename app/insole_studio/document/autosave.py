@@ -9,8 +9,10 @@ from __future__ import annotations
 import json
 import logging
 import os
+import threading
 import uuid
 from collections.abc import Iterable
+from contextlib import ExitStack
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -19,11 +21,11 @@ from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import make_private_folder, replacing_file
+from insole_core.export.atomic import make_private_folder, replacing_file, write_text
 from insole_core.forgiving_json import Complain, rename_unreadable
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message
-from insole_core.progress import Progress
+from insole_core.progress import Cancelled, Progress
 from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
@@ -74,6 +76,59 @@ class _Origin:
     digest: str = ""
 
 
+@dataclass(frozen=True)
+class _Snapshot:
+    """What is written: the case of one moment. A later moment has a higher number."""
+
+    number: int
+    record: CaseRecord
+    origin: _Origin
+
+
+class _CopyOnDisk:
+    """The copy of the case, written by the window and by jobs.
+
+    A job that is cancelled while it writes goes on to its end. Its copy then takes the place of
+    an older one only: never of a newer one, and never of one that was removed meanwhile.
+    """
+
+    def __init__(self, stem: Path) -> None:
+        self._stem = stem
+        self._latest = 0
+        self._number_on_disk = 0
+        self._places = threading.Lock()  # held only while files take their places
+
+    def next_number(self) -> int:
+        """Return the number of a snapshot taken now; called in the thread of the window."""
+        self._latest += 1
+        return self._latest
+
+    def write(self, snapshot: _Snapshot) -> None:
+        """Write a snapshot, from any thread.
+
+        Raises
+        ------
+        OutputError
+            When it cannot be written.
+        Cancelled
+            When a later one was written or removed meanwhile.
+        """
+        record_copy, origin_copy = _copies(self._stem)
+        with ExitStack() as until_in_place, replacing_file(record_copy) as beside:
+            write_case(snapshot.record, beside)
+            until_in_place.enter_context(self._places)
+            if snapshot.number < self._number_on_disk:
+                raise Cancelled
+            write_text(json.dumps(asdict(snapshot.origin)), origin_copy)
+            self._number_on_disk = snapshot.number
+
+    def remove(self) -> None:
+        """Remove the copy, also one that is still being written."""
+        with self._places:
+            self._number_on_disk = self.next_number()
+            _remove(_copies(self._stem))
+
+
 class Autosave(QObject):
     """Writes the case to disk in the background, a moment after each change."""
 
@@ -89,8 +144,9 @@ class Autosave(QObject):
             log.warning("%s cannot be made: %s", folder, error)
         self._wanted = True
         self._has_failed = False
-        self._stem = folder / uuid.uuid4().hex
-        self._lock = _lock(self._stem)
+        stem = folder / uuid.uuid4().hex
+        self._copy = _CopyOnDisk(stem)
+        self._lock = _lock(stem)
         self._lock.tryLock(0)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -111,7 +167,7 @@ class Autosave(QObject):
         self._timer.stop()
         self._jobs.cancel(CHANNEL)
         if self._case.has_unsaved_changes:
-            _write_copy(self._stem, self._case.record, self._origin())
+            self._copy.write(self._snapshot())
 
     def keep_now(self) -> None:
         """Write at once what may be lost, because the program may be ended at any moment."""
@@ -136,17 +192,17 @@ class Autosave(QObject):
         if self._wanted and self._case.has_unsaved_changes:
             self.keep_now()
         else:
-            self._remove_copies()
+            self._copy.remove()
         self._timer.stop()
         self._lock.unlock()
 
     def _write_beside(self) -> None:
         if not self._case.has_unsaved_changes:
             return
-        record, origin = self._case.record, self._origin()
+        snapshot = self._snapshot()
 
         def write(_progress: Progress) -> None:
-            _write_copy(self._stem, record, origin)
+            self._copy.write(snapshot)
 
         self._jobs.start(CHANNEL, write, self._note_success, self._note_failure)
 
@@ -159,6 +215,9 @@ class Autosave(QObject):
             self.failed.emit(str(error))
         self._has_failed = True
 
+    def _snapshot(self) -> _Snapshot:
+        return _Snapshot(self._copy.next_number(), self._case.record, self._origin())
+
     def _origin(self) -> _Origin:
         case = self._case
         is_ours = case.path is not None and not case.is_read_only
@@ -168,10 +227,7 @@ class Autosave(QObject):
         if not self._case.has_unsaved_changes:
             self._timer.stop()
             self._jobs.cancel(CHANNEL)
-            self._remove_copies()
-
-    def _remove_copies(self) -> None:
-        _remove(_copies(self._stem))
+            self._copy.remove()
 
 
 def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recovered]:
@@ -248,13 +304,6 @@ def _is_case_file(text: str) -> bool:
         return False
     path = Path(text)
     return path.is_absolute() and path.suffix.lower() == CASE_SUFFIX and "\0" not in text
-
-
-def _write_copy(stem: Path, record: CaseRecord, origin: _Origin) -> None:
-    record_copy, origin_copy = _copies(stem)
-    with replacing_file(origin_copy) as beside:
-        beside.write_text(json.dumps(asdict(origin)), encoding="utf-8")
-    write_case(record, record_copy)
 
 
 def _copies(stem: Path) -> tuple[Path, Path]:

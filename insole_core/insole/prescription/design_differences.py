@@ -284,10 +284,11 @@ def _name(correction: Correction) -> Message:
 
 def _main(correction: Correction) -> Message:
     """Return the values that a clinician knows a correction by."""
+    to_height = getattr(correction, "target_mm", None) is not None  # what is added says nothing
     values = [
         _with_place(key, _wording(key, getattr(correction, key)))
         for key in _MAIN
-        if getattr(correction, key, None) is not None
+        if getattr(correction, key, None) is not None and not (to_height and key == "height_mm")
     ]
     return joined(values if correction.enabled else [*values, Message("switched off")])
 

@@ -264,17 +264,18 @@ class _Grid:
 
 def _shape(correction: Added, base: ContactBase) -> tuple[Window, FloatArray]:
     """Return a correction's window and its height or stroke weight there; cached by the base."""
-    return base.shapes.get("shape", correction, lambda: _laid_on(base, correction))
+    # By the pad that it is here: bases of one foot share the cache, and their surfaces differ.
+    laid = correction if isinstance(correction, BrushStroke) else as_pad(correction, base)
+    return base.shapes.get("shape", laid, lambda: _laid_on(_Grid.of(base.surface), laid))
 
 
-def _laid_on(base: ContactBase, correction: Added) -> tuple[Window, FloatArray]:
-    grid = _Grid.of(base.surface)
+def _laid_on(grid: _Grid, correction: Pelott | BrushStroke) -> tuple[Window, FloatArray]:
     if isinstance(correction, BrushStroke):
         radius = correction.radius_mm * (1 + (HALO if correction.mode == "smooth" else 0.0))
         points = np.array(correction.points_mm)
         window = grid.window(points.min(axis=0) - radius, points.max(axis=0) + radius)
     else:
-        outline = pad_outline(as_pad(correction, base))
+        outline = pad_outline(correction)
         window = grid.window(outline.min(axis=0), outline.max(axis=0))
     if window.is_empty:
         return window, np.empty((0, 0))
@@ -284,7 +285,7 @@ def _laid_on(base: ContactBase, correction: Added) -> tuple[Window, FloatArray]:
     if isinstance(correction, BrushStroke):
         return window, stroke_weight(correction, x, y)
     places = np.stack(np.meshgrid(x, y), axis=-1)
-    return window, pad_heights(as_pad(correction, base), places)
+    return window, pad_heights(correction, places)
 
 
 def _whole(field: HeightField) -> Window:

@@ -80,8 +80,16 @@
             <translation>Ett bräde med {columns}×{rows} är för litet; det måste ha minst {least}×{least}.</translation>
         </message>
         <message>
+            <source>A body weight of {weight_kg:g} kg cannot be right: it must be {range}; put in the patient's weight.</source>
+            <translation>En kroppsvikt på {weight_kg:g} kg kan inte stämma: den måste vara {range}; ange patientens vikt.</translation>
+        </message>
+        <message>
             <source>A bulge that all walls share is taken for distortion; if they were one wall, check it with a straightedge.</source>
             <translation>En buktning som alla väggar delar tas för förvrängning; om de var en och samma vägg, kontrollera den med en riktskiva.</translation>
+        </message>
+        <message>
+            <source>A chamfer of {chamfer_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are bevelled. Make the chamfer smaller.</source>
+            <translation>En fas på {chamfer_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt fasas bara {half_mm:g} mm av kanten. Gör fasen mindre.</translation>
         </message>
         <message>
             <source>A colour image of {width} x {height} px cannot be simulated; choose 1280 x 1024, 1280 x 960 or 640 x 480.</source>
@@ -128,6 +136,10 @@
             <translation>Ett styvt skal; valvet lägre än vanligt.</translation>
         </message>
         <message>
+            <source>A taper over {taper_mm:g} mm is too long for an insole of {length_mm:.0f} mm; it tapers over half of its length. Shorten the taper.</source>
+            <translation>En avsmalning över {taper_mm:g} mm är för lång för ett inlägg på {length_mm:.0f} mm; det smalnar av över halva sin längd. Förkorta avsmalningen.</translation>
+        </message>
+        <message>
             <source>A variant needs a name; type one.</source>
             <translation>En variant behöver ett namn; skriv ett.</translation>
         </message>
@@ -162,6 +174,10 @@
         <message>
             <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
+        </message>
+        <message>
+            <source>An edge radius of {radius_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are rounded. Make the radius smaller.</source>
+            <translation>En kantradie på {radius_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt rundas bara {half_mm:g} mm av kanten. Gör radien mindre.</translation>
         </message>
         <message>
             <source>Another capture is to be written to {path}; wait until it has ended, or choose another name.</source>
@@ -292,6 +308,18 @@
             <translation>Överdrag</translation>
         </message>
         <message>
+            <source>Cover glued on later</source>
+            <translation>Överdrag limmas på senare</translation>
+        </message>
+        <message>
+            <source>Cover to the toes.</source>
+            <translation>Överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Cup of 18 to 22.</source>
+            <translation>Hälskål på 18 till 22.</translation>
+        </message>
+        <message>
             <source>Cup of 20 or more, rearfoot post.</source>
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
@@ -310,6 +338,10 @@
         <message>
             <source>Diabetic, full length</source>
             <translation>Diabetes, hel längd</translation>
+        </message>
+        <message>
+            <source>Draft and chamfer of the walls are those of the prescription's shell; those of the order are not used.</source>
+            <translation>Väggarnas släppning och fas är de som ordinationens skal anger; beställningens används inte.</translation>
         </message>
         <message>
             <source>Drawing the difference</source>
@@ -434,6 +466,10 @@
         <message>
             <source>Foot ready</source>
             <translation>Foten är klar</translation>
+        </message>
+        <message>
+            <source>For {weight_kg:g} kg of body weight, {material} is usually {usual_mm:g} mm thick, and this insole is {thickness_mm:g} mm.</source>
+            <translation>För {weight_kg:g} kg kroppsvikt är {material} vanligen {usual_mm:g} mm tjockt, och det här inlägget är {thickness_mm:g} mm.</translation>
         </message>
         <message>
             <source>Forefoot post</source>
@@ -576,6 +612,10 @@
             <translation>Mäter skillnaden</translation>
         </message>
         <message>
+            <source>Medial border, from the 1st metatarsal's bisection</source>
+            <translation>Medial kant, från mittlinjen på metatarsale 1</translation>
+        </message>
+        <message>
             <source>Medial draft</source>
             <translation>Medial släppning</translation>
         </message>
@@ -632,6 +672,18 @@
             <translation>Ingen punkt är märkt i båda bilderna; märk målen i färg och djup.</translation>
         </message>
         <message>
+            <source>No thickness can be proposed without a material; choose one of {names}.</source>
+            <translation>Ingen tjocklek kan föreslås utan material; välj ett av {names}.</translation>
+        </message>
+        <message>
+            <source>No thickness can be proposed without the body weight; put in the weight, or the thickness itself.</source>
+            <translation>Ingen tjocklek kan föreslås utan kroppsvikten; ange vikten, eller själva tjockleken.</translation>
+        </message>
+        <message>
+            <source>No thickness is known for the material {material}; choose one of {names}, or put in the thickness yourself.</source>
+            <translation>För materialet {material} är ingen tjocklek känd; välj ett av {names}, eller ange tjockleken själv.</translation>
+        </message>
+        <message>
             <source>No view shows the side of the markers "{face}", so the foot is not measured there.</source>
             <translation>Ingen vy visar sidan med markörerna ”{face}”, så foten är inte mätt där.</translation>
         </message>
@@ -646,6 +698,10 @@
         <message>
             <source>Not measured: {regions}; no view that is used shows it.</source>
             <translation>Inte mätt: {regions}; ingen vy som används visar det.</translation>
+        </message>
+        <message>
+            <source>Nothing is known of the material “{material}”: the insole is made at least {least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.</source>
+            <translation>Inget är känt om materialet ”{material}”: inlägget görs minst {least_mm:g} mm tjockt, {edge_mm:g} mm vid framkanten; välj ett av {names}.</translation>
         </message>
         <message>
             <source>Nothing links {groups}: each was measured on its own, and their place to each other stays as planned.</source>
@@ -670,6 +726,10 @@
         <message>
             <source>Only {count} walls were used; six distances or more are better.</source>
             <translation>Bara {count} väggar användes; sex avstånd eller fler är bättre.</translation>
+        </message>
+        <message>
+            <source>Only {left_mm:.1f} mm of material would be left at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm, and {least_mm:g} mm are needed; the surface is raised there. Raise the thickness, or make the recess shallower.</source>
+            <translation>Bara {left_mm:.1f} mm material skulle bli kvar vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm, och {least_mm:g} mm behövs; ytan höjs där. Öka tjockleken, eller gör urtaget grundare.</translation>
         </message>
         <message>
             <source>Only {share:.0%} of the {pad} lie below the foot; move it inwards.</source>
@@ -698,6 +758,10 @@
         <message>
             <source>Plantar fasciitis with forefoot valgus</source>
             <translation>Plantar fasciit med framfotsvalgus</translation>
+        </message>
+        <message>
+            <source>Point {number} of the trim line, counted from the medial side, lies beside the insole; move it onto the insole.</source>
+            <translation>Punkt {number} på klipplinjen, räknad från medialsidan, ligger bredvid inlägget; flytta in den på inlägget.</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {views}</source>
@@ -982,6 +1046,10 @@
         <message>
             <source>The form "{form}" is that of a foot of {form_mm:.0f} mm, and this one is {foot_mm:.0f} mm long; choose a form of about its length.</source>
             <translation>Formen "{form}" är gjord för en fot på {form_mm:.0f} mm, och den här är {foot_mm:.0f} mm lång; välj en form av ungefär dess längd.</translation>
+        </message>
+        <message>
+            <source>The front edge is to taper to {taper_mm:g} mm, and {material} needs {least_mm:g} mm there; it is made {least_mm:g} mm thick.</source>
+            <translation>Framkanten ska smalna av till {taper_mm:g} mm, och {material} behöver {least_mm:g} mm där; den görs {least_mm:g} mm tjock.</translation>
         </message>
         <message>
             <source>The front edge of the {pad} lies {distance_mm:.1f} mm ahead of the line of the heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.</source>
@@ -1280,6 +1348,26 @@
             <translation>Övergången till randen på {asked_mm:.0f} mm får inte plats {where}, där inlägget är {width_mm:.0f} mm brett: den är {used_mm:.0f} mm där; ställ in en smalare övergång.</translation>
         </message>
         <message>
+            <source>The trim line crosses the edge of the insole {count} times, and must cross it once on either side; even out its points.</source>
+            <translation>Klipplinjen korsar inläggets kant {count} gånger, och måste korsa den en gång på varje sida; jämna ut dess punkter.</translation>
+        </message>
+        <message>
+            <source>The trim line does not cross the insole; move its points onto the insole, behind the metatarsal heads.</source>
+            <translation>Klipplinjen korsar inte inlägget; flytta dess punkter in på inlägget, bakom metatarsalhuvudena.</translation>
+        </message>
+        <message>
+            <source>The trim line leaves only {left_mm:.0f} mm of the insole, and a shell needs {least_mm:.0f} mm; move it towards the toes.</source>
+            <translation>Klipplinjen lämnar bara {left_mm:.0f} mm av inlägget, och ett skal behöver {least_mm:.0f} mm; flytta den mot tårna.</translation>
+        </message>
+        <message>
+            <source>The trim line runs through the {pad}; move the line ahead of it, or the pad behind the line.</source>
+            <translation>Klipplinjen går genom elementet ({pad}); flytta linjen framför det, eller elementet bakom linjen.</translation>
+        </message>
+        <message>
+            <source>The trim line turns back or crosses itself at its point {number}, counted from the medial border; let every point lie at least {least_mm:g} mm farther lateral than the one before.</source>
+            <translation>Klipplinjen vänder tillbaka eller korsar sig själv vid punkt {number}, räknad från medialkanten; låt varje punkt ligga minst {least_mm:g} mm längre lateralt än den föregående.</translation>
+        </message>
+        <message>
             <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
             <translation>De två ytorna överlappar inte i något läge, så de kan inte jämföras; kontrollera att båda visar samma sida av samma fot.</translation>
         </message>
@@ -1354,6 +1442,10 @@
         <message>
             <source>The {pad} is {height_mm:g} mm high; up to {usual_mm:g} mm are usual.</source>
             <translation>Höjden ({pad}) är {height_mm:g} mm; upp till {usual_mm:g} mm är vanligt.</translation>
+        </message>
+        <message>
+            <source>The {pad} lies ahead of the trim line and is not made; move the line ahead of it, or choose the full length.</source>
+            <translation>Elementet ({pad}) ligger framför klipplinjen och görs inte; flytta linjen framför det, eller välj full längd.</translation>
         </message>
         <message>
             <source>The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up.</source>
@@ -1510,14 +1602,6 @@
         <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
-        </message>
-        <message>
-            <source>Wide shell; cover to the toes.</source>
-            <translation>Brett skal; överdrag till tårna.</translation>
-        </message>
-        <message>
-            <source>Wide shell; cup of 18 to 22.</source>
-            <translation>Brett skal; hälskål på 18 till 22.</translation>
         </message>
         <message>
             <source>Writing the file</source>
@@ -2172,6 +2256,10 @@
             <translation>måste vara tre tal från 0 till 255</translation>
         </message>
         <message>
+            <source>must go from light to heavy, and end with a step without up_to_kg</source>
+            <translation>måste gå från lätt till tung, och sluta med ett steg utan up_to_kg</translation>
+        </message>
+        <message>
             <source>must have min below max in x, y and z</source>
             <translation>måste ha min under max i x, y och z</translation>
         </message>
@@ -2208,6 +2296,10 @@
             <translation>anger en markör två gånger</translation>
         </message>
         <message>
+            <source>names one material twice; keep one of them</source>
+            <translation>anger ett material två gånger; behåll ett av dem</translation>
+        </message>
+        <message>
             <source>names the same marker id twice</source>
             <translation>anger samma markör-id två gånger</translation>
         </message>
@@ -2222,6 +2314,10 @@
         <message>
             <source>navicular, where it is marked, over the ground</source>
             <translation>naviculare, där det är märkt, över underlaget</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>nej</translation>
         </message>
         <message>
             <source>no blue marker with a depth reading is seen; check the light and that the reference system is in the picture</source>
@@ -2770,6 +2866,10 @@
         <message>
             <source>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</source>
             <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>ja</translation>
         </message>
         <message>
             <source>you may not write there; choose another place or ask for permission</source>

@@ -8,6 +8,7 @@ import pytest
 
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
+    ArchRaise,
     BaseForm,
     Finish,
     Form,
@@ -19,6 +20,7 @@ from insole_core.insole.prescription.design import (
     Post,
     Posting,
     RimStation,
+    Rocker,
     Shell,
 )
 from insole_core.insole.prescription.design_differences import LABELS, design_differences
@@ -42,6 +44,12 @@ FINISH = Finish(rim=(STATION, TOES))
 ONE_LINE = [
     (PLAIN, replace(PLAIN, device="Flat"), "Device: none → Flat"),
     (PLAIN, replace(PLAIN, thickness_mm=4.5), "Thickness: 3 mm → 4.5 mm"),
+    (
+        PLAIN,
+        PLAIN.with_added(ArchRaise(target_mm=28.0)),
+        "Added: arch raise, 28 mm over the floor, 100 mm long",
+    ),
+    (PLAIN, PLAIN.with_added(Rocker()), "Added: rocker, 5 mm behind the heads"),
     (PLAIN, replace(PLAIN, bottom="following"), "Underside: flat → cupped"),
     (PLAIN, replace(PLAIN, base=BaseForm(form=FLAT)), "Base: from the foot → the form Flat"),
     (

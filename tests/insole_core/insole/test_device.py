@@ -142,7 +142,7 @@ BAD = [
     (with_design(finish={"arch_fil_mm": 1}), "arch_fil_mm"),
     (with_design(finish={"rim": [{"border": "inner", "along": 0, "height_mm": 1}]}), "inner"),
     (with_design(shell={"body_weight_kg": 80}), "design.shell .* belong to one foot"),
-    (with_design(shell={"trim_mm": [[1, 2], [3, 4]]}), "design.shell .* belong to one foot"),
+    (with_design(shell={"trim_mm": [[40, 150], [-40, 140]]}), "design.shell .* belong to one foot"),
     ([], "one JSON object"),
 ]
 

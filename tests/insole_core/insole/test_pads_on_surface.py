@@ -16,8 +16,9 @@ from insole_core.insole.prescription.design import (
     InsoleDesign,
     Pelott,
     Posting,
+    RimStation,
 )
-from insole_core.insole.surface.contact import contact_base
+from insole_core.insole.surface.contact import contact_base, with_rim
 from insole_core.insole.surface.pads_on_surface import apply_pads, moved_pad
 
 PAD = Pelott(centre_mm=(5.0, 150.0))
@@ -150,6 +151,39 @@ def test_an_arch_reaches_its_target_whatever_is_below_it(left_foot, corrections,
     share = np.hypot((x - apex[0]) / 25.0, (y - apex[1]) / 50.0)
     assert np.all(change[share > 1.01] == 0)
     assert np.all(change[share < 0.9] > 0)
+
+
+def test_an_arch_reaches_its_target_on_every_surface_of_the_same_foot(left_foot):
+    apex = (18.0, 118.0)  # a node
+    arch = ArchRaise(target_mm=31.0, apex_mm=apex)
+    for thickness_mm in (3.0, 7.0):
+        design = replace(PLAIN, thickness_mm=thickness_mm, corrections=(arch,))
+        assert surface(left_foot, design).height_at(np.array(apex)) == pytest.approx(31.0, abs=1e-9)
+
+
+def test_an_arch_reaches_its_target_beside_a_rim_that_moves(left_foot):
+    apex = (26.0, 118.0)
+    arch = ArchRaise(target_mm=40.0, apex_mm=apex)
+    low, high = (
+        replace(
+            PLAIN,
+            corrections=(arch,),
+            finish=Finish(
+                arch_blend_mm=25.0,
+                rim=(
+                    RimStation(border="medial", along=0.45, height_mm=height_mm),
+                    RimStation(border="lateral", along=0.45, height_mm=8.0),
+                ),
+            ),
+        )
+        for height_mm in (12.0, 24.0)
+    )
+    base = contact_base(left_foot, low)
+    apply_pads(base, low)
+    moved = with_rim(base, high, left_foot.length_mm)
+    assert moved.surface.height_at(np.array(apex)) != base.surface.height_at(np.array(apex))
+    raised = apply_pads(moved, high)
+    assert raised.height_at(np.array(apex)) == pytest.approx(40.0, abs=1e-9)
 
 
 def test_an_arch_above_its_target_stays_as_it_is(left_foot):

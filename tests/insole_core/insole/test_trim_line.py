@@ -98,7 +98,7 @@ def test_the_width_is_counted_from_the_first_metatarsal(foot: Foot, width_mm: fl
         kept = curve[curve[:, 1] < head[1] - 80]
         assert np.hypot(*(kept[:, None] - long[None]).transpose(2, 0, 1)).min(axis=1).max() < 0.7
     for part in (usual[:, 1] < 50, usual[:, 0] < -10):
-        far = usual[part & (usual[:, 1] < 0.5 * foot.length_mm)]
+        far = usual[part & (usual[:, 1] < 0.4 * foot.length_mm)]
         gaps = np.hypot(*(far[:, None] - curve[None]).transpose(2, 0, 1)).min(axis=1)
         assert gaps.max() < 1.0
 

@@ -214,6 +214,17 @@ def test_a_forefoot_post_ends_at_the_trim_line(left_foot: Foot):
     assert medial[:, 1].min() == pytest.approx(front - 30, abs=5)
 
 
+def test_the_identification_stands_on_the_rearfoot_post(left_foot: Foot):
+    rules = read_rules().only(("watertight",))
+    insole = build_insole(left_foot, cupped(posts=(REAR,)))
+    part = make_part(insole, Order(mark=("P-0412", "left")), rules)
+    assert part.findings[0].passed
+    plain = insole_solid(insole)
+    assert 20 < plain.volume_mm3 - part.solid.volume_mm3 < 400
+    with pytest.raises(DesignError, match="does not lie wholly on a flat bottom"):
+        make_part(build_insole(left_foot, cupped()), Order(mark=("P-0412",)), rules)
+
+
 def test_posts_and_postings_count_together(left_foot: Foot):
     design = cupped(posts=(Post(angle_deg=10.0),)).with_added(Posting(rearfoot_deg=8.0))
     with pytest.raises(DesignError, match="turn the foot by 18° together"):
@@ -369,6 +380,18 @@ def test_a_large_radius_leaves_half_of_the_wall(left_foot: Foot):
     wall, left = (np.subtract(*faces(solid))[rim(solid), 2] for solid in (sharp, rounded))
     assert (left >= wall / 2 - 1e-9).all()
     assert (left < wall).all()
+
+
+def test_the_walls_of_the_order_give_way_to_those_of_the_shell(left_foot: Foot):
+    rules = read_rules().only(())
+    insole = build_insole(left_foot, cupped())
+    usual, asked = (
+        make_part(insole, Order(options=options), rules)
+        for options in (SolidOptions(), SolidOptions(draft_deg=10.0))
+    )
+    assert np.array_equal(usual.solid.vertices, asked.solid.vertices)
+    assert usual.notes == ()
+    assert [str(note)[:36] for note in asked.notes] == ["Draft and chamfer of the walls are t"]
 
 
 def test_drafts_differ_between_the_borders(left_foot: Foot):

@@ -17,9 +17,13 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import (
     Finish,
     InsoleDesign,
+    Layers,
+    Outline,
     Pelott,
+    Post,
     Posting,
     RimStation,
+    Shell,
 )
 from insole_core.progress import Cancelled, Progress
 from insole_core.solids.solid import insole_solid
@@ -75,6 +79,52 @@ def test_steps_are_kept_for_designs_that_share_them(
     assert builder.base(left_foot, other_pad) is bare.base
     assert builder.known_bare(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0))) is None
     assert builder.known_bare(replace(left_foot), PLAIN) is None
+
+
+def test_a_shell_is_previewed_as_it_is_made(builder: InsoleBuilder, left_foot: Foot) -> None:
+    posts = (Post(angle_deg=4.0), Post(region="forefoot", angle_deg=-3.0))
+    design = InsoleDesign(
+        Side.LEFT,
+        bottom="following",
+        outline=Outline(extent="three_quarter"),
+        layers=Layers(cover_mm=2.0, cover_is_taken_off=True),
+        shell=Shell(posts=posts, heel_pitch_mm=12.0, edge_radius_mm=1.5),
+    )
+    edited = EditedInsole(builder.bare(left_foot, design), design)
+    solid = insole_solid(build_insole(left_foot, design))
+    count = len(solid.vertices)
+    assert edited.mesh.vertices[:count] == pytest.approx(solid.vertices, abs=1e-9)
+    padded = design.with_added(PAD)
+    assert edited.can_follow(left_foot, padded)
+    before = edited.mesh.vertices[: count // 2, 2].copy()
+    edited.follow(padded)
+    risen = edited.mesh.vertices[: count // 2, 2] - before
+    assert risen.max() == pytest.approx(PAD.height_mm, abs=0.1)
+    assert (risen[np.hypot(*(solid.vertices[: count // 2, :2] - PAD.centre_mm).T) > 35] == 0).all()
+    # The foot stands on the cover, on which it was to stand.
+    standing = edited.standing_foot.vertices
+    gap = standing[:, 2] - edited.heights_mm(standing[:, :2])
+    near = (np.abs(standing[:, 1] - 40) < 20) & (np.abs(standing[:, 0]) < 10)
+    assert gap[near].min() == pytest.approx(0, abs=0.7)
+
+
+@pytest.mark.parametrize(
+    "shell",
+    [
+        Shell(heel_pitch_mm=10.0),
+        Shell(posts=(Post(),)),
+        Shell(taper_mm=2.0),
+        Shell(trim_mm=((35.0, 150.0), (-30.0, 140.0))),
+    ],
+)
+def test_a_changed_shell_is_built_anew(
+    builder: InsoleBuilder, left_foot: Foot, shell: Shell
+) -> None:
+    design = replace(PLAIN, outline=Outline(extent="three_quarter"), shell=Shell())
+    bare = builder.bare(left_foot, design)
+    changed = replace(design, shell=shell, bottom="following" if shell.posts else "flat")
+    assert builder.known_bare(left_foot, changed) is None
+    assert not np.array_equal(builder.bare(left_foot, changed).solid.vertices, bare.solid.vertices)
 
 
 def test_nothing_is_kept_of_a_closed_case_even_if_it_is_still_being_built(

@@ -5,6 +5,8 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +14,12 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import Patient, ScanSource
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.case_record import CaseRecord, Patient, ScanSource
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_studio.app.bootstrap import Application, build_application
+from insole_studio.document import autosave as autosave_module
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
@@ -95,6 +99,59 @@ def test_every_change_is_written_a_moment_later(jobs: Jobs, qtbot: QtBot, tmp_pa
     qtbot.waitUntil(lambda: bool(list(tmp_path.glob("[!.]*.insole"))), timeout=5000)
     autosave.forget()
     jobs.close()
+    autosave.close()
+
+
+class SlowDisk:
+    """Writing a case in the background stops half-way until it may go on."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.has_started = threading.Event()
+        self.goes_on = threading.Event()
+        monkeypatch.setattr(autosave_module, "write_case", self.write)
+
+    def write(self, record: CaseRecord, path: Path) -> str:
+        if threading.current_thread() is not threading.main_thread():
+            self.has_started.set()
+            assert self.goes_on.wait(timeout=30)
+        return write_case(record, path)
+
+
+@pytest.fixture
+def slow_disk(monkeypatch: pytest.MonkeyPatch) -> Iterator[SlowDisk]:
+    disk = SlowDisk(monkeypatch)
+    yield disk
+    disk.goes_on.set()
+
+
+def test_a_late_job_does_not_replace_a_newer_copy(
+    jobs: Jobs, slow_disk: SlowDisk, qtbot: QtBot, tmp_path: Path
+) -> None:
+    case = Case()
+    autosave = Autosave(case, jobs, tmp_path)
+    case.apply(Patient(name="Anna"), "Edit")
+    qtbot.waitUntil(slow_disk.has_started.is_set, timeout=10000)
+    case.apply(Patient(name="Anna Berg"), "Edit")
+    autosave.write_now()
+    slow_disk.goes_on.set()
+    jobs.close()
+    (copy,) = tmp_path.glob("*.insole")
+    assert read_case(copy).patient.name == "Anna Berg"
+    autosave.forget()
+    autosave.close()
+
+
+def test_a_late_job_does_not_bring_back_the_copy_of_a_saved_case(
+    jobs: Jobs, slow_disk: SlowDisk, qtbot: QtBot, tmp_path: Path
+) -> None:
+    case = Case()
+    autosave = Autosave(case, jobs, tmp_path)
+    case.apply(Patient(name="Anna"), "Edit")
+    qtbot.waitUntil(slow_disk.has_started.is_set, timeout=10000)
+    case.mark_saved(case.record, tmp_path / "elsewhere.insole")
+    slow_disk.goes_on.set()
+    jobs.close()
+    assert not list(tmp_path.glob("*.insole"))
     autosave.close()
 
 

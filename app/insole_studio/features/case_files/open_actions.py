@@ -248,7 +248,7 @@ class OpenActions:
         """Return a foot whose design begins with the clinic's device."""
         starting = starting_device(self._services.paths.settings_folder)
         if starting.problem is not None:
-            self._messages.show_sentence(translate_core_message(starting.problem))
+            self._messages.show_sentence(starting.problem)
         design = starting.design(scanned.foot.side)
         return FootRecord.begun(scanned.foot, scanned.source, design)
 
