@@ -13,6 +13,7 @@ from insole_core.insole.prescription.device import Device, apply_device, device_
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.workflows.clinic_devices import (
     AS_SCANNED,
+    DEFAULT_DEVICE,
     clinic_devices,
     clinic_forms,
     find_device,
@@ -36,6 +37,8 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import DEVICE_SUFFIX, device_kinds
 from insole_studio.services.last_folders import Kept
 from insole_studio.texts import tr, translate_core_message
+
+_UNREADABLE = "unreadable devices"
 
 
 class DeviceActions:
@@ -79,8 +82,9 @@ class DeviceActions:
         return self._view
 
     def open(self) -> None:
-        """Open the list of devices and findings."""
+        """Open the list of devices and findings; say which of the clinic's cannot be read."""
         choices = self._choices()
+        self._tell_unreadable()
         self._view = DevicesView(self._services.window)
         self._presenter = DevicesPresenter(
             self._view, self._case, choices, self._default_key, self._entries
@@ -98,7 +102,9 @@ class DeviceActions:
         devices = self._devices.load().items
         if design.finish is None:
             before = self._designed.get(design.side)
-            device = find_device(devices, self._default)
+            device = devices[key_of(self._default)]
+            if device.values.finish is None:
+                device = find_device(devices, DEFAULT_DEVICE)
             changed = apply_device(device, design) if before is None else _again(before, design)
             self._case.apply(changed, tr("Design the rim"))
         else:
@@ -175,6 +181,14 @@ class DeviceActions:
             *finding_choices(self._findings.load(), self._with_finding),
             *form_choices(self._forms.load()),
         ]
+
+    def _tell_unreadable(self) -> None:
+        sentences = (*self._devices.load().unreadable, *self._forms.load().unreadable)
+        text = "\n".join(map(translate_core_message, sentences))
+        if text:
+            self._services.notices.put(_UNREADABLE, text, stays=True)
+        else:
+            self._services.notices.drop(_UNREADABLE)
 
     def _with_finding(self, finding: Finding, design: InsoleDesign) -> InsoleDesign:
         """Return a design with what is proposed for a finding."""
