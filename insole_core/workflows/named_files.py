@@ -106,19 +106,15 @@ class NamedFiles(Generic[Item]):
         with replacing_file(path) as beside:
             self._write(item, beside)
 
-    def import_file(self, path: Path) -> Item:
-        """Store the value of a file that another clinic exported, and return it.
+    def read(self, path: Path) -> Item:
+        """Read a file that another clinic exported.
 
         Raises
         ------
         InputError
             When the file cannot be read.
-        OutputError
-            When the place cannot be written.
         """
-        item = self._read(path)
-        self.save(item)
-        return item
+        return self._read(path)
 
     def export(self, item: Item, path: Path) -> None:
         """Write the file of a value, for another clinic to import.

@@ -71,7 +71,7 @@ def test_a_device_goes_from_clinic_to_clinic(tmp_path: Path):
     there = tmp_path / "sent.json"
     clinic_devices(tmp_path / "one").export(ours(), there)
     other = clinic_devices(tmp_path / "two")
-    assert other.import_file(there) == ours()
+    other.save(other.read(there))
     assert other.load().items["ours-mine"] == ours()
 
 
@@ -106,7 +106,7 @@ def test_importing_what_is_no_device_stores_nothing(tmp_path: Path):
     path = tmp_path / "sent.json"
     path.write_text('{"format": "insole-design", "version": 1}')
     with pytest.raises(InputError, match="insole-device"):
-        clinic_devices(tmp_path).import_file(path)
+        clinic_devices(tmp_path).read(path)
     assert not (tmp_path / "devices").exists()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -391,3 +392,20 @@ def test_the_rim_ends_where_the_insole_ends_after_its_shell_is_gone(
     opened.case.apply(finished, "shell again")
     settle()
     assert np.array_equal(rim.reached, trimmed)
+
+
+def test_no_device_of_the_clinic_is_replaced_unasked(designed: Application, questions: Any) -> None:
+    devices = designed.features.design.devices
+    questions.typed = "Own sport"
+    devices.save_as_device()
+    assert questions.asked == []
+    before = finish(designed)
+    designed.case.apply(replace(design(designed), finish=replace(before, arch_fill_mm=5.0)), "fill")
+    questions.replace = False
+    devices.save_as_device()
+    assert questions.asked == ["replace Own sport"]
+    folder = designed.services.paths.settings_folder
+    assert clinic_devices(folder).load().items["own-sport"].values.finish == before
+    questions.replace = True
+    devices.save_as_device()
+    assert clinic_devices(folder).load().items["own-sport"].values.finish == finish(designed)

@@ -21,6 +21,7 @@ from insole_core.workflows.clinic_devices import (
 from insole_core.workflows.default_device import DefaultDevice
 from insole_core.workflows.findings import Catalogue, ClinicFindings, Finding, apply_finding
 from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.named_files import Item, NamedFiles
 from insole_core.workflows.pad_library import LibraryPad
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.insole_preview import InsolePreview
@@ -122,16 +123,13 @@ class DeviceActions:
         )
         if asked is None or design is None:
             return
-        device = device_of(design, asked)
-        self._devices.save(device)
-        self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+        self._store(self._devices, device_of(design, asked), "device")
 
     def import_device(self) -> None:
         """Take a device from a file of another clinic."""
         path = self._services.messages.questions.file_to_open(device_kinds(), Kept.CASES)
         if path is not None:
-            device = self._devices.import_file(path)
-            self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+            self._store(self._devices, self._devices.read(path), "device")
 
     def export_device(self, device: Device) -> None:
         """Write a device to a file for another clinic."""
@@ -162,9 +160,14 @@ class DeviceActions:
             tr("Keep this insole's form as a base"), tr("Name of the form"), design.device
         )
         if asked is not None:
-            form = form_of(insole, asked)
-            self._forms.save(form)
-            self._renew(f"form:{key_of(form.name)}", tr("Stored: {name}").format(name=form.name))
+            self._store(self._forms, form_of(insole, asked), "form")
+
+    def _store(self, files: NamedFiles[Item], item: Item, kind: str) -> None:
+        """Store a device or form of the clinic, unless one of its name is to be kept."""
+        questions, key = self._services.messages.questions, key_of(item.name)
+        if key not in files.load().own or questions.may_replace_own(item.name):
+            files.save(item)
+            self._renew(f"{kind}:{key}", tr("Stored: {name}").format(name=item.name))
 
     @property
     def _default(self) -> str:
