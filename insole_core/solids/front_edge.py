@@ -10,6 +10,7 @@ from insole_core.insole.outline.outline_curve import evenly_spread
 from insole_core.insole.surface.height_field import HeightField
 
 _AHEAD = 0.6  # y of the outward normal: the front edge turns by at most 53 degrees
+_STEEPEST = np.sqrt(1 - _AHEAD**2) / _AHEAD
 _PITCH_MM, _SIGMA_MM = 0.5, 3.0
 
 
@@ -31,7 +32,8 @@ def behind_front_mm(outline: FloatArray, field: HeightField) -> FloatArray:
     """
     x, y = _front(outline).T
     front = np.interp(field.x_mm, x, y)
-    slopes = (y[1] - y[0]) / (x[1] - x[0]), (y[-1] - y[-2]) / (x[-1] - x[-2])
+    ends = (y[1] - y[0]) / (x[1] - x[0]), (y[-1] - y[-2]) / (x[-1] - x[-2])
+    slopes = np.clip(ends, -_STEEPEST, _STEEPEST)
     front += slopes[0] * np.minimum(field.x_mm - x[0], 0)
     front += slopes[1] * np.maximum(field.x_mm - x[-1], 0)
     sigma = _SIGMA_MM / field.step_mm
@@ -47,8 +49,11 @@ def _front(outline: FloatArray) -> FloatArray:
     along = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
     ahead = -along[:, 0] / np.hypot(*along.T) > _AHEAD
     onward, back = (_run(run) for run in (ahead, ahead[:0:-1]))
-    edge = np.concatenate([points[len(points) - back :], points[: max(onward, 2)]])[::-1]
-    return np.asarray(edge[np.concatenate([[True], np.diff(edge[:, 0]) > 0])])
+    edge = np.concatenate([points[len(points) - back :], points[:onward]])[::-1]
+    edge = np.asarray(edge[np.concatenate([[True], np.diff(edge[:, 0]) > 0])])
+    if len(edge) > 1:
+        return edge
+    return np.asarray(points[0] + [[-_PITCH_MM, 0.0], [_PITCH_MM, 0.0]])  # a sharp tip
 
 
 def _run(holds: FloatArray) -> int:

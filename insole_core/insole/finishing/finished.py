@@ -6,6 +6,7 @@ the three. Order and figures: docs/decisions/0036-finishing.md.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -50,6 +51,9 @@ class FinishedSurface:
         Level of the heel's floor, from which the rim is counted, in the level of `surface`.
     goal
         What the plate is held at: the shaped contact surface, and the floor of the toe zone.
+    plate
+        Returns the plate of these zones, which is large and is kept with the foot as long as it is
+        one of the last.
     """
 
     finish: Finish
@@ -63,7 +67,7 @@ class FinishedSurface:
     zones: Zones
     goal: HeightField
     place: EdgeDistance
-    plate: SprungPlate
+    plate: Callable[[], SprungPlate]
 
     def with_rim(self, stations: tuple[RimStation, ...]) -> FinishedSurface:
         """Return the surface with other stations, in the time of a drag.
@@ -77,7 +81,7 @@ class FinishedSurface:
             As `Rim.curve`.
         """
         curve = self.rim.curve(stations)
-        heights = _joined(self.place, self.plate, self.goal, self.heel_mm + curve.height_mm)
+        heights = _joined(self.place, self.plate(), self.goal, self.heel_mm + curve.height_mm)
         surface = replace(self.surface, heights_mm=heights)
         finish = replace(self.finish, rim=stations)
         return replace(self, finish=finish, surface=surface, curve=curve)
@@ -129,8 +133,8 @@ def finished(
     rim_mm = heel_mm + curve.height_mm
     widths = blend_widths(place, goal, rim_mm, finish)
     zones = zones_of(place, widths, toes, goal)
-    plate = _factorised(foot, design.outline, place, zones.stiffness())
-    surface = replace(contact, heights_mm=_joined(place, plate, goal, rim_mm))
+    plate = partial(_factorised, foot, design.outline, place, zones)
+    surface = replace(contact, heights_mm=_joined(place, plate(), goal, rim_mm))
     return FinishedSurface(
         finish, surface, heel_mm, rim, curve, widths, toes, arch, zones, goal, place, plate
     )
@@ -171,10 +175,9 @@ def _along_edge(place: EdgeDistance, field: HeightField) -> FloatArray:
     return np.asarray(gaussian_filter1d(heights, RIM_SIGMA_MM / edge.step_mm, mode="wrap"))
 
 
-def _factorised(
-    foot: Foot, outline: Outline, place: EdgeDistance, stiffness: FloatArray
-) -> SprungPlate:
-    """Return the plate on springs; cached with the foot."""
+def _factorised(foot: Foot, outline: Outline, place: EdgeDistance, zones: Zones) -> SprungPlate:
+    """Return the plate on the springs of its zones; cached with the foot."""
+    stiffness = zones.stiffness()
     key = outline, place.grid, stiffness.tobytes()
     return foot.derived.get("finishing plate", key, partial(place.plate.on_springs, stiffness))
 

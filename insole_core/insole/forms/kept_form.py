@@ -19,7 +19,7 @@ _SUPPORT_ALONG, _SUPPORT_ACROSS = (0.05, HEADS_ALONG), (0.12, 0.88)
 """Shares within which the foot is supported: the sole behind the heads, without the rim."""
 _PITCHES_MM = (10.0, 6.0, 4.0, 3.0, 2.0, 1.4)
 _DECIMALS = 2
-_WANTED_MM = 0.1
+_WANTED_MM = 0.15
 """Greatest deviation from the insole; if need be the finest pitch is taken beyond it."""
 
 
@@ -38,7 +38,7 @@ def form_of(insole: Insole, name: str, source: str = "") -> Form:
     Returns
     -------
     Form
-        With as few stations as keep its surface within 0.1 mm where it supports the foot.
+        With as few stations as keep its surface within 0.15 mm where it supports the foot.
 
     Raises
     ------

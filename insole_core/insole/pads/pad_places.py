@@ -15,6 +15,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.pads.clearance import clearance
 from insole_core.insole.prescription.corrections import Pelott, Place
 
+_STEPS_BACK = 5  # the heads lie on an arc: the distance to it changes a little with the position
 _RAY_BEHIND_MM = 12.0  # an extension of the ray begins this far behind the 1st head
 _MIDDLE_HEADS = HEADS[1:4]
 _BAND_BEHIND_MM = 12.0  # a pad under heads 2 to 5 begins this far behind them
@@ -79,11 +80,11 @@ def _behind_heads(pad: Pelott, _side: Side, at: _Places, behind_heads_mm: float)
     else:
         middle, turn = line[1], 0.0
     laid = replace(pad, centre_mm=_place(middle), turn_deg=round(turn, 1))
-    for _ in range(2):  # the line is an arc: its distance changes a little with the position
-        found = clearance(laid, line)
-        ahead = (found.nearest - found.front) / (found.distance_mm or 1.0)
-        step = (found.distance_mm - behind_heads_mm) * ahead
-        laid = replace(laid, centre_mm=_place(np.array(laid.centre_mm) + step))
+    share = abs(across[0]) / np.hypot(*across)  # of a step back that takes it away from the line
+    for _ in range(_STEPS_BACK):  # straight back: across the slanting line it would leave its ray
+        step_mm = (clearance(laid, line).distance_mm - behind_heads_mm) / share
+        x_mm, y_mm = laid.centre_mm
+        laid = replace(laid, centre_mm=_place(np.array([x_mm, y_mm + step_mm])))
     return laid
 
 

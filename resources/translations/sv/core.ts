@@ -1556,10 +1556,6 @@
             <translation>Två punkter på föremålet har samma sanna läge; rätta listan.</translation>
         </message>
         <message>
-            <source>Two stations of the rim lie at the same place of the {border} edge, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
-            <translation>Två stationer på kanten ligger på samma ställe ({border}), den ena {height_mm:.1f} mm hög och den andra {other_mm:.1f} mm; ta bort en av dem.</translation>
-        </message>
-        <message>
             <source>Two stations of the rim lie at the same place {where}, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
             <translation>Två stationer på randen ligger på samma plats {where}, en {height_mm:.1f} mm hög och en {other_mm:.1f} mm; ta bort en av dem.</translation>
         </message>

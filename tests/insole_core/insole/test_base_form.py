@@ -15,15 +15,17 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.forms.form_file import read_form, write_form
 from insole_core.insole.forms.form_frame import form_frame
-from insole_core.insole.forms.form_surface import form_heights
+from insole_core.insole.forms.form_surface import finish_on_base, form_heights
 from insole_core.insole.forms.kept_form import form_of
 from insole_core.insole.prescription.base_form import HEADS_ALONG, BaseForm, Form
 from insole_core.insole.prescription.design import (
+    Finish,
     HeelSkive,
     InsoleDesign,
     Pelott,
     Posting,
 )
+from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.surface.contact import base_key, contact_base, sole_surface
 from insole_core.resources import resource_path
 
@@ -202,6 +204,30 @@ def test_a_kept_form_realises_the_insole_again(left_foot, right_foot, correction
         off = again.contact.heights_mm - insole.contact.heights_mm
         assert np.abs(off[support(insole) & insole.measured]).max() <= 0.3
         assert len(kept.heights_mm) * len(kept.heights_mm[0]) < 25000
+
+
+@pytest.mark.parametrize("key", ["eva-full-length", "ucbl-child"])
+def test_an_insole_on_its_own_form_stays_as_it_is(left_foot, key):
+    """Fill and smoothing of a scan are not applied to a form a second time."""
+    device = read_device(resource_path(f"devices/{key}.json"))
+    design = apply_device(device, InsoleDesign(left_foot.side))
+    insole = build_insole(left_foot, design)
+    kept = form_of(insole, "Ours")
+    again = build_insole(left_foot, replace(design, base=BaseForm(form=kept)))
+    finished = contact_base(left_foot, design).finished
+    assert finished is not None
+    off = again.contact.heights_mm - insole.contact.heights_mm
+    assert np.abs(off[finished.zones.support]).max() <= 0.3
+
+
+def test_fill_counts_by_the_share_of_the_foot():
+    asked = Finish(arch_fill_mm=3.2, expansion_mm=2.0, skin_smoothing_mm=2.0)
+    of = form(lambda u, v: 0.0)
+    assert finish_on_base(asked, None) == asked
+    half = finish_on_base(asked, BaseForm(form=of, contact_share=0.5))
+    assert (half.arch_fill_mm, half.expansion_mm, half.skin_smoothing_mm) == (1.6, 1.0, 2.0)
+    alone = finish_on_base(asked, BaseForm(form=of))
+    assert (alone.arch_fill_mm, alone.expansion_mm, alone.skin_smoothing_mm) == (0, 0, 0)
 
 
 def test_a_kept_form_of_a_left_foot_serves_the_right_one(left_foot, right_foot):

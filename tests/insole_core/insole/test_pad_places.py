@@ -62,6 +62,15 @@ def test_front_edge_lies_behind_the_heads(
     assert clearance(put, line).distance_mm == pytest.approx(behind_mm, abs=0.1)
 
 
+@pytest.mark.parametrize(("length_mm", "width_mm"), [(50, 35), (70, 50)])
+def test_a_pelott_lies_behind_the_third_head(
+    foot: Foot, landmarks: Landmarks, length_mm: float, width_mm: float
+) -> None:
+    pad = Pelott(centre_mm=NOWHERE, length_mm=length_mm, width_mm=width_mm)
+    put = placed_pad(pad, "metatarsal_line", foot.side, landmarks, 8.0)
+    assert put.centre_mm[0] == pytest.approx(landmarks["metatarsal_head_3"].point[0], abs=0.01)
+
+
 def test_a_bar_lies_along_the_heads(foot: Foot, landmarks: Landmarks) -> None:
     bar = Pelott(centre_mm=NOWHERE, shape="bar", length_mm=60, width_mm=80)
     put = placed_pad(bar, "metatarsal_line", foot.side, landmarks, 8.0)

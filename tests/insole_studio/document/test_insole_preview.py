@@ -7,10 +7,15 @@ import weakref
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
+
 from insole_core.cases.case_record import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Pelott, Posting
+from insole_core.insole.prescription.device import apply_device
+from insole_core.insole.prescription.rim_sliders import with_medial_flange
+from insole_core.workflows.clinic_devices import clinic_devices
 from insole_studio.app.bootstrap import Application
 
 Settle = Callable[[], None]
@@ -74,3 +79,52 @@ def test_an_insole_that_is_too_thin_is_shown_and_told(opened: Application, settl
     assert abs(opened.stage.preview.height_mm(0.0, 150.0) + 1.0) < 0.05
     opened.case.undo()
     assert told == [sentence, ""]
+
+
+def on_device(app: Application, settle: Settle) -> InsoleDesign:
+    """Design the shown foot with the product's device, and return the design."""
+    devices = clinic_devices(app.services.paths.settings_folder).load().items
+    app.case.apply(apply_device(devices["eva-full-length"], design(app)), "Device")
+    settle()
+    return design(app)
+
+
+def raised_flange(before: InsoleDesign, height_mm: float) -> InsoleDesign:
+    assert before.finish is not None
+    return replace(before, finish=with_medial_flange(before.finish, height_mm))
+
+
+def test_a_dragged_rim_is_followed_at_once_and_built_when_it_is_let_go(
+    opened: Application, settle: Settle
+) -> None:
+    before, preview = on_device(opened, settle), opened.stage.preview
+    assert preview.finished is not None
+    rim = preview.finished.rim
+    peak = rim.edge.point_at(rim.edge.arc_of("medial", 0.45))
+    for height_mm in (18.0, 20.0, 22.0):
+        low_mm = preview.height_mm(*peak)
+        opened.case.preview(raised_flange(before, height_mm))
+        assert preview.height_mm(*peak) > low_mm + 1.0, "at once"
+        assert not opened.jobs.is_running(), "the processor is left to the hand"
+        assert not preview.is_current
+        assert preview.finished.rim is rim
+    opened.case.apply(raised_flange(before, 22.0), "Raise the flange")
+    settle()
+    assert preview.is_current
+    exact = opened.stage.preview.builder.insole(preview.insole.foot, design(opened))  # type: ignore[union-attr]
+    contact = preview.contact
+    assert contact is not None
+    np.testing.assert_array_equal(contact.heights_mm, exact.contact.heights_mm)
+
+
+def test_a_rim_that_is_taken_back_is_the_one_before(opened: Application, settle: Settle) -> None:
+    before, preview = on_device(opened, settle), opened.stage.preview
+    contact = preview.contact
+    assert contact is not None
+    heights = contact.heights_mm.copy()
+    opened.case.preview(raised_flange(before, 22.0))
+    opened.case.end_preview()
+    assert preview.is_current
+    after = preview.contact
+    assert after is not None
+    np.testing.assert_array_equal(after.heights_mm, heights)

@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
+    QApplication,
     QFrame,
     QGridLayout,
     QHBoxLayout,
@@ -80,6 +81,12 @@ class ParametersView(QScrollArea):
             self._shape = ()
             self.show_groups(self._groups)
 
+    def _focused_key(self) -> str:
+        """Return the key of the field that has the keyboard focus; empty if none has."""
+        focused = QApplication.focusWidget()
+        is_here = focused is not None and self.isAncestorOf(focused)
+        return str(focused.property("key") or "") if is_here and focused is not None else ""
+
     def _show_value(self, spec: FieldSpec | ChoiceSpec) -> None:
         field = self._fields[spec.key]
         if isinstance(field, NumberField | SliderField):
@@ -97,7 +104,13 @@ class ParametersView(QScrollArea):
         flow.setContentsMargins(8, 4, 4, 4)  # aligned with the titles of the panels
         for group in groups:
             flow.addWidget(self._group(group))
+        focused = self._focused_key()
+        before = self.takeWidget()
         self.setWidget(content)
+        if before is not None:
+            before.deleteLater()  # one of its fields may be in the midst of a key
+        if focused in self._fields:
+            self._fields[focused].setFocus()
         for widget in content.findChildren(QWidget):
             widget.ensurePolished()  # its size for touch comes from the style
         # The first line is always fully visible, with touch as well.
