@@ -396,6 +396,10 @@
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
         </message>
         <message>
+            <source>Extent</source>
+            <translation>Längd</translation>
+        </message>
+        <message>
             <source>Face {face}: {across} to the right, {along} downwards</source>
             <translation>Sida {face}: {across} åt höger, {along} nedåt</translation>
         </message>
@@ -566,10 +570,6 @@
         <message>
             <source>Leg length discrepancy</source>
             <translation>Benlängdsskillnad</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>Längd</translation>
         </message>
         <message>
             <source>Length of the taper</source>
@@ -2414,6 +2414,10 @@
         <message>
             <source>points_mm of outline has {count} places, and a drawn outline needs at least {least}; draw it again.</source>
             <translation>points_mm i outline har {count} platser, och en ritad kontur behöver minst {least}; rita den igen.</translation>
+        </message>
+        <message>
+            <source>polypropylene</source>
+            <translation>polypropen</translation>
         </message>
         <message>
             <source>positive</source>

@@ -19,7 +19,7 @@ from insole_core.insole.prescription.rim_sliders import (
 from insole_studio.features.design.correction_names import device_name
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
-from insole_studio.texts import localised, tr
+from insole_studio.texts import localised, tr, translate_core_message
 
 Fields = tuple[FieldSpec | ChoiceSpec, ...]
 
@@ -137,7 +137,9 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
             least=localised(least, "g")
         ),
     )
-    materials = tuple((name, name) for name in read_materials().names)
+    known = read_materials().names
+    names = known if shell.material in known else (*known, shell.material)
+    materials = tuple((name, _capitalised(translate_core_message(name))) for name in names)
     material = ChoiceSpec(
         "shell.material",
         tr("Material"),
@@ -148,6 +150,10 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
     posts = (spec for region in REGIONS for spec in _post_fields(design, region))
     fields = (material, weight, *field_specs(shell, "shell", design.side), *posts)
     return FieldGroup(tr("Shell"), fields, _thickness_offers(design))
+
+
+def _capitalised(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _post_fields(design: InsoleDesign, region: str) -> Fields:
