@@ -18,7 +18,14 @@ from insole_core.foot.landmarks import Landmarks
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription import design_json
 from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import Correction, InsoleDesign, Pelott, Post, Shell
+from insole_core.insole.prescription.design import (
+    Correction,
+    Finish,
+    InsoleDesign,
+    Pelott,
+    Post,
+    Shell,
+)
 from insole_core.insole.prescription.design_limits import (
     CORRECTION_RANGES,
     FINISH_RANGES,
@@ -151,18 +158,20 @@ def apply_finding(
 
 
 def _on_device(finding: Finding, design: InsoleDesign, catalogue: Catalogue) -> InsoleDesign:
-    sets_rim = any(
-        value is not None
-        for value in (finding.cup_mm, finding.medial_flange_mm, finding.arch_fill_mm)
-    )
-    name = finding.device or (catalogue.default_device if sets_rim and not design.finish else "")
+    needs_finish = _sets_rim(finding) and design.finish is None
+    name = finding.device or (catalogue.default_device if needs_finish else "")
     return apply_device(find_device(catalogue.devices, name), design) if name else design
 
 
+def _sets_rim(finding: Finding) -> bool:
+    of_finish = finding.cup_mm, finding.medial_flange_mm, finding.arch_fill_mm
+    return any(value is not None for value in of_finish)
+
+
 def _with_rim(finding: Finding, design: InsoleDesign) -> InsoleDesign:
-    finish = design.finish
-    if finish is None:
+    if not _sets_rim(finding):
         return design
+    finish = design.finish or Finish()  # the clinic's device may be one without
     if finding.cup_mm is not None:
         finish = with_cup_depth(finish, finding.cup_mm)
     if finding.medial_flange_mm is not None:

@@ -99,26 +99,22 @@ class NamedFiles(Generic[Item]):
         OutputError
             When the place cannot be written.
         """
-        path = self._path(item.name)
+        path = [self._own / f"{key_of(item.name)}.json", *self._files_of(item.name)][-1]
         make_output_folder(path.parent)
         if path.exists():
             keep_unreadable(path, lambda: self._read(path))
         with replacing_file(path) as beside:
             self._write(item, beside)
 
-    def import_file(self, path: Path) -> Item:
-        """Store the value of a file that another clinic exported, and return it.
+    def read(self, path: Path) -> Item:
+        """Read a file that another clinic exported.
 
         Raises
         ------
         InputError
             When the file cannot be read.
-        OutputError
-            When the place cannot be written.
         """
-        item = self._read(path)
-        self.save(item)
-        return item
+        return self._read(path)
 
     def export(self, item: Item, path: Path) -> None:
         """Write the file of a value, for another clinic to import.
@@ -139,18 +135,28 @@ class NamedFiles(Generic[Item]):
         OutputError
             When the file cannot be removed.
         """
-        path = self._path(name)
-        try:
-            path.unlink(missing_ok=True)
-        except OSError as error:
-            raise OutputError(
-                "{path} cannot be removed ({reason}); check that you may write there.",
-                path=path,
-                reason=error.strerror or "",
-            ) from error
+        for path in self._files_of(name):
+            try:
+                path.unlink(missing_ok=True)
+            except OSError as error:
+                raise OutputError(
+                    "{path} cannot be removed ({reason}); check that you may write there.",
+                    path=path,
+                    reason=error.strerror or "",
+                ) from error
 
-    def _path(self, name: str) -> Path:
-        return self._own / f"{key_of(name)}.json"
+    def _files_of(self, name: str) -> list[Path]:
+        """Return the clinic's files that hold a value of a name; the last one counts.
+
+        A file that was copied into the folder may be called anything.
+        """
+        return [path for path in _files(self._own) if self._holds(path, name)]
+
+    def _holds(self, path: Path, name: str) -> bool:
+        try:
+            return key_of(self._read(path).name) == key_of(name)
+        except InputError:
+            return False
 
 
 def _files(folder: Path) -> list[Path]:

@@ -56,6 +56,7 @@ class CannedQuestions:
         self.units: list[Unit | None] = []
         self.anyway = False
         self.unsaved = Answer.DISCARD
+        self.replace = True
         self.same_side = SameSide.CANCEL
         self.typed: str | None = None
         self.path: Path | None = None
@@ -97,6 +98,10 @@ class CannedQuestions:
 
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         return self.typed
+
+    def may_replace_own(self, name: str) -> bool:
+        self.asked.append(f"replace {name}")
+        return self.replace
 
     def may_discard(self, name: str) -> bool:
         self.asked.append(f"discard {name}")

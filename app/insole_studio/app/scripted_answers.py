@@ -118,6 +118,10 @@ class AnsweredQuestions(Questions):
         """Return whether existing files may be overwritten."""
         return self.answers.replace
 
+    def may_replace_own(self, _name: str) -> bool:
+        """Return whether a device or form of the clinic may be replaced: if existing files may."""
+        return self.answers.replace
+
     def may_discard(self, _name: str) -> bool:
         """Return whether recovered work may be discarded: if unsaved work is."""
         return self.answers.unsaved is Answer.DISCARD

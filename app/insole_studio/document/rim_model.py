@@ -152,7 +152,7 @@ class RimModel(QObject):
         design, foot = record.design, record.foot
         if design is None or foot is None:
             return None
-        trim = None if design.shell is None else design.shell.trim_mm
+        trim = None if design.shell is None else (design.shell.trim_mm,)
         key = foot, design.outline, trim, record.annotations
         if self._outline_of != key:
             self._outline_of = key

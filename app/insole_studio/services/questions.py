@@ -249,6 +249,15 @@ class Questions:
         sentence = tr("These files are there already: {names}").format(names=names)
         return self._choose(sentence, choices, default=False)
 
+    def may_replace_own(self, name: str) -> bool:
+        """Ask whether a device or form of the clinic may be replaced by one of the same name."""
+        choices = [
+            _Choice(tr("Replace it"), True, _DESTRUCT),
+            _Choice(tr("Keep it"), False, _REJECT),
+        ]
+        sentence = tr("The clinic has “{name}” already.").format(name=name)
+        return self._choose(sentence, choices, default=False)
+
     def may_discard(self, name: str) -> bool:
         """Ask whether recovered work may be discarded for good."""
         choices = [

@@ -57,25 +57,31 @@ def medial_flange_mm(finish: Finish) -> float | None:
 def with_medial_flange(finish: Finish, height_mm: float) -> Finish:
     """Set the height of the medial flange at its peak; it falls off to the cup and to the head.
 
-    A rim without a medial flange gets one at its usual place.
+    A rim without a medial flange gets one at its usual place. The peak of a lowered one stays its
+    peak: no station of the flange is left higher.
     """
     peak = _peak(finish)
     if peak is None:
         station = RimStation(border="medial", along=_FLANGE[1], height_mm=height_mm)
         others = (s for s in finish.rim if (s.border, s.along) != ("medial", _FLANGE[1]))
         return replace(finish, rim=(*others, station))
-    return _moved(finish, height_mm - peak.height_mm, lambda s: _flange_weight(s, peak.along))
+    moved = _moved(finish, height_mm - peak.height_mm, lambda s: _flange_weight(s, peak.along))
+    rim = (
+        replace(s, height_mm=min(s.height_mm, height_mm)) if _is_of_flange(s) else s
+        for s in moved.rim
+    )
+    return replace(moved, rim=tuple(rim))
 
 
 def _peak(finish: Finish) -> RimStation | None:
-    flange = [
-        station
-        for station in finish.rim
-        if station.over == "heel"
-        and station.border == "medial"
-        and _FLANGE[0] < station.along < _FLANGE[2]
-    ]
-    return max(flange, key=lambda station: station.height_mm) if flange else None
+    flange = filter(_is_of_flange, finish.rim)
+    return max(flange, key=lambda station: station.height_mm, default=None)
+
+
+def _is_of_flange(station: RimStation) -> bool:
+    begin, _, end = _FLANGE
+    is_medial = station.border == "medial" and begin < station.along < end
+    return is_medial and station.over == "heel"
 
 
 def _moved(finish: Finish, by_mm: float, weight: Callable[[RimStation], float]) -> Finish:

@@ -360,6 +360,10 @@
             <translation>Borttagen: {name}</translation>
         </message>
         <message>
+            <source>Replace it</source>
+            <translation>Ersätt</translation>
+        </message>
+        <message>
             <source>Rim</source>
             <translation>Kant</translation>
         </message>
@@ -418,6 +422,10 @@
         <message>
             <source>Taper length</source>
             <translation>Avsmalning</translation>
+        </message>
+        <message>
+            <source>The clinic has “{name}” already.</source>
+            <translation>Kliniken har redan ”{name}”.</translation>
         </message>
         <message>
             <source>The design is like this already; nothing would change.</source>

@@ -59,6 +59,14 @@ def test_a_higher_flange_moves_the_medial_arch_alone():
     assert heights(higher) == pytest.approx([12, 13, 17, 23, 11, 4, 11, 8, 6, 0])
 
 
+@pytest.mark.parametrize("height_mm", [0, 3, 7.5, 12, 18])
+def test_a_lowered_flange_is_as_high_as_asked(height_mm):
+    lower = with_medial_flange(FINISH, height_mm)
+    assert medial_flange_mm(lower) == height_mm
+    assert heights(lower)[:2] == [12, 13]
+    assert heights(lower)[5:] == heights(FINISH)[5:]
+
+
 def test_both_are_added_to_a_rim_as_the_foot():
     made = with_medial_flange(with_cup_depth(Finish(), 16), 20)
     assert cup_depth_mm(made) == 16

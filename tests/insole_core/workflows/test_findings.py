@@ -24,7 +24,7 @@ from insole_core.insole.prescription.design_differences import design_difference
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
-from insole_core.workflows.clinic_devices import DEFAULT_DEVICE, clinic_devices
+from insole_core.workflows.clinic_devices import AS_SCANNED, DEFAULT_DEVICE, clinic_devices
 from insole_core.workflows.findings import (
     Catalogue,
     ClinicFindings,
@@ -109,6 +109,16 @@ def test_a_rim_on_a_design_as_scanned_starts_with_the_clinics_device(left_foot):
     plain = InsoleDesign(Side.LEFT)
     assert proposed("Cavus foot", plain, left_foot).device == DEFAULT_DEVICE
     assert proposed("Metatarsalgia", plain, left_foot).finish is None
+
+
+def test_cup_and_fill_are_set_though_the_clinics_device_has_no_rim(left_foot):
+    finding = find_finding(FINDINGS, "Cavus foot")
+    catalogue = replace(CATALOGUE, default_device=AS_SCANNED)
+    finding = replace(finding, cup_mm=14.0)
+    made = apply_finding(finding, InsoleDesign(Side.LEFT), find_landmarks(left_foot), catalogue)
+    assert made.device == AS_SCANNED
+    assert made.finish is not None
+    assert (made.finish.arch_fill_mm, cup_depth_mm(made.finish)) == (finding.arch_fill_mm, 14.0)
 
 
 def test_what_the_patient_has_stays(left_foot):

@@ -47,6 +47,17 @@ def test_a_device_of_the_clinic_is_stored_changed_and_removed(tmp_path: Path):
     files.remove("Ours & mine")  # a second time, nothing is wrong
 
 
+def test_a_device_that_was_copied_in_is_changed_and_removed_like_the_others(tmp_path: Path):
+    copied = tmp_path / "devices" / "sent by mail.json"
+    copied.parent.mkdir()
+    write_device(ours(), copied)
+    files = clinic_devices(tmp_path)
+    files.save(ours(thickness_mm=6.0))
+    assert files.load().items["ours-mine"] == ours(thickness_mm=6.0)
+    files.remove("Ours & mine")
+    assert "ours-mine" not in files.load().items
+
+
 def test_the_clinics_device_takes_the_place_of_the_products(tmp_path: Path):
     files = clinic_devices(tmp_path)
     product = files.load().items["flat"]
@@ -60,7 +71,7 @@ def test_a_device_goes_from_clinic_to_clinic(tmp_path: Path):
     there = tmp_path / "sent.json"
     clinic_devices(tmp_path / "one").export(ours(), there)
     other = clinic_devices(tmp_path / "two")
-    assert other.import_file(there) == ours()
+    other.save(other.read(there))
     assert other.load().items["ours-mine"] == ours()
 
 
@@ -95,7 +106,7 @@ def test_importing_what_is_no_device_stores_nothing(tmp_path: Path):
     path = tmp_path / "sent.json"
     path.write_text('{"format": "insole-design", "version": 1}')
     with pytest.raises(InputError, match="insole-device"):
-        clinic_devices(tmp_path).import_file(path)
+        clinic_devices(tmp_path).read(path)
     assert not (tmp_path / "devices").exists()
 
 

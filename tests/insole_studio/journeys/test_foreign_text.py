@@ -204,6 +204,7 @@ ASKING: dict[str, Callable[[Questions, str], object]] = {
     "unsaved": lambda questions, evil: questions.about_unsaved(evil),
     "anyway": lambda questions, evil: questions.open_anyway(evil),
     "replace": lambda questions, _evil: questions.may_replace([Path(f"<b>{MARK}<b>.stl")]),
+    "replace own": lambda questions, evil: questions.may_replace_own(evil),
     "discard": lambda questions, evil: questions.may_discard(evil),
     "text": lambda questions, evil: questions.text("Name", evil, evil),
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,8 +16,9 @@ from PySide6.QtWidgets import QPushButton
 
 from insole_core.cases.case_record import FootRecord, ScanSource
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
-from insole_core.workflows.clinic_devices import clinic_devices
+from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation, Shell
+from insole_core.workflows.clinic_devices import AS_SCANNED, DEFAULT_DEVICE, clinic_devices
+from insole_core.workflows.default_device import DefaultDevice
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.scene.scene_view import SceneView
@@ -368,4 +370,69 @@ def test_own_devices_are_kept_shared_and_made_the_default(
     entry(devices, "remove").trigger()
     assert "own-sport" not in clinic_devices(folder).load().items
     entry(devices, "import").trigger()
+    assert clinic_devices(folder).load().items["own-sport"].values.finish == finish(designed)
+
+
+def test_the_imprint_becomes_a_designed_rim_though_the_clinics_device_has_none(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    DefaultDevice(opened.services.paths.settings_folder).save(AS_SCANNED)
+    act(opened, "toggle_as_scanned")
+    settle()
+    assert design(opened).device == DEFAULT_DEVICE
+    assert opened.stage.rim_model.curve is not None
+
+
+def test_a_device_of_the_clinic_that_cannot_be_read_is_told(opened: Application) -> None:
+    broken = opened.services.paths.settings_folder / "devices" / "half.json"
+    broken.parent.mkdir(parents=True)
+    broken.write_text("half a fi")
+    devices, notices = opened.features.design.devices, opened.services.notices
+    devices.open()
+    assert devices.view is not None
+    (notice,) = notices.notices
+    assert "half.json" in notice.text
+    devices.view.reject()
+    broken.unlink()
+    devices.open()
+    assert not notices.notices
+
+
+def test_the_rim_ends_where_the_insole_ends_after_its_shell_is_gone(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    finished = replace(
+        design(opened),
+        finish=Finish(),
+        shell=Shell(),
+        outline=replace(design(opened).outline, extent="three_quarter"),
+    )
+    opened.case.apply(finished, "shell")
+    settle()
+    rim = opened.stage.rim_model
+    assert rim.curve is not None
+    trimmed = rim.reached
+    opened.case.apply(replace(finished, shell=None), "no shell")
+    settle()
+    plain = rim.reached
+    assert plain.sum() != trimmed.sum()
+    opened.case.apply(finished, "shell again")
+    settle()
+    assert np.array_equal(rim.reached, trimmed)
+
+
+def test_no_device_of_the_clinic_is_replaced_unasked(designed: Application, questions: Any) -> None:
+    devices = designed.features.design.devices
+    questions.typed = "Own sport"
+    devices.save_as_device()
+    assert questions.asked == []
+    before = finish(designed)
+    designed.case.apply(replace(design(designed), finish=replace(before, arch_fill_mm=5.0)), "fill")
+    questions.replace = False
+    devices.save_as_device()
+    assert questions.asked == ["replace Own sport"]
+    folder = designed.services.paths.settings_folder
+    assert clinic_devices(folder).load().items["own-sport"].values.finish == before
+    questions.replace = True
+    devices.save_as_device()
     assert clinic_devices(folder).load().items["own-sport"].values.finish == finish(designed)

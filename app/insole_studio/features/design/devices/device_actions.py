@@ -13,6 +13,7 @@ from insole_core.insole.prescription.device import Device, apply_device, device_
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.workflows.clinic_devices import (
     AS_SCANNED,
+    DEFAULT_DEVICE,
     clinic_devices,
     clinic_forms,
     find_device,
@@ -20,6 +21,7 @@ from insole_core.workflows.clinic_devices import (
 from insole_core.workflows.default_device import DefaultDevice
 from insole_core.workflows.findings import Catalogue, ClinicFindings, Finding, apply_finding
 from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.named_files import Item, NamedFiles
 from insole_core.workflows.pad_library import LibraryPad
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.insole_preview import InsolePreview
@@ -36,6 +38,8 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import DEVICE_SUFFIX, device_kinds
 from insole_studio.services.last_folders import Kept
 from insole_studio.texts import tr, translate_core_message
+
+_UNREADABLE = "unreadable devices"
 
 
 class DeviceActions:
@@ -79,8 +83,9 @@ class DeviceActions:
         return self._view
 
     def open(self) -> None:
-        """Open the list of devices and findings."""
+        """Open the list of devices and findings; say which of the clinic's cannot be read."""
         choices = self._choices()
+        self._tell_unreadable()
         self._view = DevicesView(self._services.window)
         self._presenter = DevicesPresenter(
             self._view, self._case, choices, self._default_key, self._entries
@@ -98,7 +103,9 @@ class DeviceActions:
         devices = self._devices.load().items
         if design.finish is None:
             before = self._designed.get(design.side)
-            device = find_device(devices, self._default)
+            device = devices[key_of(self._default)]
+            if device.values.finish is None:
+                device = find_device(devices, DEFAULT_DEVICE)
             changed = apply_device(device, design) if before is None else _again(before, design)
             self._case.apply(changed, tr("Design the rim"))
         else:
@@ -116,16 +123,13 @@ class DeviceActions:
         )
         if asked is None or design is None:
             return
-        device = device_of(design, asked)
-        self._devices.save(device)
-        self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+        self._store(self._devices, device_of(design, asked), "device")
 
     def import_device(self) -> None:
         """Take a device from a file of another clinic."""
         path = self._services.messages.questions.file_to_open(device_kinds(), Kept.CASES)
         if path is not None:
-            device = self._devices.import_file(path)
-            self._renew(f"device:{device.key}", tr("Stored: {name}").format(name=device.name))
+            self._store(self._devices, self._devices.read(path), "device")
 
     def export_device(self, device: Device) -> None:
         """Write a device to a file for another clinic."""
@@ -156,9 +160,14 @@ class DeviceActions:
             tr("Keep this insole's form as a base"), tr("Name of the form"), design.device
         )
         if asked is not None:
-            form = form_of(insole, asked)
-            self._forms.save(form)
-            self._renew(f"form:{key_of(form.name)}", tr("Stored: {name}").format(name=form.name))
+            self._store(self._forms, form_of(insole, asked), "form")
+
+    def _store(self, files: NamedFiles[Item], item: Item, kind: str) -> None:
+        """Store a device or form of the clinic, unless one of its name is to be kept."""
+        questions, key = self._services.messages.questions, key_of(item.name)
+        if key not in files.load().own or questions.may_replace_own(item.name):
+            files.save(item)
+            self._renew(f"{kind}:{key}", tr("Stored: {name}").format(name=item.name))
 
     @property
     def _default(self) -> str:
@@ -175,6 +184,14 @@ class DeviceActions:
             *finding_choices(self._findings.load(), self._with_finding),
             *form_choices(self._forms.load(), self._case.foot),
         ]
+
+    def _tell_unreadable(self) -> None:
+        sentences = (*self._devices.load().unreadable, *self._forms.load().unreadable)
+        text = "\n".join(map(translate_core_message, sentences))
+        if text:
+            self._services.notices.put(_UNREADABLE, text, stays=True)
+        else:
+            self._services.notices.drop(_UNREADABLE)
 
     def _with_finding(self, finding: Finding, design: InsoleDesign) -> InsoleDesign:
         """Return a design with what is proposed for a finding."""
