@@ -73,8 +73,8 @@ def form_heights(form: Form, frame: FormFrame, xy: FloatArray) -> FloatArray:
     return np.asarray(heights * (frame.ball_width_mm / form.ball_width_mm))
 
 
-def _graded(foot: Foot, sole: HeightField, base: BaseForm) -> FloatArray:
-    form = base.form
+def check_length(form: Form, foot: Foot) -> None:
+    """Raise a `DesignError` if a foot is too long or too short for a form to be graded to it."""
     if abs(foot.length_mm / form.length_mm - 1) >= MOST_GRADING:
         raise DesignError(
             'The form "{form}" is that of a foot of {form_mm:.0f} mm, and this one is '
@@ -83,6 +83,11 @@ def _graded(foot: Foot, sole: HeightField, base: BaseForm) -> FloatArray:
             form_mm=form.length_mm,
             foot_mm=foot.length_mm,
         )
+
+
+def _graded(foot: Foot, sole: HeightField, base: BaseForm) -> FloatArray:
+    form = base.form
+    check_length(form, foot)
     x, y = np.meshgrid(sole.x_mm, sole.y_mm)
     return form_heights(form, form_frame(foot), np.stack([x, y], axis=-1))
 
