@@ -2416,6 +2416,10 @@
             <translation>points_mm i outline har {count} platser, och en ritad kontur behöver minst {least}; rita den igen.</translation>
         </message>
         <message>
+            <source>polypropylene</source>
+            <translation>polypropen</translation>
+        </message>
+        <message>
             <source>positive</source>
             <translation>formen</translation>
         </message>

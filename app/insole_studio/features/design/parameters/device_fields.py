@@ -19,7 +19,7 @@ from insole_core.insole.prescription.rim_sliders import (
 from insole_studio.features.design.correction_names import device_name
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
-from insole_studio.texts import localised, tr
+from insole_studio.texts import localised, tr, translate_core_message
 
 Fields = tuple[FieldSpec | ChoiceSpec, ...]
 
@@ -137,7 +137,7 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
             least=localised(least, "g")
         ),
     )
-    materials = tuple((name, name) for name in read_materials().names)
+    materials = tuple((name, translate_core_message(name)) for name in read_materials().names)
     material = ChoiceSpec(
         "shell.material",
         tr("Material"),
