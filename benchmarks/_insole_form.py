@@ -1,4 +1,4 @@
-"""Measures of a finished insole's form, with what is asked of each (INSOLE.md, section 3)."""
+"""Measures of a finished insole's form, with what is asked of each (decision 0036)."""
 
 from __future__ import annotations
 

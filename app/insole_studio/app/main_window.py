@@ -97,6 +97,7 @@ class MainWindow(QMainWindow):
         self._place_docks()
         self._add_dock_actions()
         stage.section_wanted.connect(self._show_section)
+        stage.section_chosen.connect(self._section.raise_)
         stage.rim_wanted.connect(self._show_rim)
         self._section.hide()
         self._rim.hide()

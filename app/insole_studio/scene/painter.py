@@ -72,6 +72,8 @@ class Painter:
         self._wireframe = False
         self._shapes: dict[str, tuple[object, ...]] = {}
         """Geometry and style of the shown marks; a mark that keeps both only moves."""
+        self._in_front: dict[str, pv.PolyData] = {}
+        """The points of those marks."""
         self._texts: dict[str, Callable[[], None]] = {}
         """Functions that redraw the shown texts."""
         self._tags = NameTags(plotter, pixel_ratio)
@@ -98,6 +100,7 @@ class Painter:
         """Show nothing at all."""
         self._mesh = self._surface = None
         self._shapes.clear()
+        self._in_front.clear()
         self._texts.clear()
         self._directions, self._written = ([], []), (np.zeros((0, 3)), [])
         self._named = ()
@@ -111,6 +114,7 @@ class Painter:
         for name in self._shapes:
             self._recolor(name, before)
         self._shapes.clear()
+        self._in_front.clear()
         for write in list(self._texts.values()):
             write()
         self._tags.show(self._named, NAME_PX, self.scheme.text, self.scheme.bottom)
@@ -458,9 +462,10 @@ class Painter:
         shape = (len(points), line_lengths, tuple(look.items()))
         if self._shapes.get(name) == shape:
             if len(points):
-                self._plotter.actors[name].mapper.dataset.points = points
+                self._in_front[name].points = points
             return
         self._shapes[name] = shape
+        self._in_front.pop(name, None)
         self._plotter.remove_actor(name, render=False)
         if len(points) == 0:
             return
@@ -470,6 +475,7 @@ class Painter:
         actor = self._plotter.add_mesh(
             drawn, name=name, lighting=False, reset_camera=False, render=False, **look
         )
+        self._in_front[name] = actor.mapper.dataset
         # Drawn in front of any surface: handles must never be hidden by the foot.
         actor.mapper.SetResolveCoincidentTopologyToPolygonOffset()
         actor.mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -66000)
@@ -486,6 +492,8 @@ class Painter:
         boxed: bool = False,
         colors: tuple[str, str] | None = None,
     ) -> None:
+        if not words and name not in self._texts:
+            return
         self._plotter.remove_actor(name, render=False)
         self._texts.pop(name, None)
         if not words:

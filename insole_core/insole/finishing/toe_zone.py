@@ -17,7 +17,8 @@ _TRANSITION_MM, _SULCUS_TRANSITION_MM = 14.0, 18.0
 """From the toe line to where the floor of the toes is reached, and the lower one of a sulcus."""
 _LEVEL_MM = (0.0, 6.0)  # ahead of the heads: the strip whose median height is the toes' level
 _LEAST_NODES = 20
-_SULCUS_DEPTH_MM, _SULCUS_MM = 4.0, (4.0, 13.5)  # and where, ahead of the heads, it falls [OFF]
+_SULCUS_DEPTH_MM, _SULCUS_MM = 4.0, (4.0, 13.5)
+"""How deep a sulcus is, and where ahead of the heads it falls (Telfer, Offloading_Insoles)."""
 _CREST_MM, _CREST_HALF_MM = 4.0, 15.0
 _CREST_PLACE = 0.45  # share of the way from the heads 2 to 4 to the tips of their toes
 _CREST_TOES = (0.15, 0.35)  # shares of the ball's width from the 1st head: the big toe lies free

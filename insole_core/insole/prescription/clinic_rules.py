@@ -158,7 +158,7 @@ def design_warnings(
         *_of_rocker(insole),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
-        *shell_warnings(insole, landmarks, read_materials()),
+        *(() if design.shell is None else shell_warnings(insole, landmarks, read_materials())),
     )
 
 

@@ -27,7 +27,7 @@ LABELS: dict[str, str] = {
     "max_height_mm": "Greatest height",
     "margin_mm": "Margin",
     "source": "Outline",
-    "extent": "Length",
+    "extent": "Extent",
     "toe_allowance_mm": "Ahead of the toes",
     "ball_allowance_mm": "Beside the ball",
     "heel_allowance_mm": "Around the heel",

@@ -396,6 +396,10 @@
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
         </message>
         <message>
+            <source>Extent</source>
+            <translation>Längd</translation>
+        </message>
+        <message>
             <source>Face {face}: {across} to the right, {along} downwards</source>
             <translation>Sida {face}: {across} åt höger, {along} nedåt</translation>
         </message>
@@ -566,10 +570,6 @@
         <message>
             <source>Leg length discrepancy</source>
             <translation>Benlängdsskillnad</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>Längd</translation>
         </message>
         <message>
             <source>Length of the taper</source>

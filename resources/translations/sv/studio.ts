@@ -212,10 +212,6 @@
             <translation>Född</translation>
         </message>
         <message>
-            <source>Bottom</source>
-            <translation>Undersida</translation>
-        </message>
-        <message>
             <source>Brush</source>
             <translation>Pensel</translation>
         </message>
@@ -370,6 +366,10 @@
         <message>
             <source>Cuboid raise</source>
             <translation>Kuboidstöd</translation>
+        </message>
+        <message>
+            <source>Cupped</source>
+            <translation>Skålad</translation>
         </message>
         <message>
             <source>Cut the insole and measure its thickness</source>
@@ -676,16 +676,12 @@
             <translation>Plan</translation>
         </message>
         <message>
-            <source>Flat on the ground, or following the foot at an even thickness</source>
-            <translation>Plan mot underlaget, eller följer foten med jämn tjocklek</translation>
+            <source>Flat on the ground, or cupped: everywhere as thick below the foot</source>
+            <translation>Plan mot underlaget, eller skålad: överallt lika tjock under foten</translation>
         </message>
         <message>
             <source>Flat pad</source>
             <translation>Plan pelott</translation>
-        </message>
-        <message>
-            <source>Following</source>
-            <translation>Följande</translation>
         </message>
         <message>
             <source>Foot</source>

@@ -60,7 +60,7 @@ ONE_LINE = [
     (
         PLAIN,
         replace(PLAIN, outline=Outline(extent="three_quarter")),
-        "Length: full length → three-quarter",
+        "Extent: full length → three-quarter",
     ),
     (PLAIN, replace(PLAIN, layers=Layers(cover_mm=3)), "Cover: 0 mm → 3 mm"),
     (
@@ -130,7 +130,7 @@ def test_a_device_is_told_from_as_scanned():
     for line in (
         "Device: none → Functional, three-quarter",
         "Underside: flat → cupped",
-        "Length: full length → three-quarter",
+        "Extent: full length → three-quarter",
         "Heel cup: as scanned → 12 mm",
         "Arch fill: as scanned → 3.2 mm",
         "Toe zone: as scanned → flat",

@@ -54,6 +54,33 @@ def chart(designed: Application) -> RimChart:
     return chart
 
 
+@pytest.mark.parametrize("key", ["section_follows", "tool_section"])
+def test_the_section_comes_before_the_rim_when_it_is_asked_for(
+    designed: Application, settle: Callable[[], None], key: str
+) -> None:
+    for _ in range(2):  # also when it is there already, behind the rim
+        act(designed, key)
+        settle()
+        assert not designed.stage.section.visibleRegion().isEmpty()
+        act(designed, "tool_rim")
+        if key == "section_follows":
+            act(designed, key)
+        settle()
+
+
+def test_a_section_that_follows_stays_behind_the_rim_once_that_is_chosen(
+    designed: Application, settle: Callable[[], None]
+) -> None:
+    act(designed, "section_follows")
+    act(designed, "tool_orbit")
+    act(designed, "tool_rim")
+    settle()
+    scene = designed.stage.insole.scene
+    QTest.mouseMove(scene.surface, scene.surface.rect().center())
+    QTest.qWait(100)
+    assert designed.stage.section.visibleRegion().isEmpty()
+
+
 def design(app: Application) -> InsoleDesign:
     assert app.case.record.design is not None
     return app.case.record.design

@@ -52,7 +52,7 @@ WORDS: dict[str, Callable[[], str]] = {
     "pull": lambda: tr("Lower"),
     "smooth": lambda: tr("Smooth"),
     "flat": lambda: tr("Flat"),
-    "following": lambda: tr("Following"),
+    "following": lambda: tr("Cupped"),
     "foot": lambda: tr("From the foot"),
     "shoe_size": lambda: tr("Shoe size"),
     "drawn": lambda: tr("Drawn"),

@@ -53,6 +53,8 @@ class DesignStage(QObject):
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
     """Whether to show the section panel: a section exists, or its tool is chosen."""
+    section_chosen = Signal()
+    """The section has just been asked for: it comes before what else is shown in its place."""
     rim_wanted = Signal(bool)
     """Whether to show the graph of the rim: its tool is chosen."""
 
@@ -78,6 +80,8 @@ class DesignStage(QObject):
         self.pads = pads
         self.rules = rules
         self._cut = section
+        self._was_asked = False, False
+        """Whether the section followed the pointer, and whether its tool was taken."""
         self.rim_model = rim
         self.linked = True
         self.steps = StepStrip()
@@ -366,8 +370,11 @@ class DesignStage(QObject):
             view.show_scale()
 
     def _ask_for_section(self) -> None:
-        is_tool = self._tool_controller.tool.key == "section"
-        self.section_wanted.emit(self._cut.plane is not None or self._cut.follows or is_tool)
+        is_asked = self._cut.follows, self._tool_controller.tool.key == "section"
+        self.section_wanted.emit(self._cut.plane is not None or any(is_asked))
+        if any(now and not before for now, before in zip(is_asked, self._was_asked, strict=True)):
+            self.section_chosen.emit()
+        self._was_asked = is_asked
 
     def _ask_for_rim(self) -> None:
         self.rim_wanted.emit(self._tool_controller.tool.key == "rim")

@@ -299,8 +299,8 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
         ),
         Editable(
             "bottom",
-            lambda: tr("Bottom"),
-            lambda: tr("Flat on the ground, or following the foot at an even thickness"),
+            lambda: tr("Underside"),
+            lambda: tr("Flat on the ground, or cupped: everywhere as thick below the foot"),
         ),
         Editable(
             "max_height_mm",

@@ -137,7 +137,9 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
             least=localised(least, "g")
         ),
     )
-    materials = tuple((name, translate_core_message(name)) for name in read_materials().names)
+    known = read_materials().names
+    names = known if shell.material in known else (*known, shell.material)
+    materials = tuple((name, _capitalised(translate_core_message(name))) for name in names)
     material = ChoiceSpec(
         "shell.material",
         tr("Material"),
@@ -148,6 +150,10 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
     posts = (spec for region in REGIONS for spec in _post_fields(design, region))
     fields = (material, weight, *field_specs(shell, "shell", design.side), *posts)
     return FieldGroup(tr("Shell"), fields, _thickness_offers(design))
+
+
+def _capitalised(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _post_fields(design: InsoleDesign, region: str) -> Fields:
