@@ -37,7 +37,7 @@ def base_surface(foot: Foot, sole: HeightField, base: BaseForm) -> HeightField:
     DesignError
         If the form is of a foot that is shorter or longer by half or more.
     """
-    form = foot.derived.get("form", (base.form, _grid_of(sole)), lambda: _graded(foot, sole, base))
+    form = foot.derived.get("form", (base.form, sole.grid), lambda: _graded(foot, sole, base))
     share = base.contact_share
     return replace(sole, heights_mm=share * sole.heights_mm + (1 - share) * form)
 
@@ -90,7 +90,3 @@ def _graded(foot: Foot, sole: HeightField, base: BaseForm) -> FloatArray:
     check_length(form, foot)
     x, y = np.meshgrid(sole.x_mm, sole.y_mm)
     return form_heights(form, form_frame(foot), np.stack([x, y], axis=-1))
-
-
-def _grid_of(field: HeightField) -> tuple[float, float, float, tuple[int, ...]]:
-    return field.x0_mm, field.y0_mm, field.step_mm, field.heights_mm.shape
