@@ -225,9 +225,8 @@ def _rim_band(foot: Foot, design: InsoleDesign, sole: ContactBase, cup: HeelCup)
     """Return where the rim of a cup can rise; cached with the foot."""
     field, outline = sole.surface, design.outline
     rows = cup_rows(field, cup, foot.length_mm)
-    grid = field.x0_mm, field.y0_mm, field.step_mm, field.heights_mm.shape
     measure = partial(rim_band, foot, field, sole.measured, outline, rows)
-    return foot.derived.get("heel rim", (grid, design.max_height_mm, outline, rows), measure)
+    return foot.derived.get("heel rim", (field.grid, design.max_height_mm, outline, rows), measure)
 
 
 def _sampled_sole(foot: Foot, grid: _Grid, max_height_mm: float, progress: Progress) -> ContactBase:

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IndexArray
+
+Grid: TypeAlias = tuple[float, float, float, tuple[int, int]]
+"""x and y of the first node, step, and numbers of rows and columns; hashable, to be a key."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +32,12 @@ class HeightField:
     y0_mm: float
     step_mm: float
     heights_mm: FloatArray
+
+    @property
+    def grid(self) -> Grid:
+        """The grid without the heights."""
+        rows, columns = self.heights_mm.shape
+        return self.x0_mm, self.y0_mm, self.step_mm, (rows, columns)
 
     @cached_property
     def x_mm(self) -> FloatArray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -159,6 +160,21 @@ def test_the_form_of_an_insole_is_kept_as_a_base(
     stored = clinic_forms(opened.services.paths.settings_folder).load()
     assert "anna-s-arch" in stored.own
     assert view.chosen == "form:anna-s-arch"
+    assert "those of this design come on top" in said(view)  # a pad of both would be there twice
+    view.reject()
+
+
+def test_a_form_of_a_much_shorter_foot_is_refused_before_it_is_applied(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    forms = clinic_forms(opened.services.paths.settings_folder)
+    adults = next(form for form in forms.load().items.values() if form.name == "Flat")
+    forms.save(replace(adults, name="Doll", length_mm=adults.length_mm / 2.2))
+    view = list_of(opened)
+    QTest.keyClicks(view.search, "doll")
+    settle()
+    assert "choose a form of about its length" in said(view)
+    assert not view.apply_button.isEnabled()
     view.reject()
 
 
