@@ -20,9 +20,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from contact_sheet import write_sheet
+from device_pictures import draw_devices
 from hand import HANDS
 from journeys import Circumstances, walk
 
+from insole_core.cases.case_file import read_case
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
@@ -99,6 +101,7 @@ def take_documentation() -> None:
         take_windows(paths)
         take_feet(paths, session)
         take_foot_stage(paths, session)
+    take_devices()
 
 
 def take_windows(paths: UserPaths) -> None:
@@ -154,6 +157,13 @@ def take_foot_stage(paths: UserPaths, session: Path) -> None:
         studio.open(session)
         stage_of(studio).view.table.selectRow(0)
         take_stage(studio, "corrected")
+
+
+def take_devices() -> None:
+    """Draw the devices of the product on the foot of the example."""
+    foot = read_case(EXAMPLE).foot
+    assert foot is not None
+    draw_devices(foot, DOCS / "manual/images/devices.png")
 
 
 def take_stage(studio: ScriptedWindow, name: str) -> None:

@@ -12,7 +12,7 @@ from insole_core.insole.build import Insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import Material, read_materials
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
-from insole_core.insole.surface.blending import smooth_step
+from insole_core.insole.surface.blending import smooth_hinge, smooth_step
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, eased, rocker_heights_mm, rockers
 from insole_core.insole.surface.shoe_last import last_heights_mm
@@ -23,6 +23,8 @@ from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
+_FILLET_MM = 2.0
+"""Difference of height within which the wall of a post is rounded into the shell above it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +119,8 @@ def shell_body(
         front = behind if short else behind_heads_mm(insole, field)
         heel = field.y_mm[:, None] - outline[:, 1].min()
         plan = PostPlan(edge.inside_mm, heel, front)
-        bottom = np.minimum(bottom, ground + post_underside(post, plan, length_mm))
+        over_post = bottom - ground - post_underside(post, plan, length_mm)
+        bottom = np.maximum(bottom - smooth_hinge(over_post, _FILLET_MM), ground)
     return Body(np.maximum(top, bottom + _least_mm(shell, share)), bottom)
 
 

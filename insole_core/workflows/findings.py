@@ -21,6 +21,7 @@ from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import (
     Correction,
     Finish,
+    HeelCup,
     InsoleDesign,
     Pelott,
     Post,
@@ -147,7 +148,7 @@ def apply_finding(
     design = _on_device(finding, design, catalogue)
     if finding.width_mm is not None:
         design = replace(design, outline=replace(design.outline, width_mm=finding.width_mm))
-    design = _with_posts(_with_rim(finding, design), finding.posts)
+    design = _with_posts(_with_rim(finding, design, stamp), finding.posts)
     for correction in finding.corrections:
         design = _with_correction(design, correction, stamp)
     for proposed in finding.pads:
@@ -168,17 +169,30 @@ def _sets_rim(finding: Finding) -> bool:
     return any(value is not None for value in of_finish)
 
 
-def _with_rim(finding: Finding, design: InsoleDesign) -> InsoleDesign:
+def _with_rim(
+    finding: Finding, design: InsoleDesign, stamp: Callable[[Correction], Correction]
+) -> InsoleDesign:
     if not _sets_rim(finding):
         return design
     finish = design.finish or Finish()  # the clinic's device may be one without
     if finding.cup_mm is not None:
         finish = with_cup_depth(finish, finding.cup_mm)
+        design = _with_cups(design, finding.cup_mm, stamp)
     if finding.medial_flange_mm is not None:
         finish = with_medial_flange(finish, finding.medial_flange_mm)
     if finding.arch_fill_mm is not None:
         finish = replace(finish, arch_fill_mm=finding.arch_fill_mm)
     return replace(design, finish=finish)
+
+
+def _with_cups(
+    design: InsoleDesign, depth_mm: float, stamp: Callable[[Correction], Correction]
+) -> InsoleDesign:
+    """Set the depth of the heel cups among the corrections, which would overrule the rim."""
+    for cup in design.active:
+        if isinstance(cup, HeelCup) and cup.depth_mm != depth_mm:
+            design = design.with_changed(stamp(replace(cup, depth_mm=depth_mm)))
+    return design
 
 
 def _with_posts(design: InsoleDesign, posts: tuple[Post, ...]) -> InsoleDesign:

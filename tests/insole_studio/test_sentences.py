@@ -20,8 +20,11 @@ from insole_core.calibration.boards.board import Chequerboard
 from insole_core.calibration.plausibility import USUAL_DEPTH, find_misfit
 from insole_core.errors import CalibrationError, InputError
 from insole_core.foot.mesh_file import read_mesh
+from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_kinds import pad_name
+from insole_core.insole.prescription.design import InsoleDesign, Shell
 from insole_core.insole.prescription.design_differences import LABELS, WORDS
+from insole_core.insole.prescription.materials import read_materials
 from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.sensing.disparity import LinearInverseDisparity
@@ -30,6 +33,8 @@ from insole_core.solids.shop import read_shop
 from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms
 from insole_core.workflows.findings import ClinicFindings
 from insole_core.workflows.pad_library import load_pads
+from insole_studio.features.design.parameters.device_fields import shell_group
+from insole_studio.features.design.rows import ChoiceSpec
 from insole_studio.texts import load_language, translate_core_message
 
 CORE = Path(insole_core.__file__).parent
@@ -61,6 +66,8 @@ FORMS = clinic_forms(NOWHERE).load().items.values()
 FINDINGS = ClinicFindings(NOWHERE / "findings.json").load()
 LIBRARY = {item.name for item in (*DEVICES, *FORMS, *FINDINGS)} | {f.advice for f in FINDINGS}
 """What the devices, forms and findings of the product are called, and advise."""
+
+MATERIALS = set(read_materials().names)
 
 
 def speaking_files() -> list[Path]:
@@ -232,6 +239,14 @@ def test_devices_forms_and_findings_have_swedish_names() -> None:
     assert LIBRARY - CATALOGUE.keys() - {""} == set()
 
 
+def test_materials_are_offered_by_their_swedish_names(swedish: Callable[[str], str]) -> None:
+    assert MATERIALS - CATALOGUE.keys() == {"EVA", "EVA, Shore A 35", "EVA, Shore A 45"}
+    fields = shell_group(InsoleDesign(Side.LEFT, shell=Shell())).fields
+    (material,) = (field for field in fields if field.key == "shell.material")
+    assert isinstance(material, ChoiceSpec)
+    assert ("polypropylene", "Polypropen") in material.options
+
+
 def test_every_word_of_the_differences_has_a_swedish_one() -> None:
     words = {*LABELS.values(), *WORDS.values(), *map(pad_name, (p.template for p in load_pads()))}
     assert words - CATALOGUE.keys() == set()
@@ -244,7 +259,7 @@ def test_nothing_is_translated_that_nobody_says() -> None:
         for node in ast.walk(tree)
         if isinstance(node, ast.Constant)
     }
-    unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK - LIBRARY
+    unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK - LIBRARY - MATERIALS
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
 
 

@@ -106,8 +106,8 @@ def _style_sheet(colors: Colors) -> str:
     QLabel#warning {{ background: {colors.warning}; color: {colors.on_warning};
                       border-radius: 4px; padding: 4px 8px; }}
     QToolBar {{ border: none; border-bottom: 1px solid {colors.line};
-                spacing: 2px; padding: 2px 4px; }}
-    QToolBar QToolButton {{ padding: 4px 5px; border-radius: 4px; }}
+                spacing: 1px; padding: 2px; }}
+    QToolBar QToolButton {{ padding: 4px; border-radius: 4px; }}
     QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
                            border-radius: 4px; }}
     QToolButton:checked:disabled {{ background: {colors.raised}; color: {colors.quiet}; }}

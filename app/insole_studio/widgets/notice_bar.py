@@ -84,6 +84,7 @@ class NoticeBar(QScrollArea):
             line.taken.connect(self.taken)
             line.dismissed.connect(self.dismissed)
             self._lines.addWidget(line)
+        self.updateGeometry()
         self.filled.emit(bool(notices))
 
 

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
 
-import cv2
 import numpy as np
 from scipy.ndimage import distance_transform_edt
 from scipy.spatial import KDTree
 
 from insole_core.foot.foot import Foot
-from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.insole.finishing.edge import Edge, insole_edge
 from insole_core.insole.finishing.thin_plate import Plate
 from insole_core.insole.prescription.design import Outline
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.height_field import Grid, HeightField
 
-Grid: TypeAlias = tuple[float, float, float, tuple[int, int]]
 _BEYOND_STEPS = 1.6
 """How far the plate reaches beyond the edge, in steps of the grid: the edge's cells are whole."""
 _OUTSIDE_STEPS = 3
@@ -108,36 +105,21 @@ class EdgeDistance:
 
 def edge_distance(foot: Foot, outline: Outline, field: HeightField) -> EdgeDistance:
     """Measure the nodes of a field from the edge of an outline; cached with the foot."""
-    key = outline, _grid_of(field)
+    key = outline, field.grid
     return foot.derived.get(
         "edge distance", key, lambda: _measured(insole_edge(foot, outline), field)
     )
 
 
-def _grid_of(field: HeightField) -> Grid:
-    rows, columns = field.heights_mm.shape
-    return field.x0_mm, field.y0_mm, field.step_mm, (rows, columns)
-
-
 def _measured(edge: Edge, field: HeightField) -> EdgeDistance:
-    near = _about_inside(edge, field)
+    near = field.nodes_about(edge.points_mm, _OUTSIDE_STEPS)
     x, y = (axis.reshape(near.shape) for axis in field.nodes.T[:2])
     inside_mm = np.full(near.shape, -np.inf)
     arc_mm = np.zeros(near.shape)
     inside_mm[near], arc_mm[near] = _from_edge(edge, np.column_stack([x[near], y[near]]))
     reaches = inside_mm > -_BEYOND_STEPS * field.step_mm
     plate = Plate.over(field, reaches, edge.points_mm)
-    return EdgeDistance(edge, _grid_of(field), inside_mm, arc_mm, x, y, plate)
-
-
-def _about_inside(edge: Edge, field: HeightField) -> BoolArray:
-    """Return the nodes inside the edge and a few beside it."""
-    corner = np.array([field.x0_mm, field.y0_mm])
-    pixels = np.rint((edge.points_mm - corner) / field.step_mm).astype(np.int32)
-    mask = np.zeros(field.heights_mm.shape, np.uint8)
-    cv2.fillPoly(mask, [pixels], 1)
-    wide = np.ones((2 * _OUTSIDE_STEPS + 1,) * 2, np.uint8)
-    return np.asarray(cv2.dilate(mask, wide) > 0)
+    return EdgeDistance(edge, field.grid, inside_mm, arc_mm, x, y, plate)
 
 
 def _from_edge(edge: Edge, places: FloatArray) -> tuple[FloatArray, FloatArray]:

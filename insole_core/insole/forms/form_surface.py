@@ -37,7 +37,7 @@ def base_surface(foot: Foot, sole: HeightField, base: BaseForm) -> HeightField:
     DesignError
         If the form is of a foot that is shorter or longer by half or more.
     """
-    form = foot.derived.get("form", (base.form, _grid_of(sole)), lambda: _graded(foot, sole, base))
+    form = foot.derived.get("form", (base.form, sole.grid), lambda: _graded(foot, sole, base))
     share = base.contact_share
     return replace(sole, heights_mm=share * sole.heights_mm + (1 - share) * form)
 
@@ -73,8 +73,8 @@ def form_heights(form: Form, frame: FormFrame, xy: FloatArray) -> FloatArray:
     return np.asarray(heights * (frame.ball_width_mm / form.ball_width_mm))
 
 
-def _graded(foot: Foot, sole: HeightField, base: BaseForm) -> FloatArray:
-    form = base.form
+def check_length(form: Form, foot: Foot) -> None:
+    """Raise a `DesignError` if a foot is too long or too short for a form to be graded to it."""
     if abs(foot.length_mm / form.length_mm - 1) >= MOST_GRADING:
         raise DesignError(
             'The form "{form}" is that of a foot of {form_mm:.0f} mm, and this one is '
@@ -83,9 +83,10 @@ def _graded(foot: Foot, sole: HeightField, base: BaseForm) -> FloatArray:
             form_mm=form.length_mm,
             foot_mm=foot.length_mm,
         )
+
+
+def _graded(foot: Foot, sole: HeightField, base: BaseForm) -> FloatArray:
+    form = base.form
+    check_length(form, foot)
     x, y = np.meshgrid(sole.x_mm, sole.y_mm)
     return form_heights(form, form_frame(foot), np.stack([x, y], axis=-1))
-
-
-def _grid_of(field: HeightField) -> tuple[float, float, float, tuple[int, ...]]:
-    return field.x0_mm, field.y0_mm, field.step_mm, field.heights_mm.shape

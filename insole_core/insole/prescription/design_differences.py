@@ -14,7 +14,11 @@ from insole_core.insole.pads.pad_kinds import pad_name
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.corrections import Correction, Pelott
 from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
-from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
+from insole_core.insole.prescription.rim_sliders import (
+    cup_depth_mm,
+    finish_with_cups,
+    medial_flange_mm,
+)
 from insole_core.insole.prescription.shell import Post
 from insole_core.messages import Message, joined
 
@@ -165,7 +169,7 @@ def _values(design: InsoleDesign) -> dict[str, Any]:
         stations = sorted(values.pop("rim"), key=lambda station: station.along)
         for border in ("medial", "lateral"):
             values[f"{border}_rim"] = tuple(s for s in stations if s.border == border)
-        values["cup_mm"] = cup_depth_mm(design.finish)
+        values["cup_mm"] = cup_depth_mm(finish_with_cups(design.finish, design.active))
         values["medial_flange_mm"] = medial_flange_mm(design.finish)
     for post in values.pop("posts", ()):
         values[post.region] = post

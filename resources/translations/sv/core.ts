@@ -1769,7 +1769,7 @@
         </message>
         <message>
             <source>does not belong here: a device fits both feet; leave it out</source>
-            <translation>hör inte hit: ett inlägg passar båda fötterna; utelämna det</translation>
+            <translation>hör inte hit: en inläggstyp passar båda fötterna; utelämna det</translation>
         </message>
         <message>
             <source>downwards</source>

@@ -912,6 +912,10 @@
             <translation>Det följer genast med. Samma handtag fungerar här; tangenterna 1 till 6 visar från alla håll.</translation>
         </message>
         <message>
+            <source>It holds the pads and corrections of the insole that it was kept from; those of this design come on top.</source>
+            <translation>Den innehåller pelotterna och korrigeringarna från inlägget som den sparades från; de i den här designen läggs ovanpå.</translation>
+        </message>
+        <message>
             <source>Keep it</source>
             <translation>Behåll</translation>
         </message>

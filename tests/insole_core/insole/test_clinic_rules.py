@@ -23,6 +23,7 @@ from insole_core.insole.prescription.clinic_rules import (
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
+    Finish,
     HeelCup,
     HeelLift,
     HeelSkive,
@@ -32,6 +33,7 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.insole.prescription.pronation import PronationStep
+from insole_core.insole.prescription.rim_sliders import with_cup_depth
 from insole_core.insole.prescription.template import (
     Template,
     apply_template,
@@ -85,6 +87,19 @@ def test_unusual_values_are_warned_of(left_foot, corrections, text):
     import re
 
     assert any(re.search(text, warning) for warning in warnings(left_foot, *corrections))
+
+
+@pytest.mark.parametrize(("cup_mm", "is_warned"), [(12.0, True), (14.0, False), (20.0, False)])
+def test_a_skive_wants_a_deep_cup_of_the_designed_rim(left_foot, cup_mm, is_warned):
+    design = InsoleDesign(
+        left_foot.side,
+        (HeelSkive(depth_mm=3),),
+        grid_mm=2.0,
+        finish=with_cup_depth(Finish(), cup_mm),
+    )
+    built = build_insole(left_foot, design)
+    said = [str(w.sentence) for w in design_warnings(built, find_landmarks(left_foot), RULES)]
+    assert any("needs a heel cup of 14 mm" in sentence for sentence in said) == is_warned
 
 
 def test_distance_to_the_heads_is_shown_and_snapped_to(left_foot):

@@ -15,6 +15,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import (
+    HeelCup,
     HeelSkive,
     InsoleDesign,
     Pelott,
@@ -132,6 +133,16 @@ def test_what_the_patient_has_stays(left_foot):
     assert posting == replace(own[0], forefoot_deg=-3)
     assert medial == own[1]
     assert (lateral.type, lateral.border) == ("heel_skive", "lateral")
+
+
+def test_a_heel_cup_that_the_patient_has_gets_the_proposed_depth(left_foot):
+    """It would overrule the rim, and nothing would change."""
+    design = replace(eva(Side.LEFT), corrections=(HeelCup(id="c", depth_mm=16),))
+    made = proposed("Tibialis posterior dysfunction, flexible", design, left_foot)
+    assert made.corrections == (HeelCup(id="c", depth_mm=20),)
+    told = lines(design, made)
+    assert "Heel cup: 16 mm → 20 mm" in told
+    assert "Changed: heel cup, 16 mm → 20 mm" in told
 
 
 def test_a_pad_lies_at_its_usual_place(left_foot):

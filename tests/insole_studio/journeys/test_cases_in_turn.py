@@ -48,6 +48,10 @@ NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 PATIENCE_MS = 60_000
 
 
+SHARED = ("_section", "_rim")
+"""What tools hold that other panels hold as well."""
+
+
 def shown(app: Application) -> list[str]:
     """All that the windows show, line by line, in the order of their widgets."""
     lines = [f"status {app.window.statusBar().currentMessage()}"]
@@ -67,12 +71,13 @@ def shown(app: Application) -> list[str]:
             lines.append(f"{subject} drawn {sorted(view.scene.painter.shown)}")
     tools = app.stage.tool_controller
     for key, tool in tools.tools.items():
-        own = {name: value for name, value in vars(tool).items() if name != "_section"}
+        own = {name: value for name, value in vars(tool).items() if name not in SHARED}
         if "template" in own:
             own["template"] = replace(own["template"], id="")
         lines.append(f"tool {key} {own}")
     lines.append(f"tool {tools.tool.key} beside {app.stage.counterpart.kind}")
     lines.append(f"section {app.stage._cut.plane} selection {app.case.selection}")
+    lines.append(f"station {app.stage.rim_model.selected}")
     lines.append(f"notices {[notice.text for notice in app.services.notices.notices]}")
     return lines
 

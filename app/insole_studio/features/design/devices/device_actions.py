@@ -182,7 +182,7 @@ class DeviceActions:
         return [
             *device_choices(self._devices.load()),
             *finding_choices(self._findings.load(), self._with_finding),
-            *form_choices(self._forms.load()),
+            *form_choices(self._forms.load(), self._case.foot),
         ]
 
     def _tell_unreadable(self) -> None:

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
 
+from insole_core.foot.foot import Foot
+from insole_core.insole.forms.form_surface import check_length
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
@@ -64,8 +66,14 @@ def device_choices(devices: Listed[Device]) -> Iterator[Choice]:
         )
 
 
-def form_choices(forms: Listed[Form]) -> Iterator[Choice]:
-    """Yield the base forms, and the foot itself."""
+def form_choices(forms: Listed[Form], foot: Foot | None) -> Iterator[Choice]:
+    """Yield the base forms, and the foot itself.
+
+    Parameters
+    ----------
+    foot
+        Whose insole is to start from a form.
+    """
     yield Choice(
         Kind.FORM,
         "form:",
@@ -74,15 +82,20 @@ def form_choices(forms: Listed[Form]) -> Iterator[Choice]:
         (tr("The insole follows the sole of the foot everywhere: total contact."),),
         _on_foot,
     )
+    kept = tr(
+        "It holds the pads and corrections of the insole that it was kept from; those of this "
+        "design come on top."
+    )
     for key, form in forms.items.items():
+        is_own = key in forms.own
         yield Choice(
             Kind.FORM,
             f"form:{key}",
             translate_core_message(form.name),
             (form.name,),
-            source_notes(form.source),
-            partial(_on_form, form),
-            key in forms.own,
+            (*((kept,) if is_own else ()), *source_notes(form.source)),
+            partial(_on_form, form, foot),
+            is_own,
         )
 
 
@@ -126,8 +139,10 @@ def _on_foot(design: InsoleDesign) -> InsoleDesign:
     return replace(design, base=None)
 
 
-def _on_form(form: Form, design: InsoleDesign) -> InsoleDesign:
+def _on_form(form: Form, foot: Foot | None, design: InsoleDesign) -> InsoleDesign:
     """Return the design on a form, mixed with the foot as much as the one before."""
+    if foot is not None:
+        check_length(form, foot)
     base = BaseForm(form=form) if design.base is None else replace(design.base, form=form)
     return replace(design, base=base)
 
