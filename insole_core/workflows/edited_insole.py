@@ -86,7 +86,7 @@ class EditedInsole:
             return self.bare.base
         if design.finish == self.design.finish:
             return self.base
-        return with_rim(self.bare.base, design, self.bare.foot.length_mm)
+        return with_rim(self.bare.base, self.bare.foot, design)
 
     @property
     def bottom_heights_mm(self) -> FloatArray:

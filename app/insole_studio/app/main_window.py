@@ -280,17 +280,16 @@ class MainWindow(QMainWindow):
         stage.notices.filled.connect(self._notices.setVisible)
 
     def _fit_toolbar(self) -> None:
-        """Hide the labels of the toolbar where the window is too narrow for them."""
-        beside, alone = (
-            Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
-            Qt.ToolButtonStyle.ToolButtonIconOnly,
-        )
-        for style in (beside, alone):
-            for button in self._worded:
-                button.setToolButtonStyle(style)
-            self._toolbar.updateGeometry()
+        """Hide as many labels of the toolbar, from its end, as the window is too narrow for."""
+        layout = self._toolbar.layout()
+        assert layout is not None
+        for button in self._worded:
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        for button in reversed(self._worded):
+            layout.invalidate()  # it learns of the new style only later
             if self._toolbar.sizeHint().width() <= self.width():
                 return
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
 
     def _style_button(self, bar: QToolBar, key: str) -> None:
         button = bar.widgetForAction(self.actions_by_key[key])

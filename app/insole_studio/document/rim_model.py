@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from dataclasses import replace
 from typing import Any, Protocol
 
@@ -126,9 +127,9 @@ class RimModel(QObject):
         curve, outline = self.curve, self._outline
         if curve is None or outline is None:
             return np.zeros(0, dtype=bool)
-        if self._reached_of != (curve.edge, id(outline)):
+        if not _same(self._reached_of, (curve.edge, outline)):
             away, _ = KDTree(outline).query(curve.edge.points_mm)
-            self._reached_of = curve.edge, id(outline)
+            self._reached_of = curve.edge, outline
             self._reached = np.asarray(away < BESIDE_MM)
         return self._reached
 
@@ -138,8 +139,8 @@ class RimModel(QObject):
         finish, foot, outline = self.finish, self._case.foot, self._outline
         if finish is None or foot is None or outline is None or finish.toe_zone == "as_scanned":
             return ()
-        key = foot, id(outline), finish.toe_line_mm
-        if self._toe_line_of != key:
+        key = foot, outline, finish.toe_line_mm
+        if not _same(self._toe_line_of, key):
             line = toe_line(foot, outline, finish.toe_line_mm)
             self._toe_line = tuple((float(x), float(y)) for x, y in line)
             self._toe_line_of = key
@@ -187,6 +188,11 @@ class RimModel(QObject):
         self._selected, self._curve, self._known_outline = None, None, None
         self._curve_of = self._reached_of = self._toe_line_of = self._outline_of = ()
         self.changed.emit()
+
+
+def _same(known: tuple[object, ...], wanted: tuple[object, ...]) -> bool:
+    """Return whether a result was computed from the very same objects."""
+    return len(known) == len(wanted) and all(map(operator.is_, known, wanted))
 
 
 def _curve_through(rim: Rim, stations: tuple[RimStation, ...]) -> RimCurve | None:

@@ -307,6 +307,8 @@ class Painter:
 
     def show_key_points(self, points: Sequence[MarkedPoint]) -> None:
         """Show points with their names; uncertain ones are highlighted."""
+        if not points and not self._named:
+            return
         for name, wanted in (("sure", True), ("unsure", False)):
             places = [p.position_mm for p in points if (p.confidence >= SURE) is wanted]
             color = self.scheme.accent if wanted else self.scheme.mark

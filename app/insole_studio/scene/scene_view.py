@@ -158,6 +158,11 @@ class SceneView(QWidget):
         self._is_alive = True
 
     @property
+    def is_open(self) -> bool:
+        """Whether something was drawn, so that there is a renderer."""
+        return self._renderer is not None
+
+    @property
     def painter(self) -> Painter:
         """Draws the subject and the marks on it."""
         return self._opened().painter

@@ -149,6 +149,8 @@ class ModelView(QWidget):
 
     def show_shoe(self, lines: GuideLines | None) -> None:
         """Draw the outline of a shoe and its heights; None removes it."""
+        if lines is None and not self.scene.is_open:
+            return
         painter = self.scene.painter
         painter.show_lines("shoe", () if lines is None else lines.lines, painter.scheme.text, 1.5)
         place, text = (None, "") if lines is None else (lines.place, lines.text)

@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-import cv2
 import numpy as np
 from scipy.ndimage import distance_transform_edt
 from scipy.spatial import KDTree
 
 from insole_core.foot.foot import Foot
-from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.insole.finishing.edge import Edge, insole_edge
 from insole_core.insole.finishing.thin_plate import Plate
 from insole_core.insole.prescription.design import Outline
@@ -113,7 +112,7 @@ def edge_distance(foot: Foot, outline: Outline, field: HeightField) -> EdgeDista
 
 
 def _measured(edge: Edge, field: HeightField) -> EdgeDistance:
-    near = _about_inside(edge, field)
+    near = field.nodes_about(edge.points_mm, _OUTSIDE_STEPS)
     x, y = (axis.reshape(near.shape) for axis in field.nodes.T[:2])
     inside_mm = np.full(near.shape, -np.inf)
     arc_mm = np.zeros(near.shape)
@@ -121,16 +120,6 @@ def _measured(edge: Edge, field: HeightField) -> EdgeDistance:
     reaches = inside_mm > -_BEYOND_STEPS * field.step_mm
     plate = Plate.over(field, reaches, edge.points_mm)
     return EdgeDistance(edge, field.grid, inside_mm, arc_mm, x, y, plate)
-
-
-def _about_inside(edge: Edge, field: HeightField) -> BoolArray:
-    """Return the nodes inside the edge and a few beside it."""
-    corner = np.array([field.x0_mm, field.y0_mm])
-    pixels = np.rint((edge.points_mm - corner) / field.step_mm).astype(np.int32)
-    mask = np.zeros(field.heights_mm.shape, np.uint8)
-    cv2.fillPoly(mask, [pixels], 1)
-    wide = np.ones((2 * _OUTSIDE_STEPS + 1,) * 2, np.uint8)
-    return np.asarray(cv2.dilate(mask, wide) > 0)
 
 
 def _from_edge(edge: Edge, places: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -9,10 +9,12 @@ from insole_core.insole.pads.pad_kinds import pad_name
 from insole_core.insole.prescription.design import (
     ArchRaise,
     Correction,
+    Finish,
     InsoleDesign,
     Pelott,
     Shell,
 )
+from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
 
 _UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
 _DECIMALS, _DECIMALS_OF_A_SHARE = 1, 2
@@ -36,9 +38,12 @@ def plain_number(value: float, decimals: int = _DECIMALS) -> str:
 
 
 def make_facts(design: InsoleDesign) -> dict[str, str]:
-    """Return device, thickness, layers, bottom, outline and shell, by name."""
+    """Return device, base, thickness, layers, bottom, outline, finish and shell, by name."""
     layers = design.layers
     facts = {"device": design.device} if design.device else {}
+    if design.base is not None:
+        share = plain_number(100 * design.base.contact_share)
+        facts["base form"] = f"{design.base.form.name}, {share} % of the foot"
     facts |= {
         "prescribed thickness": f"{plain_number(design.made_thickness_mm)} mm",
         "bottom": design.bottom,
@@ -52,7 +57,21 @@ def make_facts(design: InsoleDesign) -> dict[str, str]:
         facts["cover / shell / base"] = f"{' / '.join(map(plain_number, thicknesses))} mm"
     if design.taken_off_mm > 0:
         facts["cover, glued on later"] = f"{plain_number(design.taken_off_mm)} mm"
+    if design.finish is not None:
+        facts |= _finish_facts(design.finish)
     return facts if design.shell is None else facts | _shell_facts(design, design.shell)
+
+
+def _finish_facts(finish: Finish) -> dict[str, str]:
+    """Return what is prescribed of the finish, by name; nothing that is 0."""
+    facts = {"toe zone": _words(finish.toe_zone)}
+    lengths = {
+        "heel cup": cup_depth_mm(finish),
+        "medial flange": medial_flange_mm(finish),
+        "arch fill": finish.arch_fill_mm,
+        "expansion": finish.expansion_mm,
+    }
+    return facts | {name: f"{plain_number(mm)} mm" for name, mm in lengths.items() if mm}
 
 
 def _shell_facts(design: InsoleDesign, shell: Shell) -> dict[str, str]:

@@ -17,7 +17,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
 from insole_core.insole.finishing.finished import FinishedSurface, finished
 from insole_core.insole.forms.form_surface import base_surface, finish_on_base
-from insole_core.insole.outline.insole_outline import outline_reach
+from insole_core.insole.outline.insole_outline import insole_outline, outline_reach
 from insole_core.insole.prescription.design import (
     Finish,
     ForefootTwist,
@@ -49,6 +49,7 @@ _NEIGHBOURS = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], np.int8)
 _RIM_MM, _RIM_SIGMA_MM = 4.0, 1.5
 _WIDENING_MM = 10.0
 _OUTLINE_HEIGHT_MM = 45.0  # the leg above this does not widen the block
+_BESIDE_NODES = 2  # the cells that the edge crosses, and what their slopes depend on
 _KEPT_SHAPES = 32  # twice the corrections of a rich prescription
 
 
@@ -100,9 +101,10 @@ _SHAPING = (Posting, ForefootTwist, HeelSkive, HeelLift, HeelCup)
 def base_key(design: InsoleDesign) -> BaseKey:
     """Return all values of a design on which its contact base depends: equal keys, equal base."""
     shaping = (c for c in design.active if isinstance(c, _SHAPING))
+    shell = design.shell
     return (
         *(replace(c, id="", author="", created_at="") for c in shaping),
-        None if design.shell is None else (design.shell.posts, design.shell.heel_pitch_mm),
+        None if shell is None else (shell.posts, shell.heel_pitch_mm, shell.trim_mm),
         design.least_thickness_mm,
         design.grid_mm,
         design.max_height_mm,
@@ -166,10 +168,10 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
             arch_apex_mm=sole.arch_apex_mm,
         )
         surface = finish.surface
-    return replace(sole, surface=_raised(surface, design, length), finished=finish)
+    return replace(sole, surface=_raised(surface, foot, design), finished=finish)
 
 
-def with_rim(base: ContactBase, design: InsoleDesign, length_mm: float) -> ContactBase:
+def with_rim(base: ContactBase, foot: Foot, design: InsoleDesign) -> ContactBase:
     """Return the base of a design that differs from that of `base` in its rim's stations only.
 
     It is much faster than `contact_base`, for a drag. The transitions to the rim keep their widths,
@@ -183,7 +185,7 @@ def with_rim(base: ContactBase, design: InsoleDesign, length_mm: float) -> Conta
     if base.finished is None or design.finish is None:
         return base
     moved = base.finished.with_rim(_finish_of(design.finish, design).rim)
-    return replace(base, surface=_raised(moved.surface, design, length_mm), finished=moved)
+    return replace(base, surface=_raised(moved.surface, foot, design), finished=moved)
 
 
 def _finish_of(finish: Finish, design: InsoleDesign) -> Finish:
@@ -191,11 +193,33 @@ def _finish_of(finish: Finish, design: InsoleDesign) -> Finish:
     return finish_on_base(finish_with_cups(finish, design.active), design.base)
 
 
-def _raised(surface: HeightField, design: InsoleDesign, length_mm: float) -> HeightField:
-    """Raise a surface until its lowest place over the ground has the design's least thickness."""
-    ground = last_heights_mm(design, surface.y_mm, length_mm)[:, None]
-    up = design.least_thickness_mm - (surface.heights_mm - ground).min()
-    return replace(surface, heights_mm=surface.heights_mm + up)
+def _raised(surface: HeightField, foot: Foot, design: InsoleDesign) -> HeightField:
+    """Raise a surface until its lowest place over the ground has the design's least thickness.
+
+    What a short finished insole leaves off does not count: it is raised alone.
+    """
+    least_mm = design.least_thickness_mm
+    ground = last_heights_mm(design, surface.y_mm, foot.length_mm)[:, None]
+    over_ground = surface.heights_mm - ground
+    if design.finish is None or design.outline.extent == "full":
+        return replace(surface, heights_mm=surface.heights_mm + (least_mm - over_ground.min()))
+    made = _made_nodes(surface, foot, design)
+    up = least_mm - over_ground[made].min()
+    raised = surface.heights_mm + up
+    return replace(
+        surface, heights_mm=np.where(made, raised, np.maximum(raised, ground + least_mm))
+    )
+
+
+def _made_nodes(surface: HeightField, foot: Foot, design: InsoleDesign) -> BoolArray:
+    """Return the nodes (ny, nx) on a short insole and close beside it; cached with the foot."""
+
+    def find() -> BoolArray:
+        curve = insole_outline(foot, design, find_landmarks(foot))
+        return surface.nodes_about(curve, _BESIDE_NODES)
+
+    trim_mm = None if design.shell is None else design.shell.trim_mm
+    return foot.derived.get("made nodes", (surface.grid, design.outline, trim_mm), find)
 
 
 def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:

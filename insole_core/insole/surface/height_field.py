@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
+import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import FloatArray, IndexArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 
 Grid: TypeAlias = tuple[float, float, float, tuple[int, int]]
 """x and y of the first node, step, and numbers of rows and columns; hashable, to be a key."""
@@ -54,6 +55,19 @@ class HeightField:
         """(ny * nx, 3) nodes with their heights, row by row."""
         x, y = np.meshgrid(self.x_mm, self.y_mm)
         return np.stack([x.ravel(), y.ravel(), self.heights_mm.ravel()], axis=1)
+
+    def nodes_about(self, curve: FloatArray, beside: int) -> BoolArray:
+        """Find the nodes in a closed curve (n, 2), mm, and this number of nodes beside it.
+
+        Returns
+        -------
+        (ny, nx) bool
+        """
+        corner = np.array([self.x0_mm, self.y0_mm])
+        pixels = np.rint((curve - corner) / self.step_mm).astype(np.int32)
+        mask = np.zeros(self.heights_mm.shape, np.uint8)
+        cv2.fillPoly(mask, [pixels], 1)
+        return np.asarray(cv2.dilate(mask, np.ones((2 * beside + 1,) * 2, np.uint8)) > 0)
 
     def normals_of(self, rows: slice, columns: slice) -> FloatArray:
         """Compute the unit normals of a window of the nodes, pointing up.

@@ -16,6 +16,8 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.thin_plate import Plate
+from insole_core.insole.outline.insole_outline import insole_outline
+from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
 from insole_core.insole.prescription.design import (
     Finish,
@@ -65,6 +67,21 @@ def warnings(foot: Foot, *corrections, outline: Outline | None = None, **keys) -
     insole = build_insole(foot, design)
     found = design_warnings(insole, find_landmarks(foot), load_rules())
     return "\n".join(str(w.sentence) for w in found)
+
+
+def test_a_short_insole_is_as_thin_as_asked_whatever_its_toes_would_need(left_foot: Foot):
+    low_toes = Posting(forefoot_deg=10.0, blend_start=0.7, blend_end=0.85)
+    design = InsoleDesign(
+        left_foot.side,
+        (low_toes,),
+        finish=Finish(rim=rim(), toe_zone="as_scanned"),
+        outline=Outline(extent="three_quarter"),
+    )
+    contact = build_insole(left_foot, design).contact
+    curve = insole_outline(left_foot, design, find_landmarks(left_foot))
+    inside = inside_curve(curve, contact.nodes[:, :2])
+    assert contact.nodes[inside, 2].min() == pytest.approx(design.thickness_mm, abs=1.0)
+    assert contact.heights_mm.min() >= design.thickness_mm
 
 
 @pytest.mark.slow

@@ -16,11 +16,13 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
 from insole_core.insole.prescription.design import (
+    Finish,
     InsoleDesign,
     Layers,
     Outline,
     Pelott,
     Post,
+    RimStation,
     Shell,
 )
 from insole_core.insole.prescription.materials import proposed_thickness, read_materials
@@ -181,3 +183,18 @@ def test_the_papers_name_the_shell():
     assert facts["draft of the walls"] == "medial 5°, lateral 0°"
     assert facts["width"] == "-3.2 mm from the bisection of the 1st metatarsal"
     assert "rearfoot post" not in make_facts(InsoleDesign(Side.LEFT))
+
+
+def test_papers_name_what_the_finish_prescribes():
+    rim = (
+        RimStation(border="medial", along=0.0, height_mm=14.0),
+        RimStation(border="medial", along=0.45, height_mm=18.5),
+    )
+    design = InsoleDesign(Side.LEFT, finish=Finish(rim=rim, arch_fill_mm=1.6, toe_zone="sulcus"))
+    facts = make_facts(design)
+    assert facts["heel cup"] == "14 mm"
+    assert facts["medial flange"] == "18.5 mm"
+    assert facts["arch fill"] == "1.6 mm"
+    assert facts["toe zone"] == "sulcus"
+    assert "expansion" not in facts
+    assert "toe zone" not in make_facts(InsoleDesign(Side.LEFT))

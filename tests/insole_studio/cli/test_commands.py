@@ -270,15 +270,16 @@ def test_simulation_is_a_session_with_its_truth(tmp_path: Path) -> None:
     assert run(["reconstruct", str(out), "--out", str(tmp_path / "foot.ply")]) == 0
 
 
-# A shell starts what runs in its background deaf to SIGINT, and the tests with it.
-HEEDING_INTERRUPTS = ("env", "--default-signal=INT") if sys.platform == "linux" else ()
+# A shell starts what runs in its background deaf to SIGINT, and nohup deaf to SIGHUP; so are the
+# tests that they start.
+HEEDING_SIGNALS = ("env", "--default-signal=INT,HUP") if sys.platform == "linux" else ()
 
 
 @pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
 def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signals) -> None:
     process = subprocess.Popen(
         [
-            *HEEDING_INTERRUPTS,
+            *HEEDING_SIGNALS,
             sys.executable,
             "-m",
             "insole_studio",

@@ -11,6 +11,7 @@ from pointing import LEFT, drag
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
+from pytestqt.qtbot import QtBot
 
 from insole_core.insole.prescription.design import HeelCup, InsoleDesign, Pelott, Shell
 from insole_core.workflows.clinic_devices import clinic_forms
@@ -263,13 +264,20 @@ def test_the_device_stands_above_the_corrections(
 
 
 def test_what_the_finish_cannot_do_is_said_and_leads_there(
-    opened: Application, settle: Callable[[], None]
+    opened: Application, settle: Callable[[], None], qtbot: QtBot
 ) -> None:
     """This sole has no flanks: any cup stands free of the foot."""
     choose(opened, "ucbl", settle)
-    labels = opened.stage.patient.findChildren(LinkLabel)
-    warnings = [w for w in labels if w.objectName() == "warning" and w.isVisible()]
-    said_of_rim = next(w for w in warnings if "rim" in w.text())
+
+    def warnings() -> list[LinkLabel]:
+        labels = opened.stage.patient.findChildren(LinkLabel)
+        return [w for w in labels if w.objectName() == "warning" and w.isVisible()]
+
+    def of_rim() -> list[LinkLabel]:
+        return [w for w in warnings() if "rim" in w.text()]
+
+    qtbot.waitUntil(lambda: len(of_rim()) > 0, timeout=20_000)
+    said_of_rim = of_rim()[0]
     before = opened.stage.insole.scene.camera.focal_mm
-    said_of_rim.linkActivated.emit(str(warnings.index(said_of_rim)))
+    said_of_rim.linkActivated.emit(str(warnings().index(said_of_rim)))
     assert opened.stage.insole.scene.camera.focal_mm != before

@@ -125,6 +125,24 @@ def test_the_tools_keep_their_labels_when_touch_mode_comes_and_goes(
     assert labelled[1] == labelled[2] == labelled[0]
 
 
+def test_a_narrow_window_hides_only_the_last_labels_of_the_tools(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    opened.window.resize(1600, 728)
+    opened.window.show()
+    settle()
+    QTest.qWait(50)
+    every = labelled_tools(opened)
+    toolbar = opened.window.findChild(QToolBar, "toolbar")
+    opened.window.resize(toolbar.sizeHint().width() - 100, 728)
+    settle()
+    QTest.qWait(50)
+    left = labelled_tools(opened)
+    assert toolbar.sizeHint().width() <= opened.window.width()
+    assert left == every[: len(left)]
+    assert 1 <= len(every) - len(left) <= 3
+
+
 def test_touch_mode_can_be_switched_while_the_window_is_open(
     opened: Application, settle: Callable[[], None], qapp: QApplication
 ) -> None:

@@ -391,13 +391,14 @@ def _make_groups(
         *field_specs(design.layers, "layers", side, expert=True),
         *field_specs(design, "insole", side, expert=True),
     )
-    expert = [FieldGroup(tr("Expert"), own)]
+    expert = []
     for title, part, prefix in (
         (tr("Expert: device"), design.finish, "finish"),
         (tr("Expert: shell"), design.shell, "shell"),
     ):
         if part is not None:
             expert.append(FieldGroup(title, field_specs(part, prefix, side, expert=True)))
+    expert.append(FieldGroup(tr("Expert"), own))
     return [outline, *made, *expert] if outline_first else [*made, outline, *expert]
 
 
