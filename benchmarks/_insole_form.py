@@ -16,6 +16,7 @@ from insole_core.insole.surface.contact import ContactBase, contact_base
 from insole_core.insole.surface.pads_on_surface import apply_pads
 
 RIM_STEP_MM = 5.0
+TOE_CORNER_MM, BUMP_STEP_MM, BUMP_DEPTH_MM = 20.0, 10.0, 12.0
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,10 @@ class Form:
     rim_bend_mm
         Greatest second difference of the edge in steps of 5 mm.
     toe_range_mm
-        Of the heights in a flat toe zone; 0 where the zone is not flat.
+        Of the heights in a flat toe zone, without its corners; 0 where the zone is not flat.
+    toe_bump_mm
+        Greatest height ahead of the toe line, within 12 mm of the edge, over the mean of the
+        heights 10 mm before and behind it along the edge; 0 where the zone is not flat.
     support_change_mm
         Greatest change of the contact surface in the supporting zone, without smoothing of skin,
         fill and expansion.
@@ -47,6 +51,7 @@ class Form:
     rim_max_mm: float
     rim_bend_mm: float
     toe_range_mm: float
+    toe_bump_mm: float
     support_change_mm: float
     support_share: float
     band_laplacian: float
@@ -57,7 +62,7 @@ class Form:
 
 ASKED = {
     "rim_rms_mm": 0.1, "rim_max_mm": 0.2, "rim_bend_mm": 0.4, "toe_range_mm": 0.3,
-    "support_change_mm": 0.01, "support_share": 0.65, "band_laplacian": 0.1,
+    "toe_bump_mm": 0.6, "support_change_mm": 0.01, "support_share": 0.65, "band_laplacian": 0.1,
     "seam_laplacian": 0.3, "slope_deg": 60.0, "pad_change_mm": 1e-6,
 }  # fmt: skip
 """Greatest value, of the share the least."""
@@ -83,6 +88,7 @@ def measured_form(foot: Foot, design: InsoleDesign) -> Form:
         rim_max_mm=float(np.abs(deviation).max()),
         rim_bend_mm=_bend_mm(finished),
         toe_range_mm=_toe_range_mm(finished),
+        toe_bump_mm=_toe_bump_mm(finished),
         support_change_mm=_support_change_mm(foot, design),
         support_share=float(finished.zones.support[_sole(base, finished)].mean()),
         band_laplacian=_band_laplacian(finished),
@@ -105,12 +111,26 @@ def _bend_mm(finished: FinishedSurface) -> float:
 
 
 def _toe_range_mm(finished: FinishedSurface) -> float:
-    """Measure where rim and transition end, corners included."""
+    """Measure where rim and transition end, without the corners between them."""
     if finished.finish.toe_zone != "flat":
         return 0.0
     from_rim = finished.place.inside_mm - finished.place.at_edge(finished.widths.width_mm)
-    heights = finished.surface.heights_mm[finished.toes.floor & (from_rim > 0)]
+    from_line = finished.toes.ahead_mm - finished.toes.end_mm
+    in_corner = (from_rim < TOE_CORNER_MM) & (from_line < TOE_CORNER_MM)
+    heights = finished.surface.heights_mm[finished.toes.floor & (from_rim > 0) & ~in_corner]
     return float(np.ptp(heights)) if heights.size else 0.0
+
+
+def _toe_bump_mm(finished: FinishedSurface) -> float:
+    if finished.finish.toe_zone != "flat":
+        return 0.0
+    lines, surface = finished.place.lines_inward, finished.surface
+    places = lines.places_mm[:, lines.depth_mm <= BUMP_DEPTH_MM]
+    heights = surface.height_at(places)
+    ahead = replace(surface, heights_mm=finished.toes.ahead_mm).height_at(places)
+    lag = round(BUMP_STEP_MM / finished.rim.edge.step_mm)
+    over = heights - (np.roll(heights, lag, axis=0) + np.roll(heights, -lag, axis=0)) / 2
+    return float(over[ahead > finished.toes.begin_mm].max(initial=0.0))
 
 
 def _support_change_mm(foot: Foot, design: InsoleDesign) -> float:

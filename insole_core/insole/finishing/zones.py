@@ -13,7 +13,9 @@ from insole_core.insole.finishing.edge_distance import EdgeDistance
 from insole_core.insole.finishing.toe_zone import ToeZone
 from insole_core.insole.surface.height_field import HeightField
 
-_SUPPORT_CORNER_MM, _FLOOR_CORNER_MM = 10.0, 3.0  # radii of the corners between rim and toe line
+_SUPPORT_CORNER_MM, _FLOOR_CORNER_MM = 10.0, 20.0
+"""Radii of the corners between rim and toe line. Beside a sharper corner of the level floor the
+border behind it, which the foot's flank raises, would end in a knob."""
 _CREASE_PER_MM = 0.2
 """Least Laplacian of a contact surface, 1/mm, at which its zone does not end."""
 _BESIDE_CREASE_MM, _PASSES = 3.0, 2

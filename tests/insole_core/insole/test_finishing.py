@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks._insole_form import measured_form, missed
+from benchmarks._insole_form import ASKED, measured_form, missed
 from benchmarks._random_designs import random_design, random_finish, random_foot
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
@@ -28,10 +28,15 @@ from insole_core.insole.prescription.design import (
     Posting,
     RimStation,
 )
+from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.surface.contact import contact_base
 from insole_core.insole.surface.height_field import HeightField
+from insole_core.resources import resource_path
 from insole_core.workflows.open_scan import open_scan
+
+BORDERS = ("medial", "lateral")
+DEVICES = resource_path("devices")
 
 
 def rim(cup: float = 12.0, arch: float = 16.0, head: float = 3.0) -> tuple[RimStation, ...]:
@@ -146,6 +151,25 @@ def test_the_floor_of_the_toes_is_level(left_foot, zone: str, lower_mm: float):
     flat_mm = finished(left_foot).toes.level_mm
     assert np.ptp(floor) < 1e-9
     assert floor[0] == pytest.approx(flat_mm - lower_mm)
+
+
+@pytest.mark.parametrize("seed", [5, 10])
+def test_the_border_runs_out_where_the_toe_line_ends(seed: int):
+    foot = random_foot(seed)
+    high = (RimStation(border=b, along=0.7, height_mm=6.0, over="toes") for b in BORDERS)
+    low = (RimStation(border=b, along=0.85, height_mm=2.0, over="toes") for b in BORDERS)
+    others = (s for s in rim() if s.along != 0.7)
+    form = measured_form(foot, InsoleDesign(foot.side, finish=Finish(rim=(*others, *high, *low))))
+    assert form.toe_bump_mm < ASKED["toe_bump_mm"]
+    assert form.toe_range_mm < ASKED["toe_range_mm"]
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize("device", ["eva-full-length", "sport-full-length"])
+def test_a_foot_with_high_flanks_has_no_knob_beside_its_toes(shared_data: Path, device: str):
+    foot = open_scan(shared_data / "feet/plantar_scan.obj", Side.RIGHT).foot
+    design = apply_device(read_device(DEVICES / f"{device}.json"), InsoleDesign(Side.RIGHT))
+    assert measured_form(foot, design).toe_bump_mm < ASKED["toe_bump_mm"]
 
 
 def test_a_toe_crest_lies_under_the_lesser_toes_only(left_foot):
