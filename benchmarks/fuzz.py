@@ -531,6 +531,7 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         load_reference_system,
     )
     from insole_core.compare.picked_points import fit_points, read_picked_points
+    from insole_core.errors import InputError
     from insole_core.evaluation.acceptance_limits import load_limits
     from insole_core.evaluation.marked_points import load_correspondences, load_object_points
     from insole_core.foot.landmarks import find_landmarks
@@ -544,6 +545,8 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     from insole_core.workflows.findings import ClinicFindings
 
     def findings(path: Path) -> None:
+        if not os.path.lexists(path):  # a clinic need not have any of its own
+            raise InputError("There is no {path}.", path=path)
         ClinicFindings(path).load()
 
     def reference(path: Path) -> None:

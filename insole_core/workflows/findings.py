@@ -8,6 +8,7 @@ the design has none of their kind yet.
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -276,7 +277,7 @@ class ClinicFindings:
             When a file cannot be read.
         """
         listed = _read(resource_path("findings/findings.json"))
-        own = _read(self._path) if self._path.exists() else ()
+        own = _read(self._path) if os.path.lexists(self._path) else ()
         by_key = {key_of(finding.name): finding for finding in (*listed, *own)}
         return tuple(finding for _, finding in sorted(by_key.items()))
 

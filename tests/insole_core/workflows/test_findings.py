@@ -193,6 +193,14 @@ def written(path: Path, *findings: Any) -> ClinicFindings:
     return ClinicFindings(path)
 
 
+def test_a_file_of_findings_that_leads_nowhere_is_told(tmp_path: Path):
+    path = tmp_path / "findings.json"
+    assert ClinicFindings(path).load()
+    path.symlink_to(path)
+    with pytest.raises(InputError, match=r"findings\.json"):
+        ClinicFindings(path).load()
+
+
 def test_the_clinics_findings_replace_and_add(tmp_path: Path):
     own = written(
         tmp_path / "f.json",
