@@ -10,7 +10,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.solids.simplification import to_manifold
 
-_LINES = 800
+_LINES = 250
 
 
 def faults(solid: TriangleMesh) -> list[str]:
