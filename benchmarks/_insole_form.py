@@ -62,7 +62,7 @@ class Form:
 
 ASKED = {
     "rim_rms_mm": 0.1, "rim_max_mm": 0.2, "rim_bend_mm": 0.4, "toe_range_mm": 0.3,
-    "toe_bump_mm": 0.6, "support_change_mm": 0.01, "support_share": 0.65, "band_laplacian": 0.1,
+    "toe_bump_mm": 0.75, "support_change_mm": 0.01, "support_share": 0.65, "band_laplacian": 0.1,
     "seam_laplacian": 0.3, "slope_deg": 60.0, "pad_change_mm": 1e-6,
 }  # fmt: skip
 """Greatest value, of the share the least."""

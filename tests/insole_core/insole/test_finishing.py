@@ -160,7 +160,7 @@ def test_the_border_runs_out_where_the_toe_line_ends(seed: int):
     low = (RimStation(border=b, along=0.85, height_mm=2.0, over="toes") for b in BORDERS)
     others = (s for s in rim() if s.along != 0.7)
     form = measured_form(foot, InsoleDesign(foot.side, finish=Finish(rim=(*others, *high, *low))))
-    assert form.toe_bump_mm < ASKED["toe_bump_mm"]
+    assert form.toe_bump_mm < 0.6  # with sharp corners of the toe zone about 0.7
     assert form.toe_range_mm < ASKED["toe_range_mm"]
 
 
