@@ -388,6 +388,10 @@
             <translation>Forma kanten med dess kantpunkter, i vyerna och i diagrammet nedan</translation>
         </message>
         <message>
+            <source>Share of the foot</source>
+            <translation>Fotens andel</translation>
+        </message>
+        <message>
             <source>Show the imprint of the foot, without a designed rim; once more brings it back</source>
             <translation>Visa fotens avtryck utan utformad kant; en gång till tar den tillbaka</translation>
         </message>
@@ -550,6 +554,10 @@
         <message>
             <source>total contact</source>
             <translation>full kontakt</translation>
+        </message>
+        <message>
+            <source>{form}: at 0 % the form alone, at 100 % the sole of the foot</source>
+            <translation>{form}: vid 0 % bara formen, vid 100 % fotens sula</translation>
         </message>
     </context>
 </TS>

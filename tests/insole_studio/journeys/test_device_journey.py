@@ -150,6 +150,28 @@ def test_a_base_form_keeps_the_device(opened: Application, settle: Callable[[], 
     assert design(opened).finish == finish
 
 
+def test_a_base_form_is_blended_with_the_foot(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    choose(opened, "eva full", settle)
+    view = list_of(opened)
+    QTest.keyClicks(view.search, "eva full")
+    forms = [n for n in range(view.list.count()) if "form:" in str(view.list.item(n).data(256))]
+    view.list.setCurrentRow(forms[0])
+    QTest.mouseClick(view.apply_button, LEFT)
+    settle()
+    type_number(opened, "base.contact_share", "40")
+    settle()
+    base = design(opened).base
+    assert base is not None
+    assert base.contact_share == pytest.approx(0.4)
+    opened.case.undo()
+    settle()
+    base = design(opened).base
+    assert base is not None
+    assert base.contact_share == 0.0
+
+
 def test_the_form_of_an_insole_is_kept_as_a_base(
     opened: Application, settle: Callable[[], None], questions: object
 ) -> None:

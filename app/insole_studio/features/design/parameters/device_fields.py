@@ -93,7 +93,8 @@ def device_group(design: InsoleDesign, side: Side) -> FieldGroup:
                 tr("Give the imprint a designed rim and toe zone"),
             ),
         )
-        return FieldGroup(tr("Device"), (), offers, tr("As scanned: the imprint of the foot"))
+        note = tr("As scanned: the imprint of the foot")
+        return FieldGroup(tr("Device"), _base_fields(design), offers, note)
     offers = (
         choose,
         Proposal(
@@ -102,8 +103,27 @@ def device_group(design: InsoleDesign, side: Side) -> FieldGroup:
             tr("Show the imprint of the foot, without a designed rim; once more brings it back"),
         ),
     )
-    fields = device_fields(design.finish, side)
+    fields = (*device_fields(design.finish, side), *_base_fields(design))
     return FieldGroup(tr("Device"), fields, offers, device_name(design))
+
+
+def _base_fields(design: InsoleDesign) -> Fields:
+    """Return how much of the foot's own sole a base form is blended with."""
+    if design.base is None:
+        return ()
+    tip = tr("{form}: at 0 % the form alone, at 100 % the sole of the foot").format(
+        form=translate_core_message(design.base.form.name)
+    )
+    share = 100 * design.base.contact_share
+    label = tr("Share of the foot")
+    return (FieldSpec("base.contact_share", label, "%", share, 0.0, 100.0, step=5.0, tip=tip),)
+
+
+def with_foot_share(design: InsoleDesign, percent: float) -> InsoleDesign:
+    """Return the design with another blend of its base form and the sole of the foot."""
+    if design.base is None:
+        return design
+    return replace(design, base=replace(design.base, contact_share=percent / 100))
 
 
 def device_fields(finish: Finish, side: Side) -> Fields:

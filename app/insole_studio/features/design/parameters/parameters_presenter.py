@@ -27,6 +27,7 @@ from insole_studio.features.design.parameters.device_fields import (
     device_group,
     shell_group,
     with_device_value,
+    with_foot_share,
     with_post_value,
     with_shell_value,
     with_usual_thickness,
@@ -300,6 +301,12 @@ class ParametersPresenter:
             changed = with_device_value(design, name, value)
             self._case.apply(changed, SLIDERS[name].label(), f"device:{name}")
 
+    def _edit_base(self, name: str, value: float) -> None:
+        design = self._case.record.design
+        if design is not None:
+            changed = with_foot_share(design, value)
+            self._case.apply(changed, tr("Edit the device"), f"base:{name}")
+
     def _edit_finish(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None and design.finish is not None:
@@ -421,6 +428,7 @@ _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "posting": ParametersPresenter._edit_posting,
     "station": ParametersPresenter._edit_station,
     "device": ParametersPresenter._edit_device,
+    "base": ParametersPresenter._edit_base,
     "finish": ParametersPresenter._edit_finish,
     "shell": ParametersPresenter._edit_shell,
     "post": ParametersPresenter._edit_post,
