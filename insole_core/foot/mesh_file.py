@@ -248,7 +248,7 @@ def _equal_vertices(mesh: TriangleMesh) -> tuple[IntArray, IndexArray]:
     The vertices are sorted by a hash, which is several times faster than by their coordinates.
     """
     columns = list(mesh.vertices.T) + ([] if mesh.colors is None else list(mesh.colors.T))
-    order = np.argsort(_hash(columns))
+    order = _ordered(_hash(columns))
     is_new = np.ones(len(order), dtype=bool)
     is_new[1:] = False
     for column in columns:
@@ -259,6 +259,24 @@ def _equal_vertices(mesh: TriangleMesh) -> tuple[IntArray, IndexArray]:
     kind = np.empty(len(order), dtype=np.int32)
     kind[order] = rank[np.cumsum(is_new) - 1]
     return np.sort(first), kind
+
+
+def _ordered(hashes: npt.NDArray[np.uint64]) -> IntArray:
+    """Return the order (n,) in which equal hashes follow each other.
+
+    The index of each takes the place of its lowest bits, so that plain numbers are sorted, which is
+    several times faster than to sort indices. Hashes that differ in these bits only are put right.
+    """
+    bits = np.uint64(len(hashes).bit_length())
+    low = (np.uint64(1) << bits) - np.uint64(1)
+    keys = np.sort((hashes & ~low) | np.arange(len(hashes), dtype=np.uint64))
+    order = (keys & low).astype(np.int64)
+    high, in_order = keys >> bits, hashes[order]
+    mixed = (high[1:] == high[:-1]) & (in_order[1:] != in_order[:-1])
+    if mixed.any():
+        rows = np.flatnonzero(np.isin(high, high[1:][mixed]))
+        order[rows] = order[rows][np.argsort(in_order[rows], kind="stable")]
+    return order
 
 
 def _hash(columns: list[FloatArray | ByteArray]) -> npt.NDArray[np.uint64]:

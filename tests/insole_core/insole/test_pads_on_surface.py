@@ -180,7 +180,7 @@ def test_an_arch_reaches_its_target_beside_a_rim_that_moves(left_foot):
     )
     base = contact_base(left_foot, low)
     apply_pads(base, low)
-    moved = with_rim(base, high, left_foot.length_mm)
+    moved = with_rim(base, left_foot, high)
     assert moved.surface.height_at(np.array(apex)) != base.surface.height_at(np.array(apex))
     raised = apply_pads(moved, high)
     assert raised.height_at(np.array(apex)) == pytest.approx(40.0, abs=1e-9)
