@@ -79,3 +79,11 @@ def _check_regular(mode: int) -> None:
 
 def _too_large() -> OSError:
     return OSError(errno.EFBIG, "it is far larger than such a file is")
+
+
+def is_folder(path: Path) -> bool:
+    """Return whether a path is that of a folder; False for what can be no path: too long, say."""
+    try:
+        return path.is_dir()
+    except OSError:
+        return False

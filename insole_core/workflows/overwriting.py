@@ -9,6 +9,7 @@ from pathlib import Path
 from insole_core.errors import UsageError
 from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.session_layout import is_input_name
+from insole_core.regular_file import is_folder
 
 
 def check_overwriting(outputs: Iterable[Path], inputs: Iterable[Path]) -> None:
@@ -37,7 +38,7 @@ def check_overwriting(outputs: Iterable[Path], inputs: Iterable[Path]) -> None:
 
 
 def _is_part_of(output: Path, source: Path) -> bool:
-    if source.is_dir():
+    if is_folder(source):
         return _is_same(output, source) or _is_in(output, source)
     others = [edits_path(source)] if source.suffix.lower() == ".zip" else []
     return any(_is_same(output, path) for path in (source, *others))

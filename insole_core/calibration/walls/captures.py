@@ -16,6 +16,7 @@ from insole_core.geometry.arrays import FloatArray, RawArray
 from insole_core.json_object import JsonObject
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import read_picture
+from insole_core.regular_file import is_folder
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import mean_raw
 
@@ -175,7 +176,7 @@ def check_same_device(captures: Iterable[WallCapture]) -> None:
 
 
 def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
-    if not folder.is_dir():
+    if not is_folder(folder):
         raise InputError(
             "There is no folder {folder}; name the folder with the wall captures.", folder=folder
         )

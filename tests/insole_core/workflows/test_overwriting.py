@@ -71,3 +71,7 @@ def test_other_files_may_lie_with_the_input(session: Path) -> None:
         [session / "foot.ply", session / "report.json", session.parent / "manifest.json"], [session]
     )
     check_overwriting([session.parent / "none.ply"], [session.parent / "None.ply"])
+
+
+def test_a_name_that_is_too_long_for_a_file_is_left_to_its_reader(tmp_path: Path) -> None:
+    check_overwriting([tmp_path / "insole.stl"], [Path("7" * 5000)])
