@@ -50,3 +50,15 @@ class DesignError(InsoleError):
 
 class OutputError(InsoleError):
     """A result could not be written; what stood there before is untouched."""
+
+
+class RecordsError(InsoleError):
+    """The clinic's record cannot do what was asked."""
+
+
+class NotAllowed(RecordsError):  # noqa: N818 - says what happened, as the other errors of the record
+    """The account that is signed in may not do this."""
+
+
+class Unreachable(RecordsError):  # noqa: N818
+    """The database or the folder of the record does not answer at present."""

@@ -1012,6 +1012,10 @@
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
         </message>
         <message>
+            <source>The file {name} of the record is missing in {folder}; restore it from a backup.</source>
+            <translation>Registrets fil {name} saknas i {folder}; återställ den från en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>The finding "{finding}" proposes the pad {kind} {size}, and the pad library has none; choose another one in the clinic's findings.</source>
             <translation>Fyndet "{finding}" föreslår pelotten {kind} {size}, som inte finns i pelottbiblioteket; välj en annan i klinikens fynd.</translation>
         </message>
@@ -1222,6 +1226,10 @@
         <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
             <translation>Bakfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
+        </message>
+        <message>
+            <source>The record refers to a file by "{name}", which is no SHA-256; restore the database from a backup.</source>
+            <translation>Registret hänvisar till en fil med ”{name}”, som inte är någon SHA-256; återställ databasen från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>The result does not fit a Kinect v1: {findings}; {reason}.</source>
@@ -1570,6 +1578,10 @@
         <message>
             <source>Up to 10 in the shoe; above 6.4 under the full sole, half of it at the heads.</source>
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
+        </message>
+        <message>
+            <source>Verifying the files of the record</source>
+            <translation>Kontrollerar registrets filer</translation>
         </message>
         <message>
             <source>View {views} is on the disk</source>
@@ -3040,6 +3052,14 @@
             <translation>{finding} Ändra designen, eller gå förbi regeln med ett skäl.</translation>
         </message>
         <message>
+            <source>{folder} does not answer ({reason}); check that its disk or share is connected and that you may use it.</source>
+            <translation>{folder} svarar inte ({reason}); kontrollera att dess disk eller nätverksmapp är ansluten och att du får använda den.</translation>
+        </message>
+        <message>
+            <source>{folder} does not hold the files of this record; connect the disk or the share that holds them, then try again.</source>
+            <translation>{folder} innehåller inte filerna till detta register; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
+        </message>
+        <message>
             <source>{folder} holds colour of {width}×{height}, which no Kinect v1 sends.</source>
             <translation>{folder} innehåller färg på {width}×{height}, vilket ingen Kinect v1 sänder.</translation>
         </message>
@@ -3494,6 +3514,14 @@
         <message>
             <source>{path} was changed by another program since it was opened here.</source>
             <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
+        </message>
+        <message>
+            <source>{path} was changed since the record stored it; restore it from a backup.</source>
+            <translation>{path} har ändrats sedan registret sparade den; återställ den från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path} was changed while it was being stored; try again.</source>
+            <translation>{path} ändrades medan den sparades; försök igen.</translation>
         </message>
         <message>
             <source>{path}: {entries} cannot be understood, so the defaults are used for them; the file is kept as {kept}.</source>
