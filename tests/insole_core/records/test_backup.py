@@ -55,8 +55,8 @@ NOT_COMPARED = {"audit", "audit_head", "clinic"}
 
 
 @pytest.fixture
-def context(empty_database_file: Path, tmp_path: Path) -> Iterator[RecordsContext]:
-    context = make_record(empty_database_file, tmp_path / "record")
+def context(migrated_file: Path, tmp_path: Path) -> Iterator[RecordsContext]:
+    context = make_record(migrated_file, tmp_path / "record")
     set_up_backups(context, BackupKey.for_recipients([RECIPIENT]))
     yield context
     context.database.close()
@@ -194,9 +194,9 @@ def test_keys_that_will_not_do_are_refused() -> None:
 
 
 def test_a_backup_is_set_up_first_and_by_who_may(
-    context: RecordsContext, folder: Path, empty_database_file: Path, tmp_path: Path
+    context: RecordsContext, folder: Path, migrated_file: Path, tmp_path: Path
 ) -> None:
-    bare = make_record(empty_database_file, tmp_path / "bare")
+    bare = make_record(migrated_file, tmp_path / "bare")
     with pytest.raises(RecordsError, match="no passphrase yet"):
         back_up(bare, folder)
     bare.database.close()
@@ -437,13 +437,13 @@ def test_a_newer_record_is_not_replaced_without_a_word(
 
 
 def test_an_older_record_is_not_replaced_either(
-    context: RecordsContext, folder: Path, tmp_path: Path, empty_database_file: Path
+    context: RecordsContext, folder: Path, tmp_path: Path, migrated_file: Path
 ) -> None:
     back_up(context, folder)
     other = tmp_path / "other"
     other.mkdir()
     place = RecordsPlace.local(other)
-    place.database_file.write_bytes(empty_database_file.read_bytes())
+    place.database_file.write_bytes(migrated_file.read_bytes())
     with pytest.raises(PlaceTaken, match="holds a record already"):
         restore(folder, SECRET, place, ANNA)
     place.database_file.write_bytes(b"no database at all")
