@@ -108,6 +108,10 @@
             <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
         </message>
         <message>
+            <source>A material needs a name; type one.</source>
+            <translation>Ett material behöver ett namn; skriv ett.</translation>
+        </message>
+        <message>
             <source>A name must have 1 to {most} characters, and a letter or a digit among them; type another one.</source>
             <translation>Ett namn måste ha 1 till {most} tecken, varav minst en bokstav eller siffra; skriv ett annat.</translation>
         </message>
@@ -564,6 +568,14 @@
             <translation>Lägger rutnätet över fotsulan</translation>
         </message>
         <message>
+            <source>Least thickness of the material</source>
+            <translation>Materialets minsta tjocklek</translation>
+        </message>
+        <message>
+            <source>Least thickness of the material at the front edge</source>
+            <translation>Materialets minsta tjocklek vid framkanten</translation>
+        </message>
+        <message>
             <source>Leaving one wall out needs captures at {least} distances or more, but there are {count}; capture more.</source>
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
         </message>
@@ -922,6 +934,10 @@
         <message>
             <source>The boards are tilted too little to tell where the depth camera stands; tilt the board by 20 to 40 degrees about both of its sides and take more.</source>
             <translation>Brädena är för lite lutade för att visa var djupkameran sitter; luta brädet 20 till 40 grader kring båda sidorna och ta fler.</translation>
+        </message>
+        <message>
+            <source>The body weights of {name} must go from light to heavy; change them.</source>
+            <translation>Kroppsvikterna för {name} måste gå från lätt till tung; ändra dem.</translation>
         </message>
         <message>
             <source>The cameras are {baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and turned by {turn_deg:.2f}°, from {count} {source}.</source>
@@ -1340,6 +1356,10 @@
             <translation>Ytan skulle vara en fot på {length_mm:.0f} mm, och fötter är {least_mm:g} till {most_mm:g} mm långa; kontrollera enheten, och att det är en hel fot.</translation>
         </message>
         <message>
+            <source>The table needs at least one material; add one.</source>
+            <translation>Tabellen behöver minst ett material; lägg till ett.</translation>
+        </message>
+        <message>
             <source>The tip of the 2nd toe does not stand out; the foot axis runs to its usual place.</source>
             <translation>2:a tåns spets framträder inte; fotaxeln går till dess vanliga plats.</translation>
         </message>
@@ -1482,6 +1502,10 @@
         <message>
             <source>There is a block {name} already; give this one another name.</source>
             <translation>Det finns redan ett block {name}; ge detta ett annat namn.</translation>
+        </message>
+        <message>
+            <source>There is a material {name} already; give this one another name.</source>
+            <translation>Det finns redan ett material {name}; ge det här ett annat namn.</translation>
         </message>
         <message>
             <source>There is a variant {name} already; give this one another name.</source>
@@ -1936,6 +1960,10 @@
             <translation>högsta dorsala punkten vid halva fotlängden</translation>
         </message>
         <message>
+            <source>holds no material; add one</source>
+            <translation>innehåller inget material; lägg till ett</translation>
+        </message>
+        <message>
             <source>holds the weight of a body or the points of a trim line, which belong to one foot; leave them out</source>
             <translation>innehåller en kroppsvikt eller punkterna på en klipplinje, som hör till en enda fot; utelämna dem</translation>
         </message>
@@ -1994,6 +2022,10 @@
         <message>
             <source>is no key of a finding; check its spelling or leave it out</source>
             <translation>är ingen nyckel för ett fynd; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
+            <source>is no key of a table of materials; check its spelling or leave it out</source>
+            <translation>är ingen nyckel i en materialtabell; kontrollera stavningen eller utelämna den</translation>
         </message>
         <message>
             <source>is no rigid transform</source>
