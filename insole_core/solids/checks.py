@@ -117,7 +117,7 @@ def check_solid(
     Parameters
     ----------
     solid : mm
-        Standing on z = 0, the side to be milled upwards.
+        The side to be milled upwards.
     unmarked : mm, optional
         The solid before letters were put on its bottom, which no cutter from above need reach.
     grid_mm
@@ -311,8 +311,8 @@ def _step(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
 
 
 def _shoe_height(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
-    limit = rules.limits["shoe_height"]
-    return _graded(survey, "shoe_height", policy, survey.seen[0], limit, unit="mm high")
+    limit, heights = rules.limits["shoe_height"], survey.seen[0] - survey.solid.bounds_mm[0, 2]
+    return _graded(survey, "shoe_height", policy, heights, limit, unit="mm high")
 
 
 def _graded(
