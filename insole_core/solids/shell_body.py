@@ -23,8 +23,9 @@ from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
-_FILLET_MM = 2.0
-"""Difference of height within which the wall of a post is rounded into the shell above it."""
+_FILLET_MM = (0.5, 8.0)
+"""Difference of height within which the wall of a post is rounded into the shell above it, least
+and greatest: as much as the shell is above the ground, so that the post's sole does not grow."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +126,8 @@ def shell_body(
         heel = field.y_mm[:, None] - outline[:, 1].min()
         plan = PostPlan(edge.inside_mm, heel, front)
         over_post = bottom - ground - post_underside(post, plan, length_mm)
-        bottom = np.maximum(bottom - smooth_hinge(over_post, _FILLET_MM), ground)
+        fillet = np.clip(bottom - ground, *_FILLET_MM)
+        bottom = np.maximum(bottom - smooth_hinge(over_post, fillet), ground)
     return Body(np.maximum(top, bottom + _least_mm(shell, share)), bottom)
 
 
