@@ -696,6 +696,10 @@
             <translation>Metatarsalgi</translation>
         </message>
         <message>
+            <source>Middle layer</source>
+            <translation>Mellanlager</translation>
+        </message>
+        <message>
             <source>Morton's extension</source>
             <translation>Mortons förlängning</translation>
         </message>
@@ -918,10 +922,6 @@
         <message>
             <source>Shaping the foot</source>
             <translation>Formar foten</translation>
-        </message>
-        <message>
-            <source>Shell layer</source>
-            <translation>Skallager</translation>
         </message>
         <message>
             <source>Shoe size</source>

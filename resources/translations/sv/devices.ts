@@ -496,6 +496,10 @@
             <translation>Fotens andel</translation>
         </message>
         <message>
+            <source>Shell</source>
+            <translation>Skal</translation>
+        </message>
+        <message>
             <source>Show the imprint of the foot, without a designed rim; once more brings it back</source>
             <translation>Visa fotens avtryck utan utformad kant; en gång till tar den tillbaka</translation>
         </message>
