@@ -6,6 +6,8 @@ it as it is, the window translates it.
 
 from __future__ import annotations
 
+from typing import Any
+
 from insole_core.messages import Message, Value
 
 
@@ -50,3 +52,32 @@ class DesignError(InsoleError):
 
 class OutputError(InsoleError):
     """A result could not be written; what stood there before is untouched."""
+
+
+class RecordsError(InsoleError):
+    """The clinic's record cannot do what was asked."""
+
+
+class NotAllowed(RecordsError):  # noqa: N818 - says what happened, as the other errors of the record
+    """The account that is signed in may not do this."""
+
+
+class Unreachable(RecordsError):  # noqa: N818
+    """The database or the folder of the record does not answer at present."""
+
+
+class Conflict(RecordsError):  # noqa: N818
+    """Somebody else has changed the same thing meanwhile; nothing was overwritten.
+
+    Parameters
+    ----------
+    mine
+        What was to be stored.
+    theirs
+        What is stored by now: of the same type, or the summary of it.
+    """
+
+    def __init__(self, mine: Any, theirs: Any, template: str, /, **values: Value) -> None:
+        super().__init__(template, **values)
+        self.mine = mine
+        self.theirs = theirs

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import errno
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from insole_core.errors import InputError
@@ -22,8 +24,25 @@ def read_given(path: Path, most_bytes: int) -> bytes:
     InputError
         When it is no regular file, cannot be read, or is larger.
     """
-    try:
+    with given_errors(path, most_bytes):
         return read_regular(path, most_bytes)
+
+
+@contextmanager
+def given_errors(path: Path, most_bytes: int) -> Iterator[None]:
+    """Turn errors of reading a file that somebody named into one sentence.
+
+    Parameters
+    ----------
+    most_bytes
+        No file of this kind is larger.
+
+    Raises
+    ------
+    InputError
+    """
+    try:
+        yield
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have
         if isinstance(error, OSError) and error.errno == errno.EFBIG:
             raise InputError(

@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.materials import Material, read_materials
+from insole_core.insole.prescription.materials import material_of
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.surface.blending import smooth_hinge, smooth_step
 from insole_core.insole.surface.height_field import HeightField
@@ -66,7 +66,7 @@ def plain_underside(insole: Insole, made: HeightField) -> FloatArray:
         return whole
     rise = rocker_heights_mm(design, insole.foot, insole.contact)
     shell = design.shell
-    needed_mm = 0.0 if shell is None else max(_material(shell).least_mm - LEAST_LEFT_MM, 0.0)
+    needed_mm = 0.0 if shell is None else max(material_of(shell).least_mm - LEAST_LEFT_MM, 0.0)
     return eased(whole, made.heights_mm - needed_mm, rise)
 
 
@@ -83,7 +83,7 @@ def _thickness_mm(design: InsoleDesign) -> float:
     """Return the thickness of what is made: at least that which the material needs."""
     if design.shell is None:
         return design.made_thickness_mm
-    least_mm = _material(design.shell).least_mm + _LOSS * design.grid_mm
+    least_mm = material_of(design.shell).least_mm + _LOSS * design.grid_mm
     return max(design.made_thickness_mm, least_mm)
 
 
@@ -112,7 +112,7 @@ def shell_body(
     top, bottom = made.heights_mm, plain_underside(insole, made)
     behind = behind_front_mm(outline, field)
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
-    front_mm = max(shell.taper_mm, _material(shell).least_edge_mm)
+    front_mm = max(shell.taper_mm, material_of(shell).least_edge_mm)
     ground = last_heights_mm(design, field.y_mm, length_mm)[:, None]
     if design.bottom == "flat":
         top = np.where(share < 1, bottom + front_mm + (top - bottom - front_mm) * share, top)
@@ -137,7 +137,7 @@ def least_thickness(insole: Insole, shell: Shell) -> HeightField:
     It is that of the thinnest place which a normal of this length can lead to.
     """
     field, outline = insole.contact, outline_of(insole)
-    behind = behind_front_mm(outline, field) - _material(shell).least_mm
+    behind = behind_front_mm(outline, field) - material_of(shell).least_mm
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
     return replace(field, heights_mm=_least_mm(shell, share))
 
@@ -154,13 +154,9 @@ def taper_length_mm(shell: Shell, outline: FloatArray) -> float:
     return min(shell.taper_length_mm, LONGEST_TAPER * float(np.ptp(outline[:, 1])))
 
 
-def _material(shell: Shell) -> Material:
-    return read_materials().material(shell.material)
-
-
 def _least_mm(shell: Shell, share: FloatArray) -> FloatArray:
     """Return the least thickness where a share of the taper from the front edge is reached."""
-    material = _material(shell)
+    material = material_of(shell)
     return material.least_edge_mm + (material.least_mm - material.least_edge_mm) * share
 
 
