@@ -22,7 +22,8 @@ from insole_core.progress import SILENT, Progress
 from insole_core.solids.shell_body import Body, BodyPlan
 from insole_core.solids.solid import ClosedInsole, closed_insole, insole_solid
 
-_KEPT = 4  # enough for the other foot, another variant and an undo to be immediate
+_KEPT, _LEAST_KEPT, _MOST_BYTES = 8, 4, 128_000_000
+"""Enough to change between devices at once; on fine grids for the other foot and an undo."""
 
 BareKey: TypeAlias = tuple[Any, ...]
 
@@ -119,7 +120,7 @@ class InsoleBuilder:
     """
 
     def __init__(self) -> None:
-        self._memo = Memo(_KEPT)
+        self._memo = _cache()
 
     def base(self, foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
         """Return the contact surface before pads.
@@ -190,7 +191,11 @@ class InsoleBuilder:
 
     def forget(self) -> None:
         """Clear the cache; results that are still being computed are not cached either."""
-        self._memo = Memo(_KEPT)
+        self._memo = _cache()
+
+
+def _cache() -> Memo:
+    return Memo(_KEPT, most_bytes=_MOST_BYTES, least=_LEAST_KEPT)
 
 
 def _base(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> ContactBase:

@@ -15,6 +15,7 @@ from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.finishing.thin_plate import Plate
 from insole_core.insole.prescription.design import (
     BaseForm,
     Finish,
@@ -83,6 +84,22 @@ def test_steps_are_kept_for_designs_that_share_them(
     assert builder.base(left_foot, other_pad) is bare.base
     assert builder.known_bare(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0))) is None
     assert builder.known_bare(replace(left_foot), PLAIN) is None
+
+
+def test_devices_are_changed_to_and_fro_without_building_again(
+    builder: InsoleBuilder, left_foot: Foot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    designs = [with_arch(10.0 + 2 * number) for number in range(6)]
+    built = [builder.bare(left_foot, design) for design in designs]
+    factorised: list[object] = []
+    plain = Plate.on_springs
+    monkeypatch.setattr(
+        Plate, "on_springs", lambda plate, s: factorised.append(s) or plain(plate, s)
+    )
+    assert [builder.bare(left_foot, design) for design in designs] == built
+    builder.forget()  # the plates are kept with the foot
+    builder.bare(left_foot, designs[0])
+    assert factorised == []
 
 
 def test_a_shell_is_previewed_as_it_is_made(builder: InsoleBuilder, left_foot: Foot) -> None:

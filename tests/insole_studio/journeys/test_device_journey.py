@@ -180,6 +180,8 @@ def test_the_form_of_an_insole_is_kept_as_a_base(
     questions.typed = "Anna's arch"  # type: ignore[attr-defined]
     entry = next(a for a in view.more.menu().actions() if a.data() == "form")
     entry.trigger()
+    assert opened.jobs.is_running("form"), "the window does not wait for it"
+    settle()
     stored = clinic_forms(opened.services.paths.settings_folder).load()
     assert "anna-s-arch" in stored.own
     assert view.chosen == "form:anna-s-arch"

@@ -15,7 +15,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord, ScanSource, Variant
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
     BaseForm,
@@ -32,6 +32,7 @@ from insole_core.workflows.clinic_devices import (
 )
 from insole_core.workflows.default_device import DefaultDevice
 from insole_studio.app.bootstrap import Application
+from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
@@ -348,7 +349,7 @@ def test_the_picture_follows_a_slider_without_waiting_for_a_rebuild(
     assert np.array_equal(heights(designed), before)
 
 
-def test_a_wheel_on_the_fill_and_a_typed_toe_line_are_seen_at_once(
+def test_steps_of_the_fill_by_key_are_seen_at_once(
     designed: Application, settle: Callable[[], None]
 ) -> None:
     act(designed, "tool_orbit")
@@ -429,6 +430,27 @@ def test_as_scanned_and_back_is_one_click_each(
     press("Design the rim")
     assert design(designed).finish == before.finish
     assert design(designed).device == before.device
+
+
+def test_each_variant_gets_its_own_device_back(
+    designed: Application, settle: Callable[[], None]
+) -> None:
+    first, record = finish(designed), designed.case.record.current
+    assert record is not None
+    other = replace(design(designed), finish=replace(first, toe_line_mm=first.toe_line_mm + 6.0))
+    designed.case.apply(record.with_variant(Variant("B", other)), "Add a variant")
+    settle()
+    act(designed, "toggle_as_scanned")
+    choose_variant(designed.case, record.chosen)
+    act(designed, "toggle_as_scanned")
+    settle()
+    assert design(designed).finish is None
+    act(designed, "toggle_as_scanned")
+    assert finish(designed) == first
+    choose_variant(designed.case, "B")
+    act(designed, "toggle_as_scanned")
+    assert finish(designed) == other.finish
+    settle()
 
 
 def entry(devices: DeviceActions, key: str) -> QAction:
