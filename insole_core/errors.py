@@ -6,6 +6,8 @@ it as it is, the window translates it.
 
 from __future__ import annotations
 
+from typing import Any
+
 from insole_core.messages import Message, Value
 
 
@@ -62,3 +64,20 @@ class NotAllowed(RecordsError):  # noqa: N818 - says what happened, as the other
 
 class Unreachable(RecordsError):  # noqa: N818
     """The database or the folder of the record does not answer at present."""
+
+
+class Conflict(RecordsError):  # noqa: N818
+    """Somebody else has changed the same thing meanwhile; nothing was overwritten.
+
+    Parameters
+    ----------
+    mine
+        What was to be stored.
+    theirs
+        What is stored by now: of the same type, or the summary of it.
+    """
+
+    def __init__(self, mine: Any, theirs: Any, template: str, /, **values: Value) -> None:
+        super().__init__(template, **values)
+        self.mine = mine
+        self.theirs = theirs

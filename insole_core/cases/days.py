@@ -10,8 +10,8 @@ from insole_core.errors import InputError
 from insole_core.messages import Message, joined
 
 DAY_FIELDS = ("born", "visit")
-_EARLIEST = date(1900, 1, 1)
-_AHEAD = timedelta(days=366)
+EARLIEST = date(1900, 1, 1)
+LATEST_AHEAD = timedelta(days=366)
 """How far ahead a visit may be planned."""
 _WRITTEN = re.compile(r"(\d{4})(?:([-./ ])(\d{1,2})\2(\d{1,2})|(\d{2})(\d{2}))")
 _NAMES = {"born": "birth date", "visit": "date of the visit"}
@@ -38,12 +38,12 @@ def read_day(key: str, text: str, today: date) -> str:
         raise InputError(
             "{text} is no date; write year, month and day, such as 1970-02-28.", text=text
         )
-    latest = today if key == "born" else today + _AHEAD
-    if not _EARLIEST <= day <= latest:
+    latest = today if key == "born" else today + LATEST_AHEAD
+    if not EARLIEST <= day <= latest:
         raise InputError(
             "{text} is not between {first} and {last}; check the year.",
             text=text,
-            first=_EARLIEST.isoformat(),
+            first=EARLIEST.isoformat(),
             last=latest.isoformat(),
         )
     return day.isoformat()

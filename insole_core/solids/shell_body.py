@@ -108,7 +108,13 @@ class BodyPlan:
             posts_mm=tuple(post[at] for post in self.posts_mm),
         )
 
-    def body(self, contact: HeightField, pitch_mm: float = PITCH_MM) -> Body:
+    def body(
+        self,
+        contact: HeightField,
+        pitch_mm: float = PITCH_MM,
+        *,
+        made_mm: FloatArray | None = None,
+    ) -> Body:
         """Return the body below a contact surface: tapered, posted, and nowhere too thin.
 
         The taper thins a flat insole from above and one with a following underside from below.
@@ -121,8 +127,10 @@ class BodyPlan:
             differs from that of the whole.
         pitch_mm
             As of `parallel_below`.
+        made_mm : (ny, nx) float64, optional
+            Heights of the `made_surface`, if they are known.
         """
-        top = made_heights_mm(contact, self.design, pitch_mm)
+        top = made_heights_mm(contact, self.design, pitch_mm) if made_mm is None else made_mm
         bottom = self._underside(contact, top, pitch_mm)
         shell = self.design.shell
         if shell is None:

@@ -165,7 +165,7 @@ def closed_insole(
     field = made.contact
     distance = _distance(made, polygon, options, float(field.heights_mm.max()))
     body_plan = BodyPlan.of(insole, polygon, distance)
-    body = body_plan.body(insole.contact)
+    body = body_plan.body(insole.contact, made_mm=field.heights_mm)
     top = body.top_mm - np.clip(options.chamfer_mm - distance.inside_mm, 0, None)
     top = np.maximum(top, body.bottom_mm + LEAST_WALL_MM)
     plan, tips = _plan(made, distance, options.chamfer_mm)
@@ -186,7 +186,7 @@ def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedIn
     )
     distance = _distance_within(made, polygon, reach)
     body_plan = BodyPlan.of(insole, polygon, distance)
-    body = body_plan.body(insole.contact)
+    body = body_plan.body(insole.contact, made_mm=field.heights_mm)
     plan, tips = _plan(made, distance, max(shell.edge_radius_mm, shell.chamfer_mm))
     at = tips[:, :2]
     top, bottom = (

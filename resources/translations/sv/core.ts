@@ -2952,8 +2952,16 @@
             <translation>{archive} skulle packas upp till {size_gb:.1f} GB i {files} filer, mycket mer än en session har; använd inte denna fil.</translation>
         </message>
         <message>
+            <source>{area_mm2:.0f} mm² at {place} cannot be reached from above, nor from below with the part turned over; {limit:g} are allowed.</source>
+            <translation>{area_mm2:.0f} mm² vid {place} kan inte nås uppifrån, och inte heller underifrån med detaljen vänd; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
             <source>{area_mm2:.0f} mm² cannot be reached from above at {place}; {limit:g} are allowed.</source>
             <translation>{area_mm2:.0f} mm² kan inte nås uppifrån vid {place}; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
+            <source>{area_mm2:.0f} mm² cannot be reached from above, nor from below with the part turned over; {limit:g} are allowed.</source>
+            <translation>{area_mm2:.0f} mm² kan inte nås uppifrån, och inte heller underifrån med detaljen vänd; {limit:g} är tillåtna.</translation>
         </message>
         <message>
             <source>{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.</source>

@@ -1,0 +1,285 @@
+"""The audit log: who saw, changed and exported what, in lines that can only be appended.
+
+Each line holds the SHA-256 of itself and of the line before it, and `audit_head` that of the last
+one. Whoever changes, removes or inserts a line breaks the chain from there on, unless they write
+all later lines again; the heads in backups and on statements tell that as well. The database
+refuses to change or delete lines (triggers of the migrations).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Final, TypeAlias
+
+from sqlalchemy import Connection, Row, insert, select, update
+
+from insole_core.messages import Message
+from insole_core.progress import SILENT, Progress
+from insole_core.records.author import Author
+from insole_core.records.database import Database
+from insole_core.records.schema import FIRST_HASH, audit, audit_head
+from insole_core.records.times import utc_now
+
+Detail: TypeAlias = str | int | float | bool | None
+LONGEST_DETAIL: Final = 200
+"""Details are numbers, ids, hashes and names of fields; a longer text is about a patient."""
+_WORD: Final = re.compile(r"[a-z][a-z_ ]{0,39}")
+_HEAD_ROW: Final = 1
+_BATCH: Final = 5000
+_COLUMNS: Final = (
+    audit.c.seq,
+    audit.c.at,
+    audit.c.author,
+    audit.c.station,
+    audit.c.action,
+    audit.c.subject_kind,
+    audit.c.subject_id,
+    audit.c.details,
+    audit.c.previous_hash,
+    audit.c.hash,
+)
+
+
+@dataclass(frozen=True)
+class AuditLine:
+    """One line of the log.
+
+    Parameters
+    ----------
+    seq
+        1, 2, 3, … without gaps.
+    at
+        UTC, by the clock of the station; the order is that of `seq`.
+    action, subject_kind, subject_id
+        What was done to what, such as "changed", "person", its id.
+    details
+        JSON object without personal data.
+    hash
+        Of all the above and of `previous_hash`, see `hash_of_line`.
+    """
+
+    seq: int
+    at: str
+    author: str
+    station: str
+    action: str
+    subject_kind: str
+    subject_id: str
+    details: str
+    previous_hash: str
+    hash: str
+
+
+@dataclass(frozen=True)
+class AuditReport:
+    """What a verification of the log found.
+
+    Parameters
+    ----------
+    lines
+        Number of lines that are intact, from the first one on.
+    head
+        Hash of the last intact line.
+    broken_line
+        `seq` of the first line that is not what was written, or is missing.
+    problem
+        What is wrong there, in one sentence.
+    """
+
+    lines: int
+    head: str
+    broken_line: int | None = None
+    problem: Message | None = None
+
+    @property
+    def is_intact(self) -> bool:
+        """Whether every line is what was written, and none is missing."""
+        return self.problem is None
+
+
+class AuditLog:
+    """The audit log of a record."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    @staticmethod
+    def append(
+        connection: Connection,
+        author: Author,
+        action: str,
+        subject_kind: str,
+        subject_id: str,
+        **details: Detail,
+    ) -> AuditLine:
+        """Write a line in the transaction of what it tells.
+
+        It locks the head of the log, so it comes last in a transaction: until its end, no other
+        line can be written.
+
+        Parameters
+        ----------
+        action, subject_kind
+            Words such as "signed" and "prescription".
+        details
+            Numbers, ids, hashes and names of fields; no personal data.
+
+        Raises
+        ------
+        ValueError
+            When a word or a detail is not such a one: an error of the program.
+        """
+        _check_words(action, subject_kind, subject_id, details)
+        seq, previous_hash = connection.execute(
+            select(audit_head.c.seq, audit_head.c.hash)
+            .where(audit_head.c.id == _HEAD_ROW)
+            .with_for_update()
+        ).one()
+        fields = (
+            seq + 1,
+            utc_now(),
+            author.name,
+            author.station,
+            action,
+            subject_kind,
+            subject_id,
+            json.dumps(details, sort_keys=True, separators=(",", ":"), allow_nan=False),
+            previous_hash,
+        )
+        line = AuditLine(*fields, hash=hash_of_line(fields))
+        connection.execute(insert(audit).values(vars(line)))
+        connection.execute(update(audit_head).values(seq=line.seq, hash=line.hash))
+        return line
+
+    def lines(
+        self, *, subject_id: str | None = None, before: int | None = None, limit: int = 100
+    ) -> list[AuditLine]:
+        """Return the latest lines, newest first.
+
+        Parameters
+        ----------
+        subject_id
+            Only lines about this person, visit, … .
+        before
+            Only lines with a smaller `seq`: the next page.
+        """
+        query = select(*_COLUMNS).order_by(audit.c.seq.desc()).limit(limit)
+        if subject_id is not None:
+            query = query.where(audit.c.subject_id == subject_id)
+        if before is not None:
+            query = query.where(audit.c.seq < before)
+        with self._database.reading() as connection:
+            return [AuditLine(**row._mapping) for row in connection.execute(query)]
+
+    def head(self) -> tuple[int, str]:
+        """Return number and hash of the last line; 0 and zeros of an empty log."""
+        with self._database.reading() as connection:
+            return head_of(connection)
+
+    def verify(
+        self, known: Mapping[int, str] | None = None, progress: Progress = SILENT
+    ) -> AuditReport:
+        """Read all lines and compare them with their hashes, in little memory.
+
+        Parameters
+        ----------
+        known
+            Hashes of lines by number, as backups keep them: who has written all lines again is
+            found by these.
+
+        Raises
+        ------
+        Cancelled
+        """
+        with self._database.reading() as connection:
+            return verify_chain(connection, known, progress)
+
+
+def head_of(connection: Connection) -> tuple[int, str]:
+    """Return number and hash of the last line, as `audit_head` states them."""
+    seq, head = connection.execute(select(audit_head.c.seq, audit_head.c.hash)).one()
+    return int(seq), str(head)
+
+
+def hash_of_line(fields: tuple[Any, ...]) -> str:
+    """Return the hash of a line: SHA-256 of a JSON array of its fields in ASCII.
+
+    Parameters
+    ----------
+    fields
+        seq, at, author, station, action, subject_kind, subject_id, details, previous_hash.
+    """
+    return hashlib.sha256(json.dumps(fields, separators=(",", ":")).encode("ascii")).hexdigest()
+
+
+def verify_chain(
+    connection: Connection,
+    known: Mapping[int, str] | None = None,
+    progress: Progress = SILENT,
+) -> AuditReport:
+    """Verify the log as a transaction sees it; see `AuditLog.verify`."""
+    known = known or {}
+    head_seq, head_hash = head_of(connection)
+    number, previous = 0, FIRST_HASH
+    for row in _rows(connection):
+        number += 1
+        if number % _BATCH == 0:
+            progress.step(min(number / max(head_seq, 1), 1), "Verifying the audit log")
+        problem = _problem_of(row, number, previous, known.get(number))
+        if problem is not None:
+            return AuditReport(number - 1, previous, number, problem)
+        previous = row.hash
+    last = max(head_seq, *known) if known else head_seq
+    if number != last:
+        problem = Message(
+            "The audit log ends with line {last}, but {count} lines were written; compare it with "
+            "a backup.",
+            last=number,
+            count=last,
+        )
+        return AuditReport(number, previous, min(number, last) + 1, problem)
+    if previous != head_hash:
+        problem = Message(
+            "Line {number} of the audit log is not the last one that was written; compare it with "
+            "a backup.",
+            number=number,
+        )
+        return AuditReport(number, previous, number, problem)
+    return AuditReport(number, previous)
+
+
+def _rows(connection: Connection) -> Iterator[Any]:
+    query = select(*_COLUMNS).order_by(audit.c.seq).execution_options(yield_per=_BATCH)
+    with connection.execute(query) as result:
+        yield from result
+
+
+def _problem_of(row: Row[Any], number: int, previous: str, known: str | None) -> Message | None:
+    """Return what is wrong with the line that should have this number."""
+    if row.seq != number:
+        return Message(
+            "Line {number} of the audit log is missing; compare it with a backup.", number=number
+        )
+    is_written = row.hash == hash_of_line(tuple(row[:-1])) and row.hash == (known or row.hash)
+    if row.previous_hash != previous or not is_written:
+        return Message(
+            "Line {number} of the audit log ({at}) is not what was written; compare it with a "
+            "backup.",
+            number=number,
+            at=str(row.at)[:40],
+        )
+    return None
+
+
+def _check_words(
+    action: str, subject_kind: str, subject_id: str, details: Mapping[str, Detail]
+) -> None:
+    if not (_WORD.fullmatch(action) and _WORD.fullmatch(subject_kind)):
+        raise ValueError(f"no words of the audit log: {action!r}, {subject_kind!r}")
+    texts = [value for value in (subject_id, *details.values()) if isinstance(value, str)]
+    if any(len(text) > LONGEST_DETAIL for text in texts):
+        raise ValueError(f"a detail of {action} {subject_kind} is too long for the audit log")

@@ -1,0 +1,58 @@
+"""What all parts of an open record share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from sqlalchemy import Connection, func, select, update
+
+from insole_core.records.audit import AuditLog, Detail
+from insole_core.records.author import Author
+from insole_core.records.content_store import ContentStore
+from insole_core.records.database import Database
+from insole_core.records.schema import audit_head, persons
+
+CHANNEL = "insole_studio_records"
+"""Where PostgreSQL tells the other stations of a change."""
+
+
+@dataclass(frozen=True)
+class RecordsContext:
+    """The database, the large files, and who works with them."""
+
+    database: Database
+    contents: ContentStore
+    author: Author
+
+    @contextmanager
+    def writing(self, person_id: str | None = None) -> Iterator[Connection]:
+        """Yield a connection for one transaction that concerns a person, whose row it locks.
+
+        Raises
+        ------
+        RecordsError
+            Whatever goes wrong; then nothing was written.
+        """
+        with self.database.writing() as connection:
+            if person_id is not None:
+                # Not the number of the line to come, but near enough for the order of recent ones:
+                # the head of the log is locked last.
+                coming = select(audit_head.c.seq + 1).scalar_subquery()
+                row = update(persons).where(persons.c.id == person_id)
+                connection.execute(row.values(last_seq=coming))
+            yield connection
+
+    def log(
+        self,
+        connection: Connection,
+        action: str,
+        subject_kind: str,
+        subject_id: str,
+        **details: Detail,
+    ) -> None:
+        """Write the audit line of a transaction, its last statement, and tell other stations."""
+        line = AuditLog.append(connection, self.author, action, subject_kind, subject_id, **details)
+        if not self.database.is_sqlite:
+            connection.execute(select(func.pg_notify(CHANNEL, str(line.seq))))

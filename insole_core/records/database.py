@@ -1,0 +1,170 @@
+"""Connections and transactions of the record, in SQLite and PostgreSQL."""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Final
+
+from sqlalchemy import Connection, create_engine, event, text
+from sqlalchemy.engine import Engine
+from sqlalchemy.exc import DBAPIError
+from sqlalchemy.pool import QueuePool
+
+from insole_core.errors import RecordsError
+from insole_core.records.database_errors import described
+from insole_core.records.place import RecordsPlace
+
+BUSY_S: Final = 10.0
+"""How long to wait for another writer."""
+MIGRATION_LOCK: Final = 1_502_600_001
+"""Key of the advisory lock that keeps writers and a migration of PostgreSQL apart."""
+_WRITES: Final = "insole_studio_writes"
+_SERVER_ARGUMENTS: Final[dict[str, Any]] = {
+    "connect_timeout": 10,
+    "application_name": "insole-studio",
+    # A server that has gone is noticed within half a minute, not within hours.
+    "keepalives_idle": 10,
+    "keepalives_interval": 5,
+    "keepalives_count": 3,
+    "tcp_user_timeout": 20_000,
+    "options": f"-c synchronous_commit=on -c lock_timeout={BUSY_S * 1000:.0f}",
+}
+
+
+class Database:
+    """A database whose transactions are durable, and whose errors are sentences.
+
+    Parameters
+    ----------
+    read_only
+        Refuse all writing; a local file is opened so that nothing of it changes.
+    """
+
+    def __init__(self, place: RecordsPlace, *, read_only: bool = False) -> None:
+        self.place = place
+        self.is_read_only = read_only
+        self.schema: str | None = None
+        """Revision of the schema that this program writes; None does not check it."""
+        self.engine = _engine(place, read_only)
+
+    @property
+    def is_sqlite(self) -> bool:
+        """Whether the database is a file of this computer."""
+        return self.place.is_local
+
+    @contextmanager
+    def reading(self) -> Iterator[Connection]:
+        """Yield a connection whose statements all see the same moment.
+
+        Raises
+        ------
+        RecordsError
+            Whatever goes wrong in the database, as a sentence.
+        """
+        options: dict[str, Any] = {}
+        if not self.is_sqlite:
+            options = {"isolation_level": "REPEATABLE READ", "postgresql_readonly": True}
+        with self._transaction(**options) as connection:
+            yield connection
+
+    @contextmanager
+    def writing(self) -> Iterator[Connection]:
+        """Yield a connection for one transaction; when the block ends, it is on the disk.
+
+        Rows are locked in a fixed order, so that writers wait for each other and never in a ring:
+        person, visit, prescription, order, and the head of the audit log last.
+
+        Raises
+        ------
+        RecordsError
+            Whatever goes wrong in the database, as a sentence; then nothing was written.
+        """
+        if self.is_read_only:
+            raise RecordsError(
+                "The record is open for reading only, so nothing can be changed; restore it from "
+                "a backup, or ask for the right to write to {place}.",
+                place=self.place.name,
+            )
+        with self._transaction(**{_WRITES: True}) as connection:
+            self._check_schema(connection)
+            yield connection
+
+    def close(self) -> None:
+        """Close all connections."""
+        self.engine.dispose()
+
+    def _check_schema(self, connection: Connection) -> None:
+        """Refuse to write where a newer program has changed the tables meanwhile."""
+        if self.schema is None:
+            return
+        if not self.is_sqlite:
+            connection.execute(text(f"SELECT pg_advisory_xact_lock_shared({MIGRATION_LOCK})"))
+        found = connection.execute(text("SELECT version_num FROM alembic_version")).scalar()
+        if found != self.schema:
+            raise RecordsError(
+                "A newer Insole Studio has changed {place} meanwhile; install the newest version "
+                "on this computer, too.",
+                place=self.place.name,
+            )
+
+    @contextmanager
+    def _transaction(self, **options: Any) -> Iterator[Connection]:
+        try:
+            with self.engine.connect() as connection:
+                connection.execution_options(**options)
+                with connection.begin():
+                    yield connection
+        except DBAPIError as error:
+            raise described(self.place, error) from error
+
+
+def _engine(place: RecordsPlace, read_only: bool) -> Engine:
+    if not place.is_local:
+        return create_engine(place.url, pool_pre_ping=True, connect_args=_SERVER_ARGUMENTS)
+    engine = create_engine(
+        "sqlite+pysqlite://",
+        creator=lambda: _connect_file(place.database_file, read_only),
+        poolclass=QueuePool,
+    )
+    event.listen(engine, "begin", _begin)
+    return engine
+
+
+def _connect_file(path: Path, read_only: bool) -> sqlite3.Connection:
+    """Open a database that exists; SQLAlchemy begins its transactions."""
+    connection = sqlite3.connect(
+        f"{path.resolve().as_uri()}?{_mode(path, read_only)}",
+        uri=True,
+        timeout=BUSY_S,
+        isolation_level=None,
+        check_same_thread=False,
+    )
+    try:
+        connection.execute("PRAGMA foreign_keys = ON")
+        if read_only:
+            connection.execute("PRAGMA query_only = ON")
+        else:
+            connection.execute("PRAGMA journal_mode = WAL")
+            # Every commit is synced: WAL with NORMAL may lose the last ones with the power.
+            connection.execute("PRAGMA synchronous = FULL")
+    except BaseException:
+        connection.close()
+        raise
+    return connection
+
+
+def _mode(path: Path, read_only: bool) -> str:
+    if not read_only:
+        return "mode=rw"
+    if os.access(path.parent, os.W_OK):
+        return "mode=ro"
+    return "mode=ro&immutable=1"  # the files that readers share cannot be made there
+
+
+def _begin(connection: Connection) -> None:
+    is_write = connection.get_execution_options().get(_WRITES, False)
+    connection.exec_driver_sql("BEGIN IMMEDIATE" if is_write else "BEGIN")

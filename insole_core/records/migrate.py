@@ -1,0 +1,75 @@
+"""Bring a database to the tables that this program writes."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from sqlalchemy import Connection, inspect, text
+
+from insole_core.errors import RecordsError
+from insole_core.records.database import MIGRATION_LOCK, Database
+
+SCHEMA: Final = "0001"
+"""The newest revision in `migrations/versions`; revisions are numbered."""
+_TABLE: Final = "alembic_version"
+
+
+def schema_of(connection: Connection) -> str | None:
+    """Return the revision of a database; None where it has no tables yet."""
+    if not inspect(connection).has_table(_TABLE):
+        return None
+    found: str | None = connection.execute(text(f"SELECT version_num FROM {_TABLE}")).scalar()
+    return found
+
+
+def check_schema(found: str | None, name: str) -> None:
+    """Raise a `RecordsError` if a database comes from a newer program."""
+    if found is not None and found > SCHEMA:
+        raise RecordsError(
+            "{place} was made by a newer Insole Studio (tables {found}; this program knows them up "
+            "to {newest}); install the newest version.",
+            place=name,
+            found=found,
+            newest=SCHEMA,
+        )
+
+
+def migrate(database: Database) -> bool:
+    """Make the tables of an empty database, or change those of an older one.
+
+    All is one transaction: an interrupted migration leaves the database as it was, and the next
+    start makes it anew. Of two programs that start at once, one migrates, and the other waits.
+
+    Returns
+    -------
+    bool
+        Whether anything was changed.
+
+    Raises
+    ------
+    RecordsError
+        When the database is newer than this program, or cannot be changed.
+    """
+    with database.reading() as connection:
+        found = schema_of(connection)
+    check_schema(found, database.place.name)
+    if found == SCHEMA:
+        return False
+    with database.writing() as connection:
+        if not database.is_sqlite:
+            connection.execute(text(f"SELECT pg_advisory_xact_lock({MIGRATION_LOCK})"))
+        found = schema_of(connection)
+        check_schema(found, database.place.name)
+        _upgrade(connection)
+    return found != SCHEMA
+
+
+def _upgrade(connection: Connection) -> None:
+    # Alembic takes half a second to load, and most starts find nothing to migrate.
+    from alembic import command
+    from alembic.config import Config
+
+    config = Config()
+    config.set_main_option("script_location", "insole_core.records:migrations")
+    config.attributes["connection"] = connection
+    command.upgrade(config, SCHEMA)
