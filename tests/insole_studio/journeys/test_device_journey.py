@@ -220,6 +220,9 @@ def test_posts_weight_and_thickness_of_a_shell(
     QTest.mouseClick(take, LEFT)
     settle()
     assert design(opened).thickness_mm == 4.8
+    for wrong in ("3", "400"):
+        type_number(opened, "shell.body_weight_kg", wrong)
+        assert shell(opened).body_weight_kg == 100.0, "what was known is kept"
     type_number(opened, "shell.body_weight_kg", "0")
     assert shell(opened).body_weight_kg is None
     assert opened.stage.preview.problem == ""

@@ -18,6 +18,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.outline.shoe_outline import heel_lift_mm, shoe_outline
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.surface.rocker import rocker_line
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
@@ -45,6 +46,7 @@ from insole_studio.features.design.tools.editable_pads import selected_pelott, s
 from insole_studio.features.design.tools.key_point_tool import confidence, point_text, shown_points
 from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearance
 from insole_studio.features.design.tools.outline_tool import curve_of
+from insole_studio.features.design.tools.rocker_line import selected_rocker
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring, on_display
@@ -323,6 +325,9 @@ class ModelPresenter:
                 lines[False].append(self._outline(pad))
         if selected is not None and selected.enabled:
             lines[True].append(self._outline(selected))
+        rocker, foot = selected_rocker(self._case), self._case.foot
+        if rocker is not None and foot is not None and self._tool_controller.tool.key == "orbit":
+            lines[True].append(self.places(_between(*rocker_line(foot, rocker))))
         if self._tool_controller.tool.key in ("outline", "rim"):
             lines[True] = [self._insole_outline()]
         return lines[False], lines[True]
@@ -620,6 +625,11 @@ class InsolePresenter(ModelPresenter):
         else:
             self.panel.show_empty(tr("The insole is being built…"), {})
         self.panel.show_list(tr("Go on with"), self._recent if is_start else ())
+
+
+def _between(start: FloatArray, end: FloatArray) -> FloatArray:
+    """Return points (n, 2) on the way from one to the other."""
+    return np.asarray(np.linspace(start, end, OUTLINE_POINTS // OUTLINE_STRIDE))
 
 
 def _listed(path: Path) -> ListedRow:

@@ -165,6 +165,7 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
         tip=tr("From {least} kg on, a thickness is proposed; 0 if unknown").format(
             least=localised(least, "g")
         ),
+        least_known=least,
     )
     known = read_materials().names
     names = known if shell.material in known else (*known, shell.material)
@@ -220,9 +221,7 @@ def with_shell_value(design: InsoleDesign, name: str, value: float | str) -> Ins
     if name == "material":
         return replace(design, shell=replace(shell, material=str(value)))
     if name == "body_weight_kg":
-        least = SHELL_RANGES["body_weight_kg"].least
-        weight = float(value) if float(value) >= least else None
-        return replace(design, shell=replace(shell, body_weight_kg=weight))
+        return replace(design, shell=replace(shell, body_weight_kg=float(value) or None))
     return replace(design, shell=with_value(shell, name, value, design.side))
 
 
