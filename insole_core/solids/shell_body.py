@@ -23,8 +23,9 @@ from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
-_FILLET_MM = 2.0
-"""Difference of height within which the wall of a post is rounded into the shell above it."""
+_FILLET_MM = (0.5, 8.0)
+"""Difference of height within which the wall of a post is rounded into the shell above it, least
+and greatest: as much as the shell is above the ground, so that the post's sole does not grow."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,7 +139,8 @@ class BodyPlan:
         top, bottom = self._tapered(shell, top, bottom)
         for post in self.posts_mm:
             over_post = bottom - self.ground_mm - post
-            bottom = np.maximum(bottom - smooth_hinge(over_post, _FILLET_MM), self.ground_mm)
+            fillet = np.clip(bottom - self.ground_mm, *_FILLET_MM)
+            bottom = np.maximum(bottom - smooth_hinge(over_post, fillet), self.ground_mm)
         return Body(np.maximum(top, bottom + _least_mm(shell, self.taper)), bottom)
 
     def _underside(self, contact: HeightField, top_mm: FloatArray, pitch_mm: float) -> FloatArray:

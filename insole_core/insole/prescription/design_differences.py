@@ -40,7 +40,7 @@ LABELS: dict[str, str] = {
     "points_mm": "Drawn outline",
     "cover_mm": "Cover",
     "cover_is_taken_off": "Cover glued on later",
-    "shell_mm": "Shell layer",
+    "shell_mm": "Middle layer",
     "base_mm": "Base layer",
     "cup_mm": "Heel cup",
     "medial_flange_mm": "Medial flange",
