@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -62,38 +62,44 @@ SECTION_POINTS = 192
 _NOTHING = (object(),) * 8
 
 
+@dataclass(frozen=True, eq=False)
+class ShownModels:
+    """What the 3-D panels show, and what a pointer in them acts on."""
+
+    case: Case
+    surface: InsolePreview
+    section: SectionModel
+    tool_controller: ToolController
+    counterpart: SideBySide
+
+
 class ModelPresenter:
     """Keeps one panel in step with case, preview and tool; passes pointer events to the tool."""
 
     subject: Subject
 
-    def __init__(
-        self,
-        panel: ModelPanel,
-        *,
-        case: Case,
-        surface: InsolePreview,
-        section: SectionModel,
-        tool_controller: ToolController,
-        counterpart: SideBySide,
-    ) -> None:
+    def __init__(self, panel: ModelPanel, shown: ShownModels) -> None:
         self.panel = panel
-        self._counterpart = counterpart
-        self._case = case
-        self._surface = surface
-        self._section = section
-        self._tool_controller = tool_controller
+        self._counterpart = shown.counterpart
+        self._case = shown.case
+        self._surface = shown.surface
+        self._section = shown.section
+        self._tool_controller = shown.tool_controller
         self._marked: tuple[object, ...] = _NOTHING
         """State for which the marks were last drawn; several signals may report one change."""
+        self._follow(shown)
+
+    def _follow(self, shown: ShownModels) -> None:
+        """Show what changes, when it changes."""
+        case, tools = shown.case, shown.tool_controller
         case.foot_changed.connect(self.show_all)
-        case.changed.connect(self.show_marks)
-        case.preview_changed.connect(self.show_marks)
-        case.selection_changed.connect(self.show_marks)
-        tool_controller.tool_changed.connect(self.show_marks)
-        surface.changed.connect(self.show_surface)
-        section.changed.connect(self._show_section)
-        tool_controller.gesture_ended.connect(self.rest)
-        counterpart.changed.connect(self.show_counterpart)
+        for signal in (case.changed, case.preview_changed, case.selection_changed):
+            signal.connect(self.show_marks)
+        tools.tool_changed.connect(self.show_marks)
+        shown.surface.changed.connect(self.show_surface)
+        shown.section.changed.connect(self._show_section)
+        tools.gesture_ended.connect(self.rest)
+        shown.counterpart.changed.connect(self.show_counterpart)
 
     @property
     def side(self) -> Side:
@@ -353,25 +359,8 @@ class FootPresenter(ModelPresenter):
     _ghost = False
     """Whether the insole is shown translucently below the foot."""
 
-    def __init__(
-        self,
-        panel: ModelPanel,
-        *,
-        case: Case,
-        surface: InsolePreview,
-        section: SectionModel,
-        tool_controller: ToolController,
-        counterpart: SideBySide,
-        display: FootDisplay,
-    ) -> None:
-        super().__init__(
-            panel,
-            case=case,
-            surface=surface,
-            section=section,
-            tool_controller=tool_controller,
-            counterpart=counterpart,
-        )
+    def __init__(self, panel: ModelPanel, shown: ShownModels, display: FootDisplay) -> None:
+        super().__init__(panel, shown)
         self._display = display
         display.changed.connect(self._show_evened)
 
@@ -471,24 +460,8 @@ class InsolePresenter(ModelPresenter):
 
     subject = Subject.INSOLE
 
-    def __init__(
-        self,
-        panel: ModelPanel,
-        *,
-        case: Case,
-        surface: InsolePreview,
-        section: SectionModel,
-        tool_controller: ToolController,
-        counterpart: SideBySide,
-    ) -> None:
-        super().__init__(
-            panel,
-            case=case,
-            surface=surface,
-            section=section,
-            tool_controller=tool_controller,
-            counterpart=counterpart,
-        )
+    def __init__(self, panel: ModelPanel, shown: ShownModels) -> None:
+        super().__init__(panel, shown)
         self._map = MapKind.NONE
         self._contours = True
         self._shoe = False
@@ -496,7 +469,7 @@ class InsolePresenter(ModelPresenter):
         """What the shown outline of a shoe was made of."""
         self._recent: list[ListedRow] = []
         self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
-        surface.failed.connect(self.panel.show_warning)
+        shown.surface.failed.connect(self.panel.show_warning)
 
     @property
     def mesh(self) -> TriangleMesh | None:
