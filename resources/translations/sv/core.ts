@@ -1136,6 +1136,14 @@
             <translation>Typsnittet har inga av bokstäverna i ”{text}”; skriv märkningen med andra tecken, till exempel ett nummer.</translation>
         </message>
         <message>
+            <source>The foot is not level: the ball lies {higher_mm:.0f} mm higher than the heel ({angle:g}°), and the insole is as much thicker below it; turn the foot toes down by {angle:g}°, or scan it again with heel and ball on one level.</source>
+            <translation>Foten ligger inte plant: trampdynan ligger {higher_mm:.0f} mm högre än hälen ({angle:g}°), och inlägget är lika mycket tjockare under den; vrid foten {angle:g}° med tårna nedåt, eller skanna den igen med häl och trampdyna i samma nivå.</translation>
+        </message>
+        <message>
+            <source>The foot is not level: the heel lies {higher_mm:.0f} mm higher than the ball ({angle:g}°), and the insole is as much thicker below it; turn the foot toes up by {angle:g}°, or scan it again with heel and ball on one level.</source>
+            <translation>Foten ligger inte plant: hälen ligger {higher_mm:.0f} mm högre än trampdynan ({angle:g}°), och inlägget är lika mycket tjockare under den; vrid foten {angle:g}° med tårna uppåt, eller skanna den igen med häl och trampdyna i samma nivå.</translation>
+        </message>
+        <message>
             <source>The foot is ready</source>
             <translation>Foten är klar</translation>
         </message>
