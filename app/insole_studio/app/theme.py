@@ -113,7 +113,7 @@ def _style_sheet(colors: Colors) -> str:
     QTableView#rows QHeaderView {{ background: {colors.base}; }}
     QTableView#rows QHeaderView::section {{ background: {colors.base}; color: {colors.quiet};
                             border: none; border-bottom: 1px solid {colors.line};
-                            padding: 4px 8px; }}
+                            padding: 4px 11px; }}
     QTableView#rows::item {{ padding: 4px 8px; }}
     QTableView#rows:focus {{ border: 2px solid {colors.accent}; }}
     QLabel#quiet {{ color: {colors.quiet}; }}
