@@ -13,6 +13,8 @@ from stations import ANNA, Stations
 
 from insole_core.cases.case_record import FootRecord, ScanSource
 from insole_core.foot.foot import Foot
+from insole_core.records.database import Database
+from insole_core.records.migrate import SCHEMA
 from insole_core.records.open import open_records
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
 from insole_core.records.records import Records
@@ -44,6 +46,15 @@ def local_place(tmp_path: Path, migrated_file: Path) -> RecordsPlace:
     folder.mkdir()
     shutil.copyfile(migrated_file, folder / DATABASE_FILE)
     return RecordsPlace.local(folder)
+
+
+@pytest.fixture
+def database(local_place: RecordsPlace) -> Iterator[Database]:
+    """The database of an empty record of one computer."""
+    database = Database(local_place)
+    database.schema = SCHEMA
+    yield database
+    database.close()
 
 
 @pytest.fixture
