@@ -34,6 +34,11 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     (
         lambda: tr("&Case"),
         (
+            "patients",
+            "new_patient",
+            "new_visit",
+            "new_visit_same",
+            SEPARATOR,
             "new_case",
             "capture",
             "open",
@@ -106,6 +111,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
         (
             "choose_device",
             "toggle_as_scanned",
+            "edit_materials",
             SEPARATOR,
             "add_posting",
             "add_forefoot_twist",

@@ -34,9 +34,10 @@ from insole_core.insole.prescription.design import (
 )
 from insole_core.insole.prescription.design_warning import DesignWarning
 from insole_core.insole.prescription.finish_warnings import finish_warnings
-from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.prescription.materials import MaterialTable, read_materials
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
+from insole_core.insole.prescription.scan_warnings import scan_warnings
 from insole_core.insole.prescription.shell_warnings import shell_warnings
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm, rockers
@@ -134,21 +135,30 @@ def _least(limit: str) -> float:
 
 
 def design_warnings(
-    insole: Insole, landmarks: Landmarks, rules: ClinicRules
+    insole: Insole,
+    landmarks: Landmarks,
+    rules: ClinicRules,
+    materials: MaterialTable | None = None,
 ) -> tuple[DesignWarning, ...]:
     """Check an insole against the clinic's rules.
+
+    Parameters
+    ----------
+    materials
+        By default those of the product.
 
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, grid, finish, arch, pads, and shell; at most
-        one about landmarks.
+        Landmarks first, then the foot's pose, posting, heel, height, grid, finish, arch, pads, and
+        shell; at most one about landmarks.
     """
-    design = insole.design
+    design, table = insole.design, materials or read_materials()
     pads = [c for c in design.active if isinstance(c, Pelott)]
     arches = [c for c in design.active if isinstance(c, ArchRaise)]
     return (
         *islice(_of_landmarks(design.side, landmarks), 1),  # the first explains the others
+        *scan_warnings(insole),
         *_of_posting(design, rules),
         *_of_heel(design, rules),
         *_of_height(insole, rules),
@@ -158,7 +168,7 @@ def design_warnings(
         *_of_rocker(insole),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
-        *(() if design.shell is None else shell_warnings(insole, landmarks, read_materials())),
+        *(() if design.shell is None else shell_warnings(insole, landmarks, table)),
     )
 
 
