@@ -19,6 +19,8 @@ from insole_core.export.three_mf import ThreeMfPart
 from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rigid
 from insole_core.insole.prescription.prescription_lines import make_facts, plain_number
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import (
@@ -75,7 +77,7 @@ class ExportJob:
     responsible
         Who prescribes and who makes, for the prescription.
     block
-        In which a pair is nested; None for parts that lie as they were designed.
+        In which a pair is nested; None for parts that lie as they were designed, on z = 0.
     override
         Of blocking rules.
     ascii_stl
@@ -98,7 +100,7 @@ class ExportJob:
         return self.block is not None and len(self.parts) == 2
 
     def placed(self) -> tuple[PlacedPart, ...]:
-        """Return the parts where they lie in the file.
+        """Return the parts where they lie in the file: the lowest place of each at z = 0.
 
         Raises
         ------
@@ -106,7 +108,7 @@ class ExportJob:
             If a pair does not fit the block.
         """
         if self.block is None or len(self.parts) != 2:
-            return tuple(PlacedPart(part, np.eye(4)) for part in self.parts)
+            return tuple(PlacedPart(part, standing(part.solid)) for part in self.parts)
         nest = nest_parts(*self.parts, self.block.size_mm)
         return tuple(map(PlacedPart, self.parts, nest.insole2block))
 
@@ -118,7 +120,8 @@ class PlacedPart:
     Parameters
     ----------
     insole2file : (4, 4) float64, mm
-        The identity for a part that lies as it was designed.
+        Along z alone for a part that lies as it was designed: a short or tapered shell has its
+        lowest place over the bottom plane of the insole frame, raised letters have theirs below.
     """
 
     part: Part
@@ -148,6 +151,11 @@ class PlacedPart:
     def heights(self) -> HeightMap:
         """Return the solid seen from above, in the frame of the file."""
         return survey_heights(self.part.solid.transformed(self.insole2file))
+
+
+def standing(solid: TriangleMesh) -> FloatArray:
+    """Return the transform (4, 4), mm, that lets a solid stand on z = 0."""
+    return rigid(np.eye(3), np.array([0.0, 0.0, -solid.bounds_mm[0, 2]]))
 
 
 def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
@@ -263,7 +271,7 @@ def _job_sheet(
     from insole_core.export.paper import JobSheet, section_along
 
     part = placed.part
-    heights = survey_heights(part.solid)
+    upright = replace(placed, insole2file=standing(part.solid)).heights()
     return JobSheet(
         identification={
             **job.identification,
@@ -275,7 +283,7 @@ def _job_sheet(
         measures=_measures(part),
         make=_make(job, part),
         sections=tuple(
-            section_along(heights.top_mm, heights.bottom_mm, 1.0, share=share, across=across)
+            section_along(upright.top_mm, upright.bottom_mm, 1.0, share=share, across=across)
             for share, across in _SECTIONS
         ),
         checks=tuple(f"{'✓' if f.passed else '✗'} {f.sentence}" for f in placed.findings)
@@ -283,7 +291,7 @@ def _job_sheet(
         + _released(job, part),
         file=beside.solid,
         file_name=places.solid.name,
-        height_map=placed.heights() if job.is_nested else heights,
+        height_map=placed.heights() if job.is_nested else upright,
         failed_mm=placed.failed_mm,
         is_nested=job.is_nested,
     )

@@ -18,7 +18,7 @@ _ROUNDING_MM = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Nest:
-    """Solids in one block; the block's corner is the origin, its length along y.
+    """Solids in one block, standing on z = 0; its corner is the origin, its length along y.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ def _side_by_side(
     placed = []
     for mesh, a2b in ((left, np.eye(4)), (right, turn)):
         low = mesh.transformed(a2b).bounds_mm[0]
-        placed.append(rigid(np.eye(3), margin_mm - low * [1, 1, 0] - [0, 0, margin_mm]) @ a2b)
+        placed.append(rigid(np.eye(3), margin_mm * np.array([1.0, 1.0, 0.0]) - low) @ a2b)
     apart = _shift(left.transformed(placed[0]), right.transformed(placed[1]), gap_mm)
     placed[1] = rigid(np.eye(3), np.array([apart, 0, 0])) @ placed[1]
     meshes = (left.transformed(placed[0]), right.transformed(placed[1]))

@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.materials import Material, read_materials
+from insole_core.insole.prescription.materials import material_of
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.surface.blending import smooth_hinge, smooth_step
 from insole_core.insole.surface.height_field import HeightField
@@ -23,8 +23,9 @@ from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
-_FILLET_MM = 2.0
-"""Difference of height within which the wall of a post is rounded into the shell above it."""
+_FILLET_MM = (0.5, 8.0)
+"""Difference of height within which the wall of a post is rounded into the shell above it, least
+and greatest: as much as the shell is above the ground, so that the post's sole does not grow."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,18 +51,23 @@ def made_surface(insole: Insole) -> HeightField:
     return replace(insole.contact, heights_mm=lowered)
 
 
-def plain_underside(insole: Insole) -> FloatArray:
+def plain_underside(insole: Insole, made: HeightField) -> FloatArray:
     """Return the underside before taper and posts, (ny, nx), mm: flat, or parallel to the top.
 
     For a shoe with a heel a flat one has the shape of its last. A rocker eases it at the forefoot.
+
+    Parameters
+    ----------
+    made
+        The `made_surface` of the insole.
     """
     whole, design = _unrocked_underside(insole), insole.design
     if not rockers(design):
         return whole
     rise = rocker_heights_mm(design, insole.foot, insole.contact)
     shell = design.shell
-    needed_mm = 0.0 if shell is None else max(_material(shell).least_mm - LEAST_LEFT_MM, 0.0)
-    return eased(whole, made_surface(insole).heights_mm - needed_mm, rise)
+    needed_mm = 0.0 if shell is None else max(material_of(shell).least_mm - LEAST_LEFT_MM, 0.0)
+    return eased(whole, made.heights_mm - needed_mm, rise)
 
 
 def _unrocked_underside(insole: Insole) -> FloatArray:
@@ -77,7 +83,7 @@ def _thickness_mm(design: InsoleDesign) -> float:
     """Return the thickness of what is made: at least that which the material needs."""
     if design.shell is None:
         return design.made_thickness_mm
-    least_mm = _material(design.shell).least_mm + _LOSS * design.grid_mm
+    least_mm = material_of(design.shell).least_mm + _LOSS * design.grid_mm
     return max(design.made_thickness_mm, least_mm)
 
 
@@ -103,10 +109,10 @@ def shell_body(
         The distance to it.
     """
     field, design, length_mm = insole.contact, insole.design, insole.foot.length_mm
-    top, bottom = made.heights_mm, plain_underside(insole)
+    top, bottom = made.heights_mm, plain_underside(insole, made)
     behind = behind_front_mm(outline, field)
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
-    front_mm = max(shell.taper_mm, _material(shell).least_edge_mm)
+    front_mm = max(shell.taper_mm, material_of(shell).least_edge_mm)
     ground = last_heights_mm(design, field.y_mm, length_mm)[:, None]
     if design.bottom == "flat":
         top = np.where(share < 1, bottom + front_mm + (top - bottom - front_mm) * share, top)
@@ -120,7 +126,8 @@ def shell_body(
         heel = field.y_mm[:, None] - outline[:, 1].min()
         plan = PostPlan(edge.inside_mm, heel, front)
         over_post = bottom - ground - post_underside(post, plan, length_mm)
-        bottom = np.maximum(bottom - smooth_hinge(over_post, _FILLET_MM), ground)
+        fillet = np.clip(bottom - ground, *_FILLET_MM)
+        bottom = np.maximum(bottom - smooth_hinge(over_post, fillet), ground)
     return Body(np.maximum(top, bottom + _least_mm(shell, share)), bottom)
 
 
@@ -130,7 +137,7 @@ def least_thickness(insole: Insole, shell: Shell) -> HeightField:
     It is that of the thinnest place which a normal of this length can lead to.
     """
     field, outline = insole.contact, outline_of(insole)
-    behind = behind_front_mm(outline, field) - _material(shell).least_mm
+    behind = behind_front_mm(outline, field) - material_of(shell).least_mm
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
     return replace(field, heights_mm=_least_mm(shell, share))
 
@@ -147,13 +154,9 @@ def taper_length_mm(shell: Shell, outline: FloatArray) -> float:
     return min(shell.taper_length_mm, LONGEST_TAPER * float(np.ptp(outline[:, 1])))
 
 
-def _material(shell: Shell) -> Material:
-    return read_materials().material(shell.material)
-
-
 def _least_mm(shell: Shell, share: FloatArray) -> FloatArray:
     """Return the least thickness where a share of the taper from the front edge is reached."""
-    material = _material(shell)
+    material = material_of(shell)
     return material.least_edge_mm + (material.least_mm - material.least_edge_mm) * share
 
 

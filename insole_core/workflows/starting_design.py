@@ -8,8 +8,10 @@ from pathlib import Path
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
+from insole_core.insole.prescription.materials import MaterialTable, with_least_thickness
 from insole_core.messages import Message
 from insole_core.workflows.clinic_devices import clinic_devices, default_device
+from insole_core.workflows.clinic_materials import ClinicMaterials
 from insole_core.workflows.default_device import DefaultDevice
 
 
@@ -19,16 +21,20 @@ class StartingDevice:
 
     Parameters
     ----------
+    materials
+        The clinic's table.
     problem
         Why it is not the clinic's choice, a sentence; None if it is.
     """
 
     device: Device
+    materials: MaterialTable
     problem: Message | None = None
 
     def design(self, side: Side) -> InsoleDesign:
         """Return a new design for a foot."""
-        return apply_device(self.device, InsoleDesign(side))
+        design = apply_device(self.device, InsoleDesign(side))
+        return with_least_thickness(design, self.materials)
 
 
 def starting_device(folder: Path) -> StartingDevice:
@@ -40,4 +46,5 @@ def starting_device(folder: Path) -> StartingDevice:
         Of the clinic's settings.
     """
     devices = clinic_devices(folder).load().items
-    return StartingDevice(*default_device(devices, DefaultDevice(folder).load()))
+    device, problem = default_device(devices, DefaultDevice(folder).load())
+    return StartingDevice(device, ClinicMaterials(folder).load()[0], problem)

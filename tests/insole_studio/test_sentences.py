@@ -6,6 +6,7 @@ import ast
 import builtins
 import string
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
@@ -31,7 +32,7 @@ from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms
-from insole_core.workflows.findings import ClinicFindings
+from insole_core.workflows.clinic_findings import ClinicFindings
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.features.design.parameters.device_fields import shell_group
 from insole_studio.features.design.rows import ChoiceSpec
@@ -63,11 +64,14 @@ STOCK = {block.name for block in SHOP.blocks} | set(SHOP.materials)
 NOWHERE = Path("/nowhere")
 DEVICES = clinic_devices(NOWHERE).load().items.values()
 FORMS = clinic_forms(NOWHERE).load().items.values()
-FINDINGS = ClinicFindings(NOWHERE / "findings.json").load()
-LIBRARY = {item.name for item in (*DEVICES, *FORMS, *FINDINGS)} | {f.advice for f in FINDINGS}
-"""What the devices, forms and findings of the product are called, and advise."""
-
-MATERIALS = set(read_materials().names)
+FINDINGS = ClinicFindings(NOWHERE).load().items.values()
+LIBRARY = (
+    {text for item in (*DEVICES, *FORMS, *FINDINGS) for text in (item.name, item.source)}
+    | {word for item in (*DEVICES, *FINDINGS) for word in item.keywords}
+    | {finding.advice for finding in FINDINGS}
+)
+"""What the devices, forms and findings of the product are called and advise, and come from."""
+MATERIALS = {text for m in read_materials().materials for text in (m.name, m.source)}
 
 
 def speaking_files() -> list[Path]:
@@ -78,12 +82,18 @@ def speaking_files() -> list[Path]:
     ]
 
 
-TREES = {path: ast.parse(path.read_text("utf-8")) for path in speaking_files()}
+@cache
+def trees() -> dict[Path, ast.Module]:
+    """Parse all of them, once."""
+    return {path: ast.parse(path.read_text("utf-8")) for path in speaking_files()}
 
 
+@cache
 def names_of_errors() -> set[str]:
     """Name `InsoleError` and all classes that come of it."""
-    classes = [n for tree in TREES.values() for n in ast.walk(tree) if isinstance(n, ast.ClassDef)]
+    classes = [
+        n for tree in trees().values() for n in ast.walk(tree) if isinstance(n, ast.ClassDef)
+    ]
     found = {"InsoleError"}
     while more := {c.name for c in classes if found & bases(c)} - found:
         found |= more
@@ -92,9 +102,6 @@ def names_of_errors() -> set[str]:
 
 def bases(node: ast.ClassDef) -> set[str]:
     return {base.id for base in node.bases if isinstance(base, ast.Name)}
-
-
-ERRORS = names_of_errors()
 
 
 class Said(NamedTuple):
@@ -114,18 +121,20 @@ class Said(NamedTuple):
         return None
 
 
-def said() -> Iterator[Said]:
-    for path, tree in TREES.items():
-        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
-            name = getattr(call.func, "id", getattr(call.func, "attr", ""))
-            place = 1 if name in ("step", "fail") else 0
-            if name in {"step", "fail", "Message", *ERRORS} and len(call.args) > place:
-                keys = {key.arg for key in call.keywords}
-                where = f"{path.name}:{call.lineno}"
-                yield Said(where, call.args[place], {k for k in keys if k}, None in keys)
+@cache
+def all_said() -> tuple[Said, ...]:
+    return tuple(said for path, tree in trees().items() for said in said_in(path, tree))
 
 
-SAID = list(said())
+def said_in(path: Path, tree: ast.Module) -> Iterator[Said]:
+    speaking = {"step", "fail", "Message", *names_of_errors()}
+    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+        name = getattr(call.func, "id", getattr(call.func, "attr", ""))
+        place = 1 if name in ("step", "fail") else 0
+        if name in speaking and len(call.args) > place:
+            keys = {key.arg for key in call.keywords}
+            where = f"{path.name}:{call.lineno}"
+            yield Said(where, call.args[place], {k for k in keys if k}, None in keys)
 
 
 def holes(template: str) -> set[str]:
@@ -142,7 +151,7 @@ def is_finished(node: ast.expr) -> bool:
 
 def texts_of(path: Path) -> Iterator[ast.Constant | ast.JoinedStr]:
     """Find the texts of a file that are no documentation, f-strings as one."""
-    tree = TREES[path]
+    tree = trees()[path]
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     silent |= {id(part) for part in parts_of_f_strings(tree)} | {
         id(text) for text in told_to_programmers(tree)
@@ -180,48 +189,52 @@ def sentence_of(node: ast.Constant | ast.JoinedStr) -> str:
 
 def in_prose() -> list[Path]:
     papers = {CORE / name for name in PAPERS}
-    acquisition = [path for path in TREES if STUDIO / "acquisition" in path.parents]
-    return [path for path in TREES if CORE in path.parents and path not in papers] + acquisition
+    acquisition = [path for path in trees() if STUDIO / "acquisition" in path.parents]
+    return [path for path in trees() if CORE in path.parents and path not in papers] + acquisition
+
+
+@cache
+def prose() -> dict[str, ast.Constant | ast.JoinedStr]:
+    """Find the texts that read like a sentence, and where they are."""
+    return {
+        f"{path}:{node.lineno}:{node.col_offset}": node
+        for path in in_prose()
+        for node in texts_of(path)
+        if sentence_of(node)
+    }
 
 
 def test_sentences_are_found_where_they_are_said() -> None:
-    assert {"SideMismatchError", "PoseRefusedError", "NoSensorFoundError"} <= ERRORS
-    assert len({said.template for said in SAID}) > 380
+    assert {"SideMismatchError", "PoseRefusedError", "NoSensorFoundError"} <= names_of_errors()
+    assert len({said.template for said in all_said()}) > 380
 
 
 def test_no_sentence_is_finished_before_it_is_a_message() -> None:
-    assert [said.where for said in SAID if is_finished(said.sentence)] == []
+    assert [said.where for said in all_said() if is_finished(said.sentence)] == []
 
 
 def test_no_sentence_is_put_together_elsewhere() -> None:
-    found = {
-        f"{path.name}:{node.lineno}"
-        for path in in_prose()
-        for node in texts_of(path)
-        if isinstance(node, ast.JoinedStr) and sentence_of(node)
-    }
-    assert sorted(found) == []
+    assert [where for where, node in prose().items() if isinstance(node, ast.JoinedStr)] == []
 
 
 def test_every_message_has_a_swedish_one() -> None:
-    templates = {said.template for said in SAID} - {None, ""}
+    templates = {said.template for said in all_said()} - {None, ""}
     assert sorted(text for text in templates if text and not CATALOGUE.get(text)) == []
 
 
 def test_every_other_sentence_has_a_swedish_one() -> None:
-    texts = (sentence_of(node) for path in in_prose() for node in texts_of(path))
-    assert sorted({text for text in texts if text} - set(CATALOGUE)) == []
+    assert sorted({sentence_of(node) for node in prose().values()} - set(CATALOGUE)) == []
 
 
 def test_every_hole_has_its_value() -> None:
-    filled = [s for s in SAID if s.template is not None and (s.values or s.open_ended)]
+    filled = [s for s in all_said() if s.template is not None and (s.values or s.open_ended)]
     assert [s.where for s in filled if not s.values <= holes(str(s.template))] == []
     whole = [s for s in filled if not s.open_ended]
     assert [s.where for s in whole if s.values != holes(str(s.template))] == []
 
 
 def test_holes_stay_what_they_are() -> None:
-    filled = {s.template for s in SAID if s.template and (s.values or s.open_ended)}
+    filled = {s.template for s in all_said() if s.template and (s.values or s.open_ended)}
     for text in filled | {text for text in CATALOGUE if text.startswith("{part_")}:
         assert fields(text) == fields(CATALOGUE[text]), text
 
@@ -235,13 +248,13 @@ def test_the_stock_of_the_shop_has_swedish_names() -> None:
     assert STOCK - CATALOGUE.keys() == alike
 
 
-def test_devices_forms_and_findings_have_swedish_names() -> None:
+def test_devices_forms_and_findings_are_swedish_throughout() -> None:
     assert LIBRARY - CATALOGUE.keys() - {""} == set()
 
 
 def test_materials_are_offered_by_their_swedish_names(swedish: Callable[[str], str]) -> None:
     assert MATERIALS - CATALOGUE.keys() == {"EVA", "EVA, Shore A 35", "EVA, Shore A 45"}
-    fields = shell_group(InsoleDesign(Side.LEFT, shell=Shell())).fields
+    fields = shell_group(InsoleDesign(Side.LEFT, shell=Shell()), read_materials()).fields
     (material,) = (field for field in fields if field.key == "shell.material")
     assert isinstance(material, ChoiceSpec)
     assert ("polypropylene", "Polypropen") in material.options
@@ -255,7 +268,7 @@ def test_every_word_of_the_differences_has_a_swedish_one() -> None:
 def test_nothing_is_translated_that_nobody_says() -> None:
     constants = {
         node.value
-        for tree in TREES.values()
+        for tree in trees().values()
         for node in ast.walk(tree)
         if isinstance(node, ast.Constant)
     }

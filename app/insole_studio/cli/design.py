@@ -78,7 +78,7 @@ def _insole(
     foot = foot_argument.read_foot(path, side, arguments, progress.part(0.0, 0.8))
     design = prescribed.prescribed(foot, given, arguments)
     insole = build_insole(foot, design, progress.part(0.8, 1.0))
-    _print_warnings(insole)
+    _print_warnings(insole, arguments.materials)
     return insole
 
 
@@ -100,11 +100,12 @@ def _agreed_side(side: Side | None, design: InsoleDesign | None) -> Side | None:
     return design.side
 
 
-def _print_warnings(insole: Insole) -> None:
-    """Print what is unusual in the prescription, by the rules of the clinic."""
+def _print_warnings(insole: Insole, materials: Path | None) -> None:
+    """Print what is unusual in the prescription, by the rules and materials of the clinic."""
     from insole_core.foot.landmarks import find_landmarks
     from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
 
     landmarks = find_landmarks(insole.foot)
-    for warning in design_warnings(insole, landmarks, load_rules()):
+    table = prescribed.materials(materials)
+    for warning in design_warnings(insole, landmarks, load_rules(), table):
         print(f"Warning: {warning.sentence}", file=sys.stderr)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
     from insole_core.insole.prescription.design import InsoleDesign
+    from insole_core.insole.prescription.materials import MaterialTable
     from insole_core.workflows.findings import Catalogue, Finding
 
 
@@ -22,6 +24,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--finding", action="append", default=[], metavar="NAME",
         help="apply what is proposed for a finding; may be given several times",
+    )  # fmt: skip
+    parser.add_argument(
+        "--materials", metavar="FILE", type=Path,
+        help="table of materials, with their least and usual thickness (default: the clinic's)",
     )  # fmt: skip
 
 
@@ -38,15 +44,17 @@ def prescribed(
     Raises
     ------
     InputError
-        When there is no device or finding of this name.
+        When there is no device or finding of this name, or no such table of materials.
     """
     from insole_core.foot.landmarks import find_landmarks
     from insole_core.insole.prescription.design import InsoleDesign
     from insole_core.insole.prescription.device import apply_device
+    from insole_core.insole.prescription.materials import with_least_thickness
     from insole_core.workflows.clinic_devices import find_device
     from insole_core.workflows.findings import apply_finding, find_finding
 
-    if prescription is not None and arguments.device is None and not arguments.finding:
+    asked = (arguments.device, arguments.materials)
+    if prescription is not None and asked == (None, None) and not arguments.finding:
         return prescription
     catalogue = clinic_catalogue()
     design = prescription or InsoleDesign(foot.side)
@@ -57,7 +65,29 @@ def prescribed(
     for name in arguments.finding:
         finding = find_finding(findings, name)
         design = apply_finding(finding, design, find_landmarks(foot), catalogue)
-    return design
+    return with_least_thickness(design, materials(arguments.materials))
+
+
+def materials(path: Path | None) -> MaterialTable:
+    """Return the table of materials of a file, or the clinic's, or that of the product.
+
+    A table of the clinic that cannot be read is told on stderr.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read.
+    """
+    from insole_core.insole.prescription.materials import read_materials
+    from insole_core.workflows.clinic_materials import ClinicMaterials
+    from insole_studio.user_paths import UserPaths
+
+    if path is not None:
+        return read_materials(path)
+    table, problem = ClinicMaterials(UserPaths.of_user().settings_folder).load()
+    if problem is not None:
+        print(f"Warning: {problem}", file=sys.stderr)
+    return table
 
 
 def clinic_catalogue() -> Catalogue:
@@ -82,8 +112,11 @@ def clinic_catalogue() -> Catalogue:
 
 
 def clinic_findings() -> tuple[Finding, ...]:
-    """Return the findings of product and clinic."""
-    from insole_core.workflows.findings import ClinicFindings
+    """Return the findings of product and clinic; tell on stderr if the latter cannot be read."""
+    from insole_core.workflows.clinic_findings import ClinicFindings
     from insole_studio.user_paths import UserPaths
 
-    return ClinicFindings(UserPaths.of_user().settings_folder / "findings.json").load()
+    listed = ClinicFindings(UserPaths.of_user().settings_folder).load()
+    for sentence in listed.unreadable:
+        print(f"Warning: {sentence}", file=sys.stderr)
+    return tuple(listed.items.values())

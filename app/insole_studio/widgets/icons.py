@@ -38,6 +38,12 @@ _NAMES = {
     "name": "mdi6.pencil-outline",
     "fit": "mdi6.fit-to-screen-outline",
     "dark": "mdi6.theme-light-dark",
+    "calendar": "mdi6.calendar-month-outline",
+    "patients": "mdi6.account-group-outline",
+    "new_patient": "mdi6.account-plus-outline",
+    "visit": "mdi6.calendar-account-outline",
+    "order": "mdi6.clipboard-list-outline",
+    "search": "mdi6.magnify",
 }
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.landmarks import HEADS, find_landmarks
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.outline.outline_curve import inside_curve
 
 _PITCH_MM = 2.0
@@ -27,10 +27,7 @@ def toe_line(foot: Foot, outline: FloatArray, ahead_mm: float) -> FloatArray:
     (m, 2) float64, mm, insole frame
         In ascending x; none where the line lies ahead of the whole insole.
     """
-    landmarks = find_landmarks(foot)
-    heads = np.array([landmarks[name].point[:2] for name in HEADS])
     low, high = outline[:, 0].min(), outline[:, 0].max()
     x = np.linspace(low, high, max(2, round((high - low) / _PITCH_MM)))
-    parabola = np.polyfit(heads[:, 0], heads[:, 1], 2)
-    line = np.column_stack([x, np.polyval(parabola, x) + ahead_mm])
+    line = np.column_stack([x, HeadsParabola.of(foot).line_y_mm(x, ahead_mm)])
     return np.asarray(line[inside_curve(outline, line)])

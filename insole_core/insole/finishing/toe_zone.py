@@ -10,6 +10,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, TOE_TIPS, find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.edge_distance import EdgeDistance
+from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.surface.blending import smoother_step
 
@@ -31,7 +32,7 @@ class ToeZone:
     Parameters
     ----------
     ahead_mm : (ny, nx) float64
-        How far each node lies ahead of the parabola through the five heads, nearly normal to it.
+        How far each node lies ahead of the `HeadsParabola`.
     level_mm
         On which the toes lie: the median of the contact surface just ahead of the heads, less the
         depth of a sulcus.
@@ -78,19 +79,18 @@ def toe_zone(
     measured : (ny, nx) bool
         Nodes where the foot was measured.
     """
-    medial = foot.side.medial_sign
-    heads, tips = (_places(foot, names) for names in (HEADS, TOE_TIPS))
-    parabola = np.polyfit(heads[:, 0], heads[:, 1], 2)
-    x_mm = medial * place.x_mm
-    ahead_mm = _ahead_mm(parabola, x_mm, place.y_mm)
+    parabola = HeadsParabola.of(foot)
+    ahead_mm = parabola.ahead_mm(place.x_mm, place.y_mm)
     level_mm = _level_mm(ahead_mm, contact_mm, measured & (place.inside_mm > 0))
     floor_mm = np.full(ahead_mm.shape, level_mm)
     if finish.toe_zone == "sulcus":
         floor_mm = level_mm - _SULCUS_DEPTH_MM * smoother_step(ahead_mm, *_SULCUS_MM)
         level_mm -= _SULCUS_DEPTH_MM
     elif finish.toe_zone == "crest":
-        reach_mm = _ahead_mm(parabola, *tips[1:4].T).mean()
-        aside = (heads[0, 0] - x_mm) / max(heads[0, 0] - heads[-1, 0], 1.0)
+        medial = foot.side.medial_sign
+        heads_mm = medial * _places(foot, HEADS)[:, 0]
+        reach_mm = parabola.ahead_mm(*_places(foot, TOE_TIPS)[1:4].T).mean()
+        aside = (heads_mm[0] - medial * place.x_mm) / max(heads_mm[0] - heads_mm[-1], 1.0)
         across = smoother_step(aside, *_CREST_TOES)
         away = np.abs(ahead_mm - _CREST_PLACE * reach_mm) / _CREST_HALF_MM
         floor_mm = level_mm + _CREST_MM * across * (1 - smoother_step(away, 0.0, 1.0))
@@ -101,17 +101,10 @@ def toe_zone(
     return ToeZone(ahead_mm, level_mm, floor_mm, begin, end)
 
 
-def _ahead_mm(parabola: FloatArray, x_mm: FloatArray, y_mm: FloatArray) -> FloatArray:
-    """Return how far places lie ahead of a parabola, nearly normal to it."""
-    steepness = np.hypot(1.0, np.polyval(np.polyder(parabola), x_mm))
-    return np.asarray((y_mm - np.polyval(parabola, x_mm)) / steepness)
-
-
 def _places(foot: Foot, names: tuple[str, ...]) -> FloatArray:
-    """Return landmarks (k, 2), medial = +x."""
+    """Return landmarks (k, 2), mm, insole frame."""
     landmarks = find_landmarks(foot)
-    points = np.array([landmarks[name].point[:2] for name in names])
-    return np.asarray(points * [foot.side.medial_sign, 1.0])
+    return np.array([landmarks[name].point[:2] for name in names])
 
 
 def _level_mm(ahead_mm: FloatArray, contact_mm: FloatArray, on_foot: BoolArray) -> float:

@@ -34,7 +34,7 @@ from insole_core.insole.prescription.design import (
 )
 from insole_core.insole.prescription.design_warning import DesignWarning
 from insole_core.insole.prescription.finish_warnings import finish_warnings
-from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.prescription.materials import MaterialTable, read_materials
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
 from insole_core.insole.prescription.shell_warnings import shell_warnings
@@ -134,9 +134,17 @@ def _least(limit: str) -> float:
 
 
 def design_warnings(
-    insole: Insole, landmarks: Landmarks, rules: ClinicRules
+    insole: Insole,
+    landmarks: Landmarks,
+    rules: ClinicRules,
+    materials: MaterialTable | None = None,
 ) -> tuple[DesignWarning, ...]:
     """Check an insole against the clinic's rules.
+
+    Parameters
+    ----------
+    materials
+        By default those of the product.
 
     Returns
     -------
@@ -144,7 +152,7 @@ def design_warnings(
         Landmarks first, then posting, heel, height, grid, finish, arch, pads, and shell; at most
         one about landmarks.
     """
-    design = insole.design
+    design, table = insole.design, materials or read_materials()
     pads = [c for c in design.active if isinstance(c, Pelott)]
     arches = [c for c in design.active if isinstance(c, ArchRaise)]
     return (
@@ -158,7 +166,7 @@ def design_warnings(
         *_of_rocker(insole),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
-        *(() if design.shell is None else shell_warnings(insole, landmarks, read_materials())),
+        *(() if design.shell is None else shell_warnings(insole, landmarks, table)),
     )
 
 

@@ -56,6 +56,8 @@ LABELS: dict[str, str] = {
     "lateral_rim": "Lateral rim, from heel to toes",
     "material": "Material",
     "body_weight_kg": "Body weight",
+    "least_mm": "Least thickness of the material",
+    "least_edge_mm": "Least thickness of the material at the front edge",
     "taper_mm": "Thickness at the front edge",
     "taper_length_mm": "Length of the taper",
     "edge_radius_mm": "Edge radius",

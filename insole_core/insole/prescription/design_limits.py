@@ -96,6 +96,8 @@ FORM_RANGES = {
 RIM_RANGES = {"along": Range(0, 1, ""), "height_mm": Range(-10, 45)}
 SHELL_RANGES = {
     "body_weight_kg": Range(5, 250, "kg"),
+    "least_mm": Range(0.5, 40),
+    "least_edge_mm": Range(0.5, 40),
     "taper_mm": Range(0.5, 10),
     "taper_length_mm": Range(5, 60),
     "edge_radius_mm": Range(0, 5),

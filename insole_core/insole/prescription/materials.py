@@ -5,20 +5,24 @@ The table is resources/rules/materials.json, which a clinic can change.
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
-from insole_core.errors import DesignError
+from insole_core.errors import DesignError, InputError
+from insole_core.insole.prescription.design import InsoleDesign, Shell
 from insole_core.insole.prescription.design_limits import DESIGN_RANGES, SHELL_RANGES
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
 from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-materials", 1
-_THICKNESS, _WEIGHT = DESIGN_RANGES["thickness_mm"], SHELL_RANGES["body_weight_kg"]
+THICKNESS, WEIGHT = DESIGN_RANGES["thickness_mm"], SHELL_RANGES["body_weight_kg"]
+"""Limits of what a table holds."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,11 @@ class MaterialTable:
         self._by_name = {material.name.casefold(): material for material in materials}
 
     @property
+    def materials(self) -> tuple[Material, ...]:
+        """The materials, in the order of the table."""
+        return tuple(self._by_name.values())
+
+    @property
     def names(self) -> tuple[str, ...]:
         """Names of the materials, in the order of the table."""
         return tuple(material.name for material in self._by_name.values())
@@ -89,6 +98,69 @@ def read_materials(path: Path | None = None) -> MaterialTable:
         Naming the file and the key that is missing or wrong.
     """
     return _shipped() if path is None else _read(path)
+
+
+def write_materials(materials: Sequence[Material], path: Path) -> None:
+    """Write a table in the format of `read_materials`, as a rule to `replacing_file`'s path."""
+    listed = [_to_json(material) for material in materials]
+    content = {"format": FORMAT, "version": VERSION, "materials": listed}
+    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def check_materials(materials: Sequence[Material]) -> None:
+    """Check the rows of a table that somebody edits.
+
+    Raises
+    ------
+    InputError
+        Naming the first material without a name, with the name of another one, or whose body
+        weights do not increase.
+    """
+    taken: set[str] = set()
+    if not materials:
+        raise InputError("The table needs at least one material; add one.")
+    for material in materials:
+        if not material.name.strip():
+            raise InputError("A material needs a name; type one.")
+        if material.name.strip().casefold() in taken:
+            raise InputError(
+                "There is a material {name} already; give this one another name.",
+                name=material.name,
+            )
+        taken.add(material.name.strip().casefold())
+        if any(light.up_to_kg >= heavy.up_to_kg for light, heavy in pairwise(material.steps)):
+            raise InputError(
+                "The body weights of {name} must go from light to heavy; change them.",
+                name=material.name,
+            )
+
+
+def material_of(shell: Shell) -> Material:
+    """Return the material of a shell, with the least thicknesses that its design states."""
+    material = read_materials().material(shell.material)
+    if shell.least_mm is not None:
+        material = replace(material, least_mm=shell.least_mm)
+    if shell.least_edge_mm is not None:
+        material = replace(material, least_edge_mm=shell.least_edge_mm)
+    return material
+
+
+def with_least_thickness(design: InsoleDesign, table: MaterialTable) -> InsoleDesign:
+    """Return a design whose shell is as thick at least as a table asks for its material.
+
+    A design without a shell, or of a material that the table does not hold, stays as it is.
+    """
+    shell = design.shell
+    asked = None if shell is None else table.known(shell.material)
+    if shell is None or asked is None:
+        return design
+    usual = read_materials().material(shell.material)
+    changed = replace(
+        shell,
+        least_mm=None if asked.least_mm == usual.least_mm else asked.least_mm,
+        least_edge_mm=None if asked.least_edge_mm == usual.least_edge_mm else asked.least_edge_mm,
+    )
+    return design if changed == shell else replace(design, shell=changed)
 
 
 def proposed_thickness(
@@ -120,12 +192,12 @@ def proposed_thickness(
             "No thickness can be proposed without the body weight; put in the weight, or the "
             "thickness itself."
         )
-    if weight_kg not in _WEIGHT:
+    if weight_kg not in WEIGHT:
         raise DesignError(
             "A body weight of {weight_kg:g} kg cannot be right: it must be {range}; put in the "
             "patient's weight.",
             weight_kg=weight_kg,
-            range=str(_WEIGHT),
+            range=str(WEIGHT),
         )
     usual_mm = table.material(material).usual_mm(weight_kg)
     if usual_mm is None:
@@ -146,31 +218,65 @@ def _shipped() -> MaterialTable:
 def _read(path: Path) -> MaterialTable:
     root = JsonObject.read(path)
     root.check_format(FORMAT, VERSION)
+    _check_keys(root, ("format", "version", "materials"))
     items = root.objects("materials")
     table = MaterialTable(_material(item) for item in items)
+    if not items:
+        raise root.fail("materials", "holds no material; add one")
     if len(table.names) < len(items):
         raise root.fail("materials", "names one material twice; keep one of them")
     return table
 
 
+def _check_keys(content: JsonObject, known: tuple[str, ...]) -> None:
+    for key in sorted(content.values.keys() - set(known)):
+        raise content.fail(
+            key, "is no key of a table of materials; check its spelling or leave it out"
+        )
+
+
+def _to_json(material: Material) -> dict[str, object]:
+    source = {"source": material.source} if material.source else {}
+    return {
+        "name": material.name,
+        "least_mm": material.least_mm,
+        "least_edge_mm": material.least_edge_mm,
+        "thickness": [
+            ({} if math.isinf(step.up_to_kg) else {"up_to_kg": step.up_to_kg})
+            | {"mm": step.thickness_mm}
+            for step in material.steps
+        ],
+        **source,
+    }
+
+
 def _material(item: JsonObject) -> Material:
-    least, most = _THICKNESS.least, _THICKNESS.greatest
+    _check_keys(item, ("name", "least_mm", "least_edge_mm", "thickness", "source"))
+    least, most = THICKNESS.least, THICKNESS.greatest
+    listed = item.objects("thickness")
+    for step in listed:
+        _check_keys(step, ("up_to_kg", "mm"))
     steps = tuple(
         ThicknessStep(
-            step.number("up_to_kg", 0, 1000) if step.has("up_to_kg") else math.inf,
+            step.number("up_to_kg", WEIGHT.least, WEIGHT.greatest)
+            if step.has("up_to_kg")
+            else math.inf,
             step.number("mm", least, most),
         )
-        for step in item.objects("thickness")
+        for step in listed
     )
     weights = [step.up_to_kg for step in steps]
     if not steps or weights[-1] < math.inf or weights != sorted(set(weights)):
         raise item.fail(
             "thickness", "must go from light to heavy, and end with a step without up_to_kg"
         )
+    name = item.text("name").strip()
+    if not name:
+        raise item.fail("name", "must be a text that is not empty")
     return Material(
-        item.text("name"),
+        name,
         item.number("least_mm", least, most),
         item.number("least_edge_mm", least, most),
         steps,
-        item.text("source") if item.has("source") else "",
+        item.text("source", empty=True) if item.has("source") else "",
     )

@@ -41,6 +41,9 @@ class Shell:
     ----------
     material, body_weight_kg
         From which the thickness was proposed; the weight is None if unknown.
+    least_mm, least_edge_mm
+        What the material needs, at the front edge too, by the clinic's table; None is what the
+        product's table says. A design keeps them, so that it is made alike where the table differs.
     taper_mm, taper_length_mm
         Thickness at the front edge, and the length over which it is reached.
     edge_radius_mm
@@ -62,6 +65,8 @@ class Shell:
 
     material: str = "polypropylene"
     body_weight_kg: float | None = None
+    least_mm: float | None = None
+    least_edge_mm: float | None = None
     taper_mm: float = 1.0
     taper_length_mm: float = 18.0
     edge_radius_mm: float = 1.0

@@ -17,7 +17,7 @@ from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_kinds import pad_name
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Shell
 from insole_core.insole.prescription.design_warning import DesignWarning
-from insole_core.insole.prescription.materials import Material, MaterialTable
+from insole_core.insole.prescription.materials import Material, MaterialTable, material_of
 from insole_core.insole.prescription.shell import LONGEST_TAPER
 from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.messages import Message, joined
@@ -39,7 +39,7 @@ def shell_warnings(
         return
     yield from _of_material(design, shell, table)
     yield from _of_edges(design, shell, outline)
-    yield from _of_least_thickness(insole, outline, table.material(shell.material))
+    yield from _of_least_thickness(insole, outline, material_of(shell))
     if design.outline.extent == "three_quarter" and design.outline.source != "drawn":
         yield from _of_trim_line(design, shell, landmarks)
 
@@ -47,28 +47,27 @@ def shell_warnings(
 def _of_material(
     design: InsoleDesign, shell: Shell, table: MaterialTable
 ) -> Iterator[DesignWarning]:
-    known = table.known(shell.material)
+    known, made = table.known(shell.material), material_of(shell)
     if known is None:
-        any_kind = table.material(shell.material)
         yield DesignWarning(
             Message(
                 "Nothing is known of the material “{material}”: the insole is made at least "
                 "{least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.",
                 material=shell.material,
-                least_mm=any_kind.least_mm,
-                edge_mm=any_kind.least_edge_mm,
+                least_mm=made.least_mm,
+                edge_mm=made.least_edge_mm,
                 names=joined(table.names),
             )
         )
         return
-    if shell.taper_mm < known.least_edge_mm - _SHOWN_MM:
+    if shell.taper_mm < made.least_edge_mm - _SHOWN_MM:
         yield DesignWarning(
             Message(
                 "The front edge is to taper to {taper_mm:g} mm, and {material} needs {least_mm:g} "
                 "mm there; it is made {least_mm:g} mm thick.",
                 taper_mm=shell.taper_mm,
                 material=known.name,
-                least_mm=known.least_edge_mm,
+                least_mm=made.least_edge_mm,
             )
         )
     usual_mm = None if shell.body_weight_kg is None else known.usual_mm(shell.body_weight_kg)

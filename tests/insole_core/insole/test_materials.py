@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -25,8 +26,19 @@ from insole_core.insole.prescription.design import (
     RimStation,
     Shell,
 )
-from insole_core.insole.prescription.materials import proposed_thickness, read_materials
+from insole_core.insole.prescription.design_json import design_from_json, design_to_json
+from insole_core.insole.prescription.materials import (
+    Material,
+    MaterialTable,
+    ThicknessStep,
+    check_materials,
+    proposed_thickness,
+    read_materials,
+    with_least_thickness,
+)
 from insole_core.insole.prescription.prescription_lines import make_facts
+from insole_core.solids.solid import insole_solid
+from insole_core.workflows.clinic_materials import ClinicMaterials
 
 SHORT = Outline(extent="three_quarter")
 THIN = Pelott(centre_mm=(0.0, 38.0), height_mm=-5.0, length_mm=30, width_mm=25)
@@ -88,6 +100,84 @@ def test_a_wrong_table_is_refused(tmp_path: Path, changes: dict[str, object], re
     path.write_text(json.dumps(a_table(**changes)))
     with pytest.raises(InputError, match=reason):
         read_materials(path)
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        ({**a_table(), "rows": 3}, "rows is no key of a table of materials"),
+        ({**a_table(), "materials": []}, "holds no material"),
+        (a_table(lest_mm=2), r"lest_mm is no key"),
+        (a_table(thickness=[{"mm": 3, "kg": 80}]), "kg is no key"),
+        (a_table(name="  "), "not empty"),
+        (a_table(thickness=[{"up_to_kg": 900, "mm": 3}, {"mm": 4}]), "up_to_kg"),
+    ],
+)
+def test_a_table_is_read_strictly(tmp_path: Path, content: dict[str, object], reason: str):
+    path = tmp_path / "materials.json"
+    path.write_text(json.dumps(content))
+    with pytest.raises(InputError, match=reason):
+        read_materials(path)
+
+
+CARBON = Material("carbon", 1.2, 0.8, (ThicknessStep(90, 1.5), ThicknessStep(math.inf, 2.0)), "us")
+
+
+def test_a_clinic_keeps_a_table_and_gets_that_of_the_product_back(tmp_path: Path):
+    stored = ClinicMaterials(tmp_path)
+    assert stored.load() == (read_materials(), None)
+    stored.save((*read_materials().materials, CARBON))
+    table, problem = stored.load()
+    assert problem is None
+    assert table.materials == (*read_materials().materials, CARBON)
+    stored.save(read_materials().materials)
+    assert stored.load()[0].materials == read_materials().materials
+
+
+def test_a_broken_table_is_told_and_kept(tmp_path: Path):
+    path = tmp_path / "materials.json"
+    path.write_text("half a fi")
+    table, problem = ClinicMaterials(tmp_path).load()
+    assert table is read_materials()
+    assert "materials.json is not valid JSON" in str(problem)
+    ClinicMaterials(tmp_path).save([CARBON])
+    assert [f.read_text() for f in tmp_path.glob("*.broken-1")] == ["half a fi"]
+
+
+@pytest.mark.parametrize(
+    ("rows", "reason"),
+    [
+        ([], "at least one material"),
+        ([replace(CARBON, name=" ")], "needs a name"),
+        ([CARBON, replace(CARBON, name="Carbon")], "There is a material Carbon already"),
+        ([replace(CARBON, steps=(ThicknessStep(90, 1), ThicknessStep(80, 2)))], "light to heavy"),
+    ],
+)
+def test_what_is_wrong_in_edited_rows_is_said(rows: list[Material], reason: str):
+    check_materials([CARBON])
+    with pytest.raises(InputError, match=reason):
+        check_materials(rows)
+
+
+def test_a_design_keeps_what_its_material_needs(left_foot: Foot):
+    table = MaterialTable([CARBON, replace(CARBON, name="EVA", least_mm=5.0, least_edge_mm=2.0)])
+    design = with_least_thickness(shelled(material="EVA"), table)
+    assert design.shell is not None
+    assert (design.shell.least_mm, design.shell.least_edge_mm) == (5.0, None)
+    assert design_from_json(design_to_json(design)) == design
+    plain, strong = (
+        insole_solid(build_insole(left_foot, replace(d, bottom="following"))).volume_mm3
+        for d in (shelled(material="EVA"), design)
+    )
+    assert strong > 1.2 * plain, "3 mm are asked for, and 5 mm made"
+    assert with_least_thickness(design, read_materials()) == shelled(material="EVA")
+
+
+def test_a_material_that_no_table_holds_keeps_its_limits(said):
+    design = shelled(material="carbon", least_mm=2.5, least_edge_mm=1.5)
+    assert with_least_thickness(design, read_materials()) is design
+    (told,) = [text for text in said(design) if text.startswith("Nothing is known")]
+    assert "2.5 mm thick, 1.5 mm at the front edge" in told
 
 
 @pytest.fixture

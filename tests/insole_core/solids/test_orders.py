@@ -12,14 +12,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 from insole_core.errors import DesignError, InputError, UsageError
 from insole_core.export.lettering import as_written, font_path, missing_letters
 from insole_core.export.paper import JobSheet
+from insole_core.foot.foot import Foot
+from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
+from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.prescription_lines import correction_lines
+from insole_core.resources import resource_path
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
@@ -27,6 +32,7 @@ from insole_core.solids.order import Order, Part, make_part
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.solids.simplification import to_manifold
+from insole_core.workflows.open_scan import open_scan
 
 SHOP = read_shop()
 RESPONSIBLE = Responsible("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund")
@@ -106,6 +112,42 @@ def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
 def write(delivery: ExportJob, places: ExportPaths) -> None:
     with outputs(places) as beside:
         run_export_job(delivery, places, beside)
+
+
+def dress_shell(foot: Foot) -> Insole:
+    """A tapered short shell, whose lowest place was ahead of it or in its taper."""
+    dress = read_device(resource_path("devices") / "dress-three-quarter.json")
+    return build_insole(foot, apply_device(dress, InsoleDesign(foot.side)))
+
+
+def test_a_short_shell_stands_on_the_ground_in_the_file(left_foot, tmp_path: Path):
+    part = part_of(dress_shell(left_foot))
+    assert part.solid.bounds_mm[0, 2] > 0.05
+    write(ExportJob((part,), SHOP), ExportPaths(tmp_path / "dress.stl"))
+    written = read_mesh(tmp_path / "dress.stl").mesh
+    assert abs(written.bounds_mm[0, 2]) < 1e-6
+    lowered = part.solid.bounds_mm - [0.0, 0.0, part.solid.bounds_mm[0, 2]]
+    assert written.bounds_mm == pytest.approx(lowered, abs=1e-4)
+
+
+@pytest.mark.shared
+def test_a_shell_of_a_scan_stands_on_the_ground_in_the_file(shared_data: Path, tmp_path: Path):
+    foot = open_scan(shared_data / "feet" / "plantar_scan.obj", Side.RIGHT).foot
+    write(ExportJob((part_of(dress_shell(foot)),), SHOP), ExportPaths(tmp_path / "dress.3mf"))
+    (written,) = trimesh.load(tmp_path / "dress.3mf").geometry.values()
+    assert abs(written.bounds[0, 2]) < 1e-6
+
+
+def test_a_pair_stands_on_the_ground_of_its_block(left_foot, right_foot):
+    parts = part_of(dress_shell(left_foot)), part_of(dress_shell(right_foot))
+    for placed in ExportJob(parts, SHOP, block=PAIR_BLOCK).placed():
+        assert abs(placed.objects(SHOP)[0].mesh.bounds_mm[0, 2]) < 1e-6
+
+
+def test_the_height_in_the_shoe_counts_from_where_the_insole_stands(left_foot):
+    part = part_of(dress_shell(left_foot), read_rules().only(("shoe_height",)))
+    low, high = part.solid.bounds_mm[:, 2]
+    assert part.findings[0].value == pytest.approx(high - low, abs=0.11)  # seen every 1 mm
 
 
 def test_one_least_thickness_on_all_papers(left_foot, tmp_path: Path, monkeypatch):

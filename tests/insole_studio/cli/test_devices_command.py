@@ -15,8 +15,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Pelott
 from insole_core.insole.prescription.design_json import design_to_json
 from insole_core.insole.prescription.device import device_of
+from insole_core.insole.prescription.materials import read_materials
 from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.clinic_devices import clinic_devices
+from insole_core.workflows.clinic_materials import ClinicMaterials
 from insole_core.workflows.default_device import DefaultDevice
 from insole_studio.cli.main import run
 from insole_studio.user_paths import UserPaths
@@ -124,3 +126,24 @@ def test_findings_add_up(clinic: Path, scan: Path, tmp_path: Path) -> None:
     lifted = made(scan, tmp_path, "--finding", "leg-length-discrepancy")
     both = made(scan, tmp_path, "--finding", "leg-length-discrepancy", "--finding", "metatarsalgia")
     assert plain.volume < lifted.volume < both.volume
+
+
+def test_a_table_of_materials_says_how_thick_it_is_made(
+    scan: Path, clinic: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = tmp_path / "shop.json"
+    listed = [{"name": "PP", "least_mm": 6, "least_edge_mm": 3, "thickness": [{"mm": 6}]}]
+    listed.append({**listed[0], "name": "polypropylene"})
+    content = {"format": "insole-materials", "version": 1, "materials": listed}
+    table.write_text(json.dumps(content))
+    options = ("--device", "functional-three-quarter")
+    plain = made(scan, tmp_path, *options)
+    thick = made(scan, tmp_path, *options, "--materials", str(table))
+    assert thick.volume > 1.3 * plain.volume
+    ClinicMaterials(clinic).save(read_materials(table).materials)
+    assert made(scan, tmp_path, *options).volume == pytest.approx(thick.volume)
+    table.write_text(json.dumps({**content, "materials": []}))
+    arguments = ["design", str(scan), "--side", "left", "--out", str(tmp_path / "o.stl")]
+    assert run([*arguments, "--materials", str(table)]) == 1
+    assert "holds no material; add one" in last_line(capsys)
+    assert not (tmp_path / "o.stl").exists()

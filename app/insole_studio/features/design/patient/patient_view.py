@@ -23,6 +23,7 @@ from insole_studio.features.design.patient.measure_grid import MeasureGrid
 from insole_studio.features.design.patient.variant_row import VariantRow
 from insole_studio.features.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.texts import tr
+from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.link_label import LinkLabel
@@ -52,9 +53,7 @@ class PatientView(VerticalScroll):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._fields = {key: QLineEdit() for key in ("name", "born", "visit")}
-        self._fields["born"].setPlaceholderText(tr("YYYY-MM-DD"))
-        self._fields["visit"].setPlaceholderText(tr("YYYY-MM-DD"))
+        self._fields = {"name": QLineEdit(), "born": DateField(), "visit": DateField()}
         for key, field in self._fields.items():
             field.setProperty("key", key)
             field.editingFinished.connect(self._line_edited)

@@ -9,6 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
+from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim
 from insole_core.insole.finishing.rim_edits import added_station, moved_station, raised_station
 from insole_core.insole.prescription.design import InsoleDesign, Place
@@ -107,8 +108,8 @@ class RimTool(Tool):
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Select and grab a station."""
         number, rim, design = _number(event), self._rim.rim, case.record.design
-        if design is not None and event.handle == TOE_LINE:
-            return _carry_toe_line(case, design, event)
+        if design is not None and case.foot is not None and event.handle == TOE_LINE:
+            return _carry_toe_line(case, design, HeadsParabola.of(case.foot), event)
         if design is not None and event.handle is not None and event.handle.startswith(TRIM):
             return carry_trim_point(case, int(event.handle.removeprefix(TRIM)), event)
         if number is None or rim is None or design is None:
@@ -239,8 +240,10 @@ def _carry(
     case.apply(changed, _raised() if wanted is None or wanted[0] else _moved())
 
 
-def _carry_toe_line(case: Case, design: InsoleDesign, press: PointerEvent) -> Gesture:
-    """Let the toe line follow the pointer along the foot."""
+def _carry_toe_line(
+    case: Case, design: InsoleDesign, heads: HeadsParabola, press: PointerEvent
+) -> Gesture:
+    """Let the toe line follow the pointer ahead of the heads."""
     finish, start, event = design.finish, press.place_mm(0.0), press
     assert finish is not None
     allowed, changed = FINISH_RANGES["toe_line_mm"], design
@@ -249,7 +252,8 @@ def _carry_toe_line(case: Case, design: InsoleDesign, press: PointerEvent) -> Ge
         now = event.place_mm(0.0)
         if start is None or now is None:
             continue
-        ahead_mm = rounded(finish.toe_line_mm + float(now[1] - start[1]), TOE_LINE_STEP_MM)
+        moved_mm = float(heads.ahead_mm(*now[:2]) - heads.ahead_mm(*start[:2]))
+        ahead_mm = rounded(finish.toe_line_mm + moved_mm, TOE_LINE_STEP_MM)
         ahead_mm = min(max(ahead_mm, allowed.least), allowed.greatest)
         changed = replace(design, finish=replace(finish, toe_line_mm=ahead_mm))
         case.preview(changed)
