@@ -19,6 +19,7 @@ from insole_core.progress import Progress
 from insole_studio.cli import (
     calibrate,
     capture,
+    clinic_record,
     compare,
     design,
     devices,
@@ -48,6 +49,7 @@ COMMANDS: tuple[Command, ...] = (
     measure,
     compare,
     simulate,
+    clinic_record,
 )
 
 _SIGPIPE = 13  # Windows has no signal of this name
