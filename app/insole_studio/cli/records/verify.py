@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import InputError
+from insole_core.errors import RecordsError
 from insole_core.progress import Progress
 from insole_studio.cli.records.record_arguments import (
     add_account_argument,
@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     for problem in problems[:-1]:
         print(problem)
     if problems:
-        raise InputError("{problem}", problem=problems[-1])
+        raise RecordsError(problems[-1])
 
 
 def _check(arguments: argparse.Namespace, progress: Progress) -> tuple[dict[int, str], list[str]]:
