@@ -221,29 +221,50 @@ def write_order(
     if choice.prescription:
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
-    layered = choice.layered and choice.suffix == ".3mf"
-    parts = [replace(part, order=replace(part.order, layered=layered)) for part in parts]
-    groups = _groups(parts, choice)
+    groups = _groups(_laid_out(parts, choice), choice)
     with Transaction() as transaction:
         beside = [opened(place, transaction) for place in places]
-        for group, place, temporary, part in zip(
-            groups, places, beside, progress.parts(len(groups)), strict=True
-        ):
-            job = ExportJob(
-                tuple(group),
-                shop,
-                identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
-                patient=_patient_facts(patient),
+        steps = progress.parts(len(groups))
+        for group, place, temporary, step in zip(groups, places, beside, steps, strict=True):
+            job = _export_job(
+                group,
+                choice,
+                shop=shop,
+                patient=patient,
                 responsible=responsible,
-                materials={
-                    part.side: ordered_material(choice, part.insole.design) for part in group
-                },
-                block=choice.block if len(group) > 1 else None,
                 override=override,
-                ascii_stl=choice.ascii_stl,
             )
-            run_export_job(job, place, temporary, part)
+            run_export_job(job, place, temporary, step)
     return tuple(place.solid for place in places)
+
+
+def _laid_out(parts: Sequence[Part], choice: OrderChoice) -> list[Part]:
+    """Return the parts with layers of their own, or in one piece, as the choice says now."""
+    layered = choice.layered and choice.suffix == ".3mf"
+    return [replace(part, order=replace(part.order, layered=layered)) for part in parts]
+
+
+def _export_job(
+    group: Sequence[Part],
+    choice: OrderChoice,
+    *,
+    shop: Shop,
+    patient: Patient,
+    responsible: Responsible,
+    override: Override | None,
+) -> ExportJob:
+    """Return the job that writes the parts of one file with their papers."""
+    return ExportJob(
+        tuple(group),
+        shop,
+        identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
+        patient=_patient_facts(patient),
+        responsible=responsible,
+        materials={part.side: ordered_material(choice, part.insole.design) for part in group},
+        block=choice.block if len(group) > 1 else None,
+        override=override,
+        ascii_stl=choice.ascii_stl,
+    )
 
 
 def require_prescription(choice: OrderChoice, patient: Patient, responsible: Responsible) -> None:

@@ -164,6 +164,10 @@
             <translation>Dra för att flytta linjen där tåzonen börjar</translation>
         </message>
         <message>
+            <source>Drag to move the line from which the underside rises</source>
+            <translation>Dra för att flytta linjen där undersidan börjar stiga</translation>
+        </message>
+        <message>
             <source>Drag to raise the rim here, or to move the station along the edge</source>
             <translation>Dra för att höja kanten här, eller för att flytta kantpunkten längs kanten</translation>
         </message>
@@ -370,6 +374,10 @@
         <message>
             <source>Move a station of the rim</source>
             <translation>Flytta en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Move the rocker line</source>
+            <translation>Flytta rullsulans linje</translation>
         </message>
         <message>
             <source>Move the toe line</source>

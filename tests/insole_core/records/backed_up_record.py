@@ -61,7 +61,7 @@ def fill(context: RecordsContext, mesh: str, session: str) -> None:
         (schema.visits, {"id": "v", "person_id": "kept", "visited_on": date(2026, 11, 22),
                          "weight_kg": 70.1, **TIMES}),
         (schema.captures, {"id": "c", "visit_id": "v", "kind": "session", "file_name": "s.zip",
-                           "content_sha256": session, "program_version": "0.1",
+                           "number": 1, "content_sha256": session, "program_version": "0.1",
                            "created_at": "2026", "author": "anna"}),
         (schema.prescription_versions, {
             "id": "left", "visit_id": "v", "side": "left", "number": 1, "document": '{"å": 0.1}',

@@ -49,14 +49,15 @@ from insole_core.records.backup.snapshot import open_snapshot
 from insole_core.records.context import RecordsContext
 from insole_core.records.migrate import SCHEMA
 from insole_core.records.place import RecordsPlace
+from insole_core.records.signing import SignatureReport, verify_signatures
 
 NOT_COMPARED = {"audit", "audit_head", "clinic"}
 """Restoring writes a line about it, and the name of the store."""
 
 
 @pytest.fixture
-def context(empty_database_file: Path, tmp_path: Path) -> Iterator[RecordsContext]:
-    context = make_record(empty_database_file, tmp_path / "record")
+def context(migrated_file: Path, tmp_path: Path) -> Iterator[RecordsContext]:
+    context = make_record(migrated_file, tmp_path / "record")
     set_up_backups(context, BackupKey.for_recipients([RECIPIENT]))
     yield context
     context.database.close()
@@ -81,18 +82,11 @@ def test_a_restored_record_equals_the_one_that_was_backed_up(
     context: RecordsContext, folder: Path, tmp_path: Path
 ) -> None:
     report = back_up(context, folder)
-    before = all_rows(context)
     restored, told = restored_at(folder, tmp_path / "another machine" / "record")
-    after = all_rows(restored)
-    assert {n: after[n] for n in after.keys() - NOT_COMPARED} == {
-        n: before[n] for n in before.keys() - NOT_COMPARED
-    }
-    assert any(STRANGE in row for row in after["persons"])
-    # The backup was made before the line that tells of it.
-    assert after["audit"][: len(before["audit"]) - 1] == before["audit"][:-1]
+    equal_rows(context, restored)
+    assert any(STRANGE in row for row in all_rows(restored)["persons"])
     assert [line.action for line in AuditLog(restored.database).lines(limit=1)] == ["restored"]
     assert told.audit.is_intact
-    assert AuditLog(restored.database).verify().is_intact
     assert sorted(restored.contents.digests()) == sorted(context.contents.digests())
     assert {restored.contents.read(name) for name in restored.contents.digests()} == {MESH, SESSION}
     assert (told.contents, told.contents_bytes) == (2, len(MESH) + len(SESSION))
@@ -194,9 +188,9 @@ def test_keys_that_will_not_do_are_refused() -> None:
 
 
 def test_a_backup_is_set_up_first_and_by_who_may(
-    context: RecordsContext, folder: Path, empty_database_file: Path, tmp_path: Path
+    context: RecordsContext, folder: Path, migrated_file: Path, tmp_path: Path
 ) -> None:
-    bare = make_record(empty_database_file, tmp_path / "bare")
+    bare = make_record(migrated_file, tmp_path / "bare")
     with pytest.raises(RecordsError, match="no passphrase yet"):
         back_up(bare, folder)
     bare.database.close()
@@ -437,13 +431,13 @@ def test_a_newer_record_is_not_replaced_without_a_word(
 
 
 def test_an_older_record_is_not_replaced_either(
-    context: RecordsContext, folder: Path, tmp_path: Path, empty_database_file: Path
+    context: RecordsContext, folder: Path, tmp_path: Path, migrated_file: Path
 ) -> None:
     back_up(context, folder)
     other = tmp_path / "other"
     other.mkdir()
     place = RecordsPlace.local(other)
-    place.database_file.write_bytes(empty_database_file.read_bytes())
+    place.database_file.write_bytes(migrated_file.read_bytes())
     with pytest.raises(PlaceTaken, match="holds a record already"):
         restore(folder, SECRET, place, ANNA)
     place.database_file.write_bytes(b"no database at all")
@@ -502,6 +496,51 @@ def test_a_failed_restore_leaves_nothing_in_the_place(
     assert [path.name for path in target.iterdir()] == ["contents"]
     restored, _ = restored_at(folder, target)
     restored.database.close()
+
+
+def equal_rows(context: RecordsContext, other: RecordsContext) -> None:
+    """Compare all that was there before the backup was made."""
+    before, after = all_rows(context), all_rows(other)
+    for name in before.keys() - NOT_COMPARED:
+        assert after[name] == before[name], name
+    # The backup was made before the line that tells of it.
+    assert after["audit"][: len(before["audit"]) - 1] == before["audit"][:-1]
+    assert AuditLog(other.database).verify().is_intact
+    assert verified_signatures(other).are_valid
+
+
+def verified_signatures(context: RecordsContext) -> SignatureReport:
+    with context.database.reading() as connection:
+        return verify_signatures(connection)
+
+
+def test_a_backup_restores_into_either_kind_of_database(
+    context: RecordsContext, folder: Path, tmp_path: Path, server_place: RecordsPlace
+) -> None:
+    back_up(context, folder)
+    restore(folder, SECRET, server_place, ANNA)
+    shared = context_of(server_place)
+    equal_rows(context, shared)
+    add_person(shared, "new")
+    set_up_backups(shared, BackupKey.for_recipients([RECIPIENT]))
+    back_up(shared, tmp_path / "backups of the server")
+    local, _ = restored_at(tmp_path / "backups of the server", tmp_path / "local again")
+    equal_rows(shared, local)
+    shared.database.close()
+    local.database.close()
+
+
+def test_a_server_is_restored_to_only_while_it_is_empty(
+    context: RecordsContext, folder: Path, server_place: RecordsPlace
+) -> None:
+    back_up(context, folder)
+    shared = context_of(server_place)
+    add_person(shared, "new")
+    for replace_existing in (False, True):
+        with pytest.raises(PlaceTaken, match="holds a record already"):
+            restore(folder, SECRET, server_place, ANNA, replace_existing=replace_existing)
+    assert len(all_rows(shared)["persons"]) == 1
+    shared.database.close()
 
 
 def test_any_snapshot_can_be_restored(
