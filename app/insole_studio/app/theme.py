@@ -105,6 +105,20 @@ def _style_sheet(colors: Colors) -> str:
     QLabel#panel-strip {{ background: {colors.raised}; padding: 4px 8px; }}
     QLabel#heading {{ font-weight: 600; color: {colors.quiet}; padding-top: 4px; }}
     QLabel#numbers {{ font-weight: 600; }}
+    QLabel#title {{ font-weight: 600; font-size: 15pt; }}
+    QLineEdit#search {{ font-size: 12pt; padding: 4px 6px; }}
+    QFrame#card {{ background: {colors.base}; border: 1px solid {colors.line};
+                   border-radius: 8px; }}
+    QLabel#picture {{ background: {colors.window}; border-radius: 4px; }}
+    QTableView#rows {{ border: 1px solid {colors.line}; background: {colors.base};
+                  selection-background-color: {colors.accent};
+                  selection-color: {colors.on_accent}; }}
+    QTableView#rows QHeaderView {{ background: {colors.base}; }}
+    QTableView#rows QHeaderView::section {{ background: {colors.base}; color: {colors.quiet};
+                            border: none; border-bottom: 1px solid {colors.line};
+                            padding: 4px 11px; }}
+    QTableView#rows::item {{ padding: 4px 8px; }}
+    QTableView#rows:focus {{ border: 2px solid {colors.accent}; }}
     QLabel#quiet {{ color: {colors.quiet}; }}
     QLabel#warning {{ background: {colors.warning}; color: {colors.on_warning};
                       border-radius: 4px; padding: 4px 8px; }}

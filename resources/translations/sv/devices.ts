@@ -321,7 +321,7 @@
         </message>
         <message>
             <source>Keep this design as a finding…</source>
-            <translation>Behåll designen som fynd…</translation>
+            <translation>Behåll ordinationen som fynd…</translation>
         </message>
         <message>
             <source>Keep this insole's form as a base</source>
@@ -629,7 +629,7 @@
         </message>
         <message>
             <source>What the finding proposes stays. To change that, keep a design under its name.</source>
-            <translation>Det som fyndet föreslår blir kvar. Behåll en design under dess namn för att ändra det.</translation>
+            <translation>Det som fyndet föreslår blir kvar. Behåll en ordination under dess namn för att ändra det.</translation>
         </message>
         <message>
             <source>Wide</source>

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSignalBlocker, QSize, Signal
-from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPlainTextEdit,
     QPushButton,
     QToolButton,
     QVBoxLayout,
@@ -27,6 +25,7 @@ from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.link_label import LinkLabel
+from insole_studio.widgets.notes_field import NotesField
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
 from insole_studio.widgets.validation_bubble import ValidationBubble
@@ -58,7 +57,7 @@ class PatientView(VerticalScroll):
             field.setProperty("key", key)
             field.editingFinished.connect(self._line_edited)
         self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
-        self._notes = _Notes()
+        self._notes = NotesField()
         self._notes.left.connect(self._notes_edited)
         self.sides = SideSwitch()
         self.sides.chosen.connect(self.side_chosen)
@@ -304,22 +303,6 @@ class PatientView(VerticalScroll):
 
     def _remove(self) -> None:
         self.correction_removed.emit(self.sender().property("correction"))
-
-
-class _Notes(QPlainTextEdit):
-    """A text field of a few lines; Tab moves the focus."""
-
-    left = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setTabChangesFocus(True)
-        self.setFixedHeight(64)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Emit the text, which may have changed."""
-        super().focusOutEvent(event)
-        self.left.emit()
 
 
 def _heading(text: str) -> QLabel:
