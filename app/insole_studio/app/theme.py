@@ -53,7 +53,7 @@ DARK = Colors(
 
 
 def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> None:
-    """Set palette, style and icon colours of the whole application.
+    """Set palette, style and icon colours of the whole application, unless it has them.
 
     Parameters
     ----------
@@ -65,10 +65,13 @@ def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> N
         Whether to enlarge the controls for touch.
     """
     colors = DARK if dark else LIGHT
-    application.setStyle("Fusion")
+    sheet = _style_sheet(colors) + _box_sheet(colors) + (_touch_sheet(colors) if touch else "")
+    if application.styleSheet() == sheet:  # Qt would polish every widget anew
+        return
+    if not application.styleSheet():
+        application.setStyle("Fusion")
     application.setPalette(_palette(colors))
-    sheet = _style_sheet(colors) + _box_sheet(colors)
-    application.setStyleSheet(sheet + (_touch_sheet(colors) if touch else ""))
+    application.setStyleSheet(sheet)
 
 
 def _palette(colors: Colors) -> QPalette:

@@ -9,11 +9,13 @@ from enum import StrEnum
 from insole_core.cases.case_record import Patient
 from insole_core.export.lettering import missing_letters
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.checks import Finding
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 from insole_core.solids.nesting import Nest
 from insole_core.solids.order import CHECKS_OF, Part
 from insole_core.solids.solid import Kind
+from insole_core.workflows.make_order import OrderChoice, ordered_material
 from insole_studio.texts import fill, tr
 
 
@@ -58,11 +60,29 @@ class Buttons:
     reason: bool = False
 
 
+@dataclass(frozen=True)
+class OrderedFoot:
+    """What an order makes of one foot.
+
+    Parameters
+    ----------
+    material
+        As the shop calls it; empty if nobody has named one.
+    walls
+        Draft and chamfer in words where the prescription's shell sets them; empty where the order
+        does.
+    """
+
+    side: Side
+    material: str
+    walls: str = ""
+
+
 TITLES: dict[CheckName, Callable[[], str]] = {
     "watertight": lambda: tr("Closed solid"),
     "thickness": lambda: tr("Least thickness"),
     "cutter": lambda: tr("Hollows for the cutter"),
-    "undercut": lambda: tr("Undercut from above"),
+    "undercut": lambda: tr("Undercut"),
     "step": lambda: tr("Height of step"),
     "block": lambda: tr("Fits the block"),
     "shoe_height": lambda: tr("Fits the shoe"),
@@ -75,7 +95,7 @@ UNITS: dict[CheckName, str] = {
 _SENTENCES: dict[CheckName, Callable[[], str]] = {
     "thickness": lambda: tr("{value:.1f} mm at the thinnest place"),
     "cutter": lambda: tr("{value:.2f} mm of material is left in hollows"),
-    "undercut": lambda: tr("{value:.0f} mm² cannot be reached from above"),
+    "undercut": lambda: tr("{value:.0f} mm² cannot be reached by the cutter"),
     "step": lambda: tr("{value:.1f} mm of rise over 1 mm"),
     "shoe_height": lambda: tr("{value:.1f} mm at the highest place"),
     "grid": lambda: tr("{value:g} mm between the points of the surface"),
@@ -184,3 +204,17 @@ def patient_text(patient: Patient) -> str:
         tr("visit {date}").format(date=patient.visit) if patient.visit else "",
     )
     return "  ·  ".join(word for word in words if word)
+
+
+def ordered_foot(choice: OrderChoice, design: InsoleDesign) -> OrderedFoot:
+    """Return what an order makes of the foot of a design."""
+    material, shell = ordered_material(choice, design), design.shell
+    if shell is None or choice.kind != "insole":
+        return OrderedFoot(design.side, material)
+    medial, lateral = shell.draft_medial_deg, shell.draft_lateral_deg
+    both = tr("draft {medial:g}° medial, {lateral:g}° lateral")
+    draft = fill(both, medial=medial, lateral=lateral)
+    if medial == lateral:
+        draft = fill(tr("draft {degrees:g}°"), degrees=medial)
+    chamfer = fill(tr("chamfer {mm:g} mm"), mm=shell.chamfer_mm)
+    return OrderedFoot(design.side, material, f"{draft}, {chamfer}")

@@ -28,10 +28,15 @@ from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.material_model import MaterialModel
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.document.side_by_side import SideBySide
-from insole_studio.features.design.models.model_presenter import FootPresenter, InsolePresenter
+from insole_studio.features.design.models.model_presenter import (
+    FootPresenter,
+    InsolePresenter,
+    ShownModels,
+)
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.warnings_presenter import WarningsPresenter
@@ -282,6 +287,7 @@ class TestParameters:
             load_pads(),
             load_rules(),
             rim=rim,
+            materials=MaterialModel(),
             request_action=lambda _key: None,
         )
 
@@ -388,7 +394,7 @@ class TestModels:
     def test_no_foot_offers_what_comes_next(
         self, view: Any, facts: dict[str, Any], display: FootDisplay
     ) -> None:
-        FootPresenter(view, display=display, **facts).show_all()
+        FootPresenter(view, ShownModels(**facts), display).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
         assert list(offers) == ["capture", "open_session", "open_mesh", "open_example"]
@@ -405,7 +411,7 @@ class TestModels:
         qtbot: QtBot,
         side: Side,
     ) -> None:
-        presenter = FootPresenter(view, display=display, **facts)
+        presenter = FootPresenter(view, ShownModels(**facts), display)
         foot = replace(make_foot(side))  # whose surface for display is not known yet
         case.open_foot(foot, NOWHERE)
         assert view.shown["show_mesh"] == (foot.mesh, None)
@@ -424,7 +430,7 @@ class TestModels:
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        presenter = InsolePresenter(view, **facts)
+        presenter = InsolePresenter(view, ShownModels(**facts))
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         before = surface.height_mm(0.0, 150.0)
@@ -455,6 +461,7 @@ class TestModels:
             (),
             load_rules(),
             rim=rim,
+            materials=MaterialModel(),
             request_action=lambda _key: None,
         )
         open_foot()
@@ -543,6 +550,7 @@ class TestWarnings:
             surface=surface,
             tool_controller=tool_controller,
             rules=load_rules(),
+            materials=MaterialModel(),
             look_at=looked.append,
         )
         open_foot()

@@ -8,8 +8,17 @@ from dataclasses import dataclass, replace
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Finish, InsoleDesign, Post
-from insole_core.insole.prescription.design_limits import SHELL_RANGES
-from insole_core.insole.prescription.materials import proposed_thickness, read_materials
+from insole_core.insole.prescription.design_limits import (
+    FINISH_RANGES,
+    RIM_RANGES,
+    SHELL_RANGES,
+    Range,
+)
+from insole_core.insole.prescription.materials import (
+    MaterialTable,
+    proposed_thickness,
+    with_least_thickness,
+)
 from insole_core.insole.prescription.rim_sliders import (
     cup_depth_mm,
     medial_flange_mm,
@@ -34,15 +43,15 @@ class _Slider:
         Returns it; None where the finish has none.
     changed
         Returns the finish with another value.
-    greatest
-        End of the slider, mm; it begins at 0.
+    allowed
+        Of what it sets; the slider begins at 0.
     """
 
     label: Callable[[], str]
     tip: Callable[[], str]
     value: Callable[[Finish], float | None]
     changed: Callable[[Finish, float], Finish]
-    greatest: float
+    allowed: Range
 
 
 SLIDERS: dict[str, _Slider] = {
@@ -51,21 +60,21 @@ SLIDERS: dict[str, _Slider] = {
         lambda: tr("Height of the rim behind the heel over the heel's floor"),
         cup_depth_mm,
         with_cup_depth,
-        30.0,
+        RIM_RANGES["height_mm"],
     ),
     "flange": _Slider(
         lambda: tr("Medial flange"),
         lambda: tr("Height of the medial rim at its peak, over the heel's floor"),
         medial_flange_mm,
         with_medial_flange,
-        40.0,
+        RIM_RANGES["height_mm"],
     ),
     "fill": _Slider(
         lambda: tr("Arch fill"),
         lambda: tr("How far the medial arch is lowered below the scan"),
         lambda finish: finish.arch_fill_mm,
         lambda finish, value: replace(finish, arch_fill_mm=value),
-        15.0,
+        FINISH_RANGES["arch_fill_mm"],
     ),
 }
 
@@ -116,7 +125,11 @@ def _base_fields(design: InsoleDesign) -> Fields:
     )
     share = 100 * design.base.contact_share
     label = tr("Share of the foot")
-    return (FieldSpec("base.contact_share", label, "%", share, 0.0, 100.0, step=5.0, tip=tip),)
+    return (
+        FieldSpec(
+            "base.contact_share", label, "%", share, 0.0, 100.0, step=5.0, tip=tip, slider=True
+        ),
+    )
 
 
 def with_foot_share(design: InsoleDesign, percent: float) -> InsoleDesign:
@@ -131,7 +144,7 @@ def device_fields(finish: Finish, side: Side) -> Fields:
     values = ((key, slider, slider.value(finish)) for key, slider in SLIDERS.items())
     sliders = (
         FieldSpec(
-            f"device.{key}", slider.label(), "mm", value, 0.0, slider.greatest, step=0.5,
+            f"device.{key}", slider.label(), "mm", value, 0.0, slider.allowed.greatest, step=0.5,
             tip=slider.tip(), slider=True,
         )
         for key, slider, value in values
@@ -140,8 +153,14 @@ def device_fields(finish: Finish, side: Side) -> Fields:
     return (*sliders, *field_specs(finish, "finish", side))
 
 
-def shell_group(design: InsoleDesign) -> FieldGroup:
-    """Return the group of a shell, with the thickness that is usual for material and weight."""
+def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
+    """Return the group of a shell, with the thickness that is usual for material and weight.
+
+    Parameters
+    ----------
+    table
+        The clinic's materials.
+    """
     shell = design.shell
     assert shell is not None, "a solid insole has no shell"
     least, most = SHELL_RANGES["body_weight_kg"].least, SHELL_RANGES["body_weight_kg"].greatest
@@ -156,8 +175,9 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
         tip=tr("From {least} kg on, a thickness is proposed; 0 if unknown").format(
             least=localised(least, "g")
         ),
+        least_known=least,
     )
-    known = read_materials().names
+    known = table.names
     names = known if shell.material in known else (*known, shell.material)
     materials = tuple((name, _capitalised(translate_core_message(name))) for name in names)
     material = ChoiceSpec(
@@ -169,7 +189,7 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
     )
     posts = (spec for region in REGIONS for spec in _post_fields(design, region))
     fields = (material, weight, *field_specs(shell, "shell", design.side), *posts)
-    return FieldGroup(tr("Shell"), fields, _thickness_offers(design))
+    return FieldGroup(tr("Shell"), fields, _offers(design, table))
 
 
 def _capitalised(text: str) -> str:
@@ -189,31 +209,43 @@ def _post_fields(design: InsoleDesign, region: str) -> Fields:
     return (choice, *field_specs(post, f"post.{region}", design.side))
 
 
-def _thickness_offers(design: InsoleDesign) -> tuple[Proposal, ...]:
-    """Return the button that takes the usual thickness, where another one is set."""
+def _offers(design: InsoleDesign, table: MaterialTable) -> tuple[Proposal, ...]:
+    """Return the button of the table, and one that takes the usual thickness if another is set."""
     shell = design.shell
     assert shell is not None
+    edit = Proposal(
+        "action.edit_materials",
+        tr("Materials…"),
+        tr("Change least and usual thickness of the clinic's materials"),
+    )
     try:
-        usual_mm = proposed_thickness(shell.material, shell.body_weight_kg)
+        usual_mm = proposed_thickness(shell.material, shell.body_weight_kg, table)
     except DesignError:  # without weight or material there is nothing to propose
-        return ()
+        return (edit,)
     if usual_mm == design.thickness_mm:
-        return ()
+        return (edit,)
     text = tr("Take {thickness} mm").format(thickness=localised(usual_mm, "g"))
     tip = tr("The usual thickness for this material and weight")
-    return (Proposal("thickness.usual", text, tip),)
+    return (Proposal("thickness.usual", text, tip), edit)
 
 
-def with_shell_value(design: InsoleDesign, name: str, value: float | str) -> InsoleDesign:
-    """Return the design with a value of its shell: material, weight, edges."""
+def with_shell_value(
+    design: InsoleDesign, name: str, value: float | str, table: MaterialTable
+) -> InsoleDesign:
+    """Return the design with a value of its shell: material, weight, edges.
+
+    Parameters
+    ----------
+    table
+        Of the least thicknesses that come with a material.
+    """
     shell = design.shell
     assert shell is not None
     if name == "material":
-        return replace(design, shell=replace(shell, material=str(value)))
+        other = replace(shell, material=str(value), least_mm=None, least_edge_mm=None)
+        return with_least_thickness(replace(design, shell=other), table)
     if name == "body_weight_kg":
-        least = SHELL_RANGES["body_weight_kg"].least
-        weight = float(value) if float(value) >= least else None
-        return replace(design, shell=replace(shell, body_weight_kg=weight))
+        return replace(design, shell=replace(shell, body_weight_kg=float(value) or None))
     return replace(design, shell=with_value(shell, name, value, design.side))
 
 
@@ -230,7 +262,7 @@ def with_post_value(design: InsoleDesign, name: str, value: float | str) -> Inso
     return replace(design, shell=replace(shell, posts=posts))
 
 
-def with_usual_thickness(design: InsoleDesign) -> InsoleDesign:
+def with_usual_thickness(design: InsoleDesign, table: MaterialTable) -> InsoleDesign:
     """Return the design with the usual thickness for its material and the weight.
 
     Raises
@@ -239,12 +271,20 @@ def with_usual_thickness(design: InsoleDesign) -> InsoleDesign:
         As `proposed_thickness`.
     """
     assert design.shell is not None
-    usual_mm = proposed_thickness(design.shell.material, design.shell.body_weight_kg)
+    usual_mm = proposed_thickness(design.shell.material, design.shell.body_weight_kg, table)
     return replace(design, thickness_mm=usual_mm)
 
 
+def with_slid_value(design: InsoleDesign, key: str, value: float) -> InsoleDesign:
+    """Return the design with the value of a slider, by the key of its field."""
+    group, name = key.split(".", 1)
+    if group == "base":
+        return with_foot_share(design, value)
+    return with_device_value(design, name, value)
+
+
 def with_device_value(design: InsoleDesign, key: str, value: float) -> InsoleDesign:
-    """Return the design with the value of a slider."""
+    """Return the design with another cup, medial flange or fill."""
     if design.finish is None:
         return design
     return replace(design, finish=SLIDERS[key].changed(design.finish, value))

@@ -85,6 +85,10 @@ class PatientView(VerticalScroll):
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
         self._warned: list[WarningRow] = []
+        self._count = LinkLabel("", "")
+        self._count.setObjectName("warning")
+        self._count.linkActivated.connect(self._show_all_warnings)
+        self._count.hide()
         self._warnings = QVBoxLayout()
         self._warnings.setSpacing(4)
         self.setWidget(self._content())
@@ -164,6 +168,8 @@ class PatientView(VerticalScroll):
         if list(rows) == self._warned:
             return
         self._warned = list(rows)
+        self._count.say(tr("{count} warnings: show all").format(count=len(rows)))
+        self._count.setVisible(len(rows) > 1)
         while (item := self._warnings.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -174,6 +180,13 @@ class PatientView(VerticalScroll):
             label.setWordWrap(True)
             label.linkActivated.connect(self._choose_warning)
             self._warnings.addWidget(label)
+
+    def _show_all_warnings(self) -> None:
+        """Scroll until all warnings are visible, or the first ones if not all have room."""
+        last = self._warnings.itemAt(self._warnings.count() - 1)
+        if last is not None and (widget := last.widget()) is not None:
+            self.ensureWidgetVisible(widget)
+        self.ensureWidgetVisible(self._count)
 
     def _choose_warning(self, number: str) -> None:
         self.warning_chosen.emit(int(number))
@@ -208,6 +221,7 @@ class PatientView(VerticalScroll):
         layout.addWidget(self.variants)
         layout.addWidget(self._device)
         layout.addLayout(self._corrections)
+        layout.addWidget(self._count)
         layout.addLayout(self._warnings)
         layout.addWidget(_heading(tr("Measures")))
         layout.addWidget(self._measures)
