@@ -28,6 +28,7 @@ from insole_core.records.person_rows import (
     person_of,
     write_search_text,
 )
+from insole_core.records.rights import Right
 from insole_core.records.schema import persons, visits
 from insole_core.records.search_text import search_text_of, search_words
 from insole_core.records.times import utc_now
@@ -87,7 +88,7 @@ class Persons:
         RecordsError
             When there is none.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return person_of(connection, person_id)
 
     def open(self, person_id: str) -> Person:
@@ -100,7 +101,7 @@ class Persons:
         """
         if self._context.database.is_read_only:
             return self.get(person_id)
-        with self._context.writing(person_id) as connection:
+        with self._context.writing(Right.SEE, person_id) as connection:
             person = person_of(connection, person_id)
             self._context.log(connection, "seen", "person", person.id)
         return person
@@ -115,7 +116,7 @@ class Persons:
         """
         person = person.checked(date.today())
         now = utc_now()
-        with self._context.writing() as connection:
+        with self._context.writing(Right.WRITE) as connection:
             person = _with_free_pseudonym(connection, person)
             person = replace(person, created_at=now, changed_at=now, revision=1)
             values = {name: getattr(person, name) for name in PERSON_FIELDS}
@@ -142,7 +143,7 @@ class Persons:
             When somebody else has changed the person meanwhile.
         """
         person = person.checked(date.today())
-        with self._context.writing(person.id) as connection:
+        with self._context.writing(Right.WRITE, person.id) as connection:
             stored = locked_person(connection, person.id)
             changed = [n for n in _EDITED if getattr(person, n) != getattr(stored, n)]
             if stored.revision != revision:
@@ -191,7 +192,7 @@ class Persons:
         return merges_of(self._context, person_id)
 
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return [PersonSummary(*row) for row in connection.execute(query)]
 
 
