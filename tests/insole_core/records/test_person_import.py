@@ -19,7 +19,7 @@ from insole_core.records.person_columns import (
     propose_mapping,
 )
 from insole_core.records.person_import import Outcome, import_persons, plan_import
-from insole_core.records.person_rows import read_persons
+from insole_core.records.persons_of_table import read_persons
 from insole_core.records.place import RecordsPlace
 from insole_core.records.text_table import read_table
 from insole_core.records.written_dates import DateOrder
