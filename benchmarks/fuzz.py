@@ -531,7 +531,6 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         load_reference_system,
     )
     from insole_core.compare.picked_points import fit_points, read_picked_points
-    from insole_core.errors import InputError
     from insole_core.evaluation.acceptance_limits import load_limits
     from insole_core.evaluation.marked_points import load_correspondences, load_object_points
     from insole_core.foot.landmarks import find_landmarks
@@ -539,15 +538,11 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     from insole_core.insole.forms.form_file import read_form
     from insole_core.insole.prescription.clinic_rules import load_rules
     from insole_core.insole.prescription.device import read_device
+    from insole_core.insole.prescription.materials import read_materials
     from insole_core.insole.prescription.template import apply_template, read_template
     from insole_core.solids.export_rules import read_rules
     from insole_core.solids.shop import read_shop
-    from insole_core.workflows.findings import ClinicFindings
-
-    def findings(path: Path) -> None:
-        if not os.path.lexists(path):  # a clinic need not have any of its own
-            raise InputError("There is no {path}.", path=path)
-        ClinicFindings(path).load()
+    from insole_core.workflows.finding_file import read_findings
 
     def reference(path: Path) -> None:
         check_reference_system(load_reference_system(path))
@@ -581,9 +576,10 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         ("rules", samples.resource_values("rules/rules.json"), load_rules, 90),
         ("export rules", samples.resource_values("rules/export.json"), read_rules, 120),
         ("shop", samples.resource_values("rules/shop.json"), read_shop, 120),
+        ("materials", samples.resource_values("rules/materials.json"), read_materials, 120),
         ("device", samples.resource_values("devices/ucbl-child.json"), read_device, 150),
         ("form", samples.resource_values("forms/flat.json"), read_form, 120),
-        ("findings", samples.resource_values("findings/findings.json"), findings, 150),
+        ("findings", samples.resource_values("findings/findings.json"), read_findings, 150),
         ("limits", samples.resource_values("limits/kinect-v1.json"), load_limits, 60),
         ("object points", object_points, load_object_points, 60),
         ("pairs of points", pairs, load_correspondences, 60),

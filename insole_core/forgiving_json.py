@@ -77,14 +77,24 @@ def remembered(
 
 
 def rename_unreadable(path: Path) -> Path:
-    """Rename a file that cannot be used, and return its new path; the old where that fails.
+    """Rename a file that cannot be used, and return its new path; the old where that fails."""
+    return set_aside(path, "broken")
+
+
+def set_aside(path: Path, why: str) -> Path:
+    """Rename a file so that it is no longer read, and return its new path; the old if that fails.
 
     A device stays: an administrator may name one, and others use it.
+
+    Parameters
+    ----------
+    why
+        A word that the new name ends with.
     """
     if path.is_char_device() or path.is_block_device():
         return path
     for number in range(1, 1000):
-        kept = path.with_name(f"{path.name}.broken-{number}")
+        kept = path.with_name(f"{path.name}.{why}-{number}")
         if kept.exists():
             continue
         try:

@@ -17,7 +17,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import transform
 from insole_core.insole.surface.height_field import HeightField
-from insole_core.messages import Message
+from insole_core.messages import Message, Value
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball_offset import left_by_cutter
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
@@ -31,6 +31,7 @@ _PITCH_MM = 1.0
 _OFF_LATTICE = 0.3137  # rays avoid round coordinates, where lattices have their vertices
 _RIM_PIXELS = 3  # the rim tapers to an edge, which has no thickness
 _SKIN_MM = 0.01
+_CLEAR_MM = 0.05  # facets of one curved wall do not cover each other
 _DOWNWARD = -0.02
 _UNDERSIDE = -0.3  # z of a normal: faces down by more than a wall of the greatest inward draft
 
@@ -355,30 +356,69 @@ def _graded(
 
 
 def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
-    """Sum the area that faces down and is not the base: no cutter from above reaches it."""
+    """Sum the area that no cutter reaches.
+
+    A flat bottom lies on the machine's table, so that the cutter comes from above alone. A part
+    whose underside is shaped is turned over: only what neither side sees is an undercut.
+    """
     solid, limit = survey.unmarked, rules.limits["undercut"]
     corners = solid.vertices[solid.triangles]
+    up = solid.triangle_normals[:, 2]
     lifted = corners[..., 2].max(axis=1) > solid.bounds_mm[0, 2] + _SKIN_MM
-    hidden = lifted & (solid.triangle_normals[:, 2] < _DOWNWARD)
+    is_turned = bool((lifted & (up < _UNDERSIDE)).any())
+    hidden = lifted & (up < _DOWNWARD)
+    if is_turned:
+        hidden = _covered(solid, hidden, -1.0) | _covered(solid, up > -_DOWNWARD, 1.0)
     sides = corners[hidden, 1] - corners[hidden, 0], corners[hidden, 2] - corners[hidden, 0]
     areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
     area = round(float(areas.sum()), DECIMALS["undercut"])
     place, spots = None, corners[hidden].mean(axis=1)
     if area > 0:
         place = _rounded(corners[hidden][areas.argmax()].mean(axis=0))
-    sentence = Message(
-        "{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.",
-        area_mm2=area,
-        limit=limit,
-    )
-    if place is not None:
-        sentence = Message(
-            "{area_mm2:.0f} mm² cannot be reached from above at {place}; {limit:g} are allowed.",
-            area_mm2=area,
-            place=_at(place),
-            limit=limit,
-        )
+    sentence = _undercut_sentence(area, limit, place, is_turned=is_turned)
     return Finding("undercut", policy, area <= limit, area, limit, "mm²", sentence, place, spots)
+
+
+def _covered(solid: TriangleMesh, chosen: BoolArray, towards_z: float) -> BoolArray:
+    """Return which of the chosen triangles (n,) have material over them (+1) or below them (-1)."""
+    numbers = np.flatnonzero(chosen)
+    towards = np.broadcast_to([0.0, 0.0, towards_z], (len(numbers), 3))
+    centres = solid.vertices[solid.triangles[numbers]].mean(axis=1)
+    hits = RayCaster(solid).cast(centres + _CLEAR_MM * towards, towards)
+    covered = np.zeros(len(chosen), dtype=bool)
+    covered[numbers[hits.ray]] = True
+    return covered
+
+
+def _undercut_sentence(
+    area_mm2: float, limit: float, place: Place | None, *, is_turned: bool
+) -> Message:
+    values: dict[str, Value] = {"area_mm2": area_mm2, "limit": limit}
+    if place is None:
+        return (
+            Message(
+                "{area_mm2:.0f} mm² cannot be reached from above, nor from below with the part "
+                "turned over; {limit:g} are allowed.",
+                **values,
+            )
+            if is_turned
+            else Message(
+                "{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.", **values
+            )
+        )
+    values["place"] = _at(place)
+    return (
+        Message(
+            "{area_mm2:.0f} mm² at {place} cannot be reached from above, nor from below with the "
+            "part turned over; {limit:g} are allowed.",
+            **values,
+        )
+        if is_turned
+        else Message(
+            "{area_mm2:.0f} mm² cannot be reached from above at {place}; {limit:g} are allowed.",
+            **values,
+        )
+    )
 
 
 def _block(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:

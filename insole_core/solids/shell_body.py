@@ -23,8 +23,9 @@ from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
-_FILLET_MM = 2.0
-"""Difference of height within which the wall of a post is rounded into the shell above it."""
+_FILLET_MM = (0.5, 8.0)
+"""Difference of height within which the wall of a post is rounded into the shell above it, least
+and greatest: as much as the shell is above the ground, so that the post's sole does not grow."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,10 +51,15 @@ def made_surface(insole: Insole) -> HeightField:
     return replace(insole.contact, heights_mm=lowered)
 
 
-def plain_underside(insole: Insole) -> FloatArray:
+def plain_underside(insole: Insole, made: HeightField) -> FloatArray:
     """Return the underside before taper and posts, (ny, nx), mm: flat, or parallel to the top.
 
     For a shoe with a heel a flat one has the shape of its last. A rocker eases it at the forefoot.
+
+    Parameters
+    ----------
+    made
+        The `made_surface` of the insole.
     """
     whole, design = _unrocked_underside(insole), insole.design
     if not rockers(design):
@@ -61,7 +67,7 @@ def plain_underside(insole: Insole) -> FloatArray:
     rise = rocker_heights_mm(design, insole.foot, insole.contact)
     shell = design.shell
     needed_mm = 0.0 if shell is None else max(material_of(shell).least_mm - LEAST_LEFT_MM, 0.0)
-    return eased(whole, made_surface(insole).heights_mm - needed_mm, rise)
+    return eased(whole, made.heights_mm - needed_mm, rise)
 
 
 def _unrocked_underside(insole: Insole) -> FloatArray:
@@ -103,7 +109,7 @@ def shell_body(
         The distance to it.
     """
     field, design, length_mm = insole.contact, insole.design, insole.foot.length_mm
-    top, bottom = made.heights_mm, plain_underside(insole)
+    top, bottom = made.heights_mm, plain_underside(insole, made)
     behind = behind_front_mm(outline, field)
     share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
     front_mm = max(shell.taper_mm, material_of(shell).least_edge_mm)
@@ -120,7 +126,8 @@ def shell_body(
         heel = field.y_mm[:, None] - outline[:, 1].min()
         plan = PostPlan(edge.inside_mm, heel, front)
         over_post = bottom - ground - post_underside(post, plan, length_mm)
-        bottom = np.maximum(bottom - smooth_hinge(over_post, _FILLET_MM), ground)
+        fillet = np.clip(bottom - ground, *_FILLET_MM)
+        bottom = np.maximum(bottom - smooth_hinge(over_post, fillet), ground)
     return Body(np.maximum(top, bottom + _least_mm(shell, share)), bottom)
 
 

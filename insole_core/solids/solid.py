@@ -131,7 +131,7 @@ def insole_solid(
         return _shell_solid(insole, made, shell, polygon)
     field = made.contact
     distance = _distance(made, polygon, options, float(field.heights_mm.max()))
-    bottom = plain_underside(insole)
+    bottom = plain_underside(insole, field)
     top = field.heights_mm - np.clip(options.chamfer_mm - distance.inside_mm, 0, None)
     top = np.maximum(top, bottom + LEAST_WALL_MM)
     plan, tips = _plan(made, distance, options.chamfer_mm)

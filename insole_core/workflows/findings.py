@@ -1,23 +1,21 @@
 """What is usually prescribed for a finding: proposals of the clinic, never applied by themselves.
 
-The product's are in resources/findings/findings.json; a clinic's file beside the settings replaces
-and adds some. Values that belong to device and rim are set, corrections and pads are added where
-the design has none of their kind yet.
+The product's are in resources/findings/findings.json, the clinic's beside its settings
+(`clinic_findings`). Values that belong to device and rim are set, corrections and pads are added
+where the design has none of their kind yet.
 """
 
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from pathlib import Path
 from typing import Any
 
-from insole_core.errors import DesignError, InputError
+from insole_core.errors import InputError
 from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_places import placed_pad
-from insole_core.insole.prescription import design_json
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import (
     Correction,
@@ -28,22 +26,13 @@ from insole_core.insole.prescription.design import (
     Post,
     Shell,
 )
-from insole_core.insole.prescription.design_limits import (
-    CORRECTION_RANGES,
-    FINISH_RANGES,
-    OUTLINE_RANGES,
-    RIM_RANGES,
-    Range,
-)
 from insole_core.insole.prescription.device import Device, apply_device
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.insole.prescription.rim_sliders import with_cup_depth, with_medial_flange
-from insole_core.json_object import JsonObject
-from insole_core.resources import resource_path
 from insole_core.workflows.clinic_devices import find_device
 from insole_core.workflows.pad_library import LibraryPad
 
-FORMAT, VERSION = "insole-findings", 1
+_OF_ITS_MAKING = ("id", "author", "created_at")
 _SAME_PLACE_MM = 15.0
 """Pads of one shape whose centres are nearer than this are one and the same."""
 
@@ -211,18 +200,18 @@ def _with_correction(
     for own in design.corrections:
         same_border = getattr(own, "border", "") == getattr(proposed, "border", "")
         if own.type == proposed.type and same_border:
-            changed = replace(own, **_set_values(proposed))
+            changed = replace(own, **set_values(proposed))
             return design if changed == own else design.with_changed(stamp(changed))
     return design.with_added(stamp(replace(proposed, id=CorrectionBase().id)))
 
 
-def _set_values(correction: Correction) -> dict[str, Any]:
+def set_values(correction: Correction) -> dict[str, Any]:
     """Return the values of a correction that are not the usual ones."""
     values = {field: getattr(correction, field.name) for field in fields(correction)}
     return {
         field.name: value
         for field, value in values.items()
-        if field.name != "id" and value != field.default
+        if field.name not in _OF_ITS_MAKING and value != field.default
     }
 
 
@@ -246,7 +235,15 @@ def _placed(
     template = pad.template
     if proposed.height_mm is not None:
         template = replace(template, height_mm=proposed.height_mm)
-    return placed_pad(template, pad.place, design.side, landmarks, catalogue.behind_heads_mm)
+    changed = replace(pad, template=template)
+    return placed_proposal(changed, design.side, landmarks, catalogue)
+
+
+def placed_proposal(
+    pad: LibraryPad, side: Side, landmarks: Landmarks, catalogue: Catalogue
+) -> Pelott:
+    """Return a pad of the library where it is usually placed on a foot."""
+    return placed_pad(pad.template, pad.place, side, landmarks, catalogue.behind_heads_mm)
 
 
 def _is_at(pad: Pelott, other: Correction) -> bool:
@@ -254,32 +251,6 @@ def _is_at(pad: Pelott, other: Correction) -> bool:
         return False
     (x, y), (u, v) = pad.centre_mm, other.centre_mm
     return math.hypot(x - u, y - v) < _SAME_PLACE_MM
-
-
-class ClinicFindings:
-    """The findings of the product, and those of the clinic in their places and beside them.
-
-    Parameters
-    ----------
-    path
-        Of the clinic's findings; while there is no such file, those of the product apply.
-    """
-
-    def __init__(self, path: Path) -> None:
-        self._path = path
-
-    def load(self) -> tuple[Finding, ...]:
-        """Return all findings, in the order of their names.
-
-        Raises
-        ------
-        InputError
-            When a file cannot be read.
-        """
-        listed = _read(resource_path("findings/findings.json"))
-        own = _read(self._path) if os.path.lexists(self._path) else ()
-        by_key = {key_of(finding.name): finding for finding in (*listed, *own)}
-        return tuple(finding for _, finding in sorted(by_key.items()))
 
 
 def find_finding(findings: Sequence[Finding], name: str) -> Finding:
@@ -298,64 +269,3 @@ def find_finding(findings: Sequence[Finding], name: str) -> Finding:
             known=", ".join(key_of(finding.name) for finding in findings),
         )
     return found
-
-
-def _read(path: Path) -> tuple[Finding, ...]:
-    root = JsonObject.read(path)
-    root.check_format(FORMAT, VERSION)
-    return tuple(_finding(item) for item in root.objects("findings"))
-
-
-def _finding(item: JsonObject) -> Finding:
-    known = {field.name for field in fields(Finding)}
-    for key in sorted(item.values.keys() - known):
-        raise item.fail(key, "is no key of a finding; check its spelling or leave it out")
-    design = _prescribed(item)
-    height, fill = RIM_RANGES["height_mm"], FINISH_RANGES["arch_fill_mm"]
-    return Finding(
-        name=item.text("name"),
-        keywords=tuple(item.texts("keywords")) if item.has("keywords") else (),
-        advice=_text(item, "advice"),
-        source=_text(item, "source"),
-        device=_text(item, "device"),
-        cup_mm=_number(item, "cup_mm", height),
-        medial_flange_mm=_number(item, "medial_flange_mm", height),
-        arch_fill_mm=_number(item, "arch_fill_mm", fill),
-        width_mm=_number(item, "width_mm", OUTLINE_RANGES["width_mm"]),
-        posts=() if design.shell is None else design.shell.posts,
-        corrections=design.corrections,
-        pads=tuple(_pad(pad) for pad in item.objects("pads")) if item.has("pads") else (),
-    )
-
-
-def _prescribed(item: JsonObject) -> InsoleDesign:
-    """Return corrections and posts of a finding as a design, read as strictly as one."""
-    content = {
-        "format": design_json.FORMAT,
-        "version": design_json.VERSION,
-        "side": "left",
-        "corrections": item.items("corrections") if item.has("corrections") else [],
-        "shell": {"posts": item.items("posts") if item.has("posts") else []},
-    }
-    try:
-        return design_json.design_from_json(content)
-    except DesignError as error:
-        raise InputError(
-            "{file}: {place} {reason}",
-            file=item.file,
-            place=item.place.removesuffix("."),
-            reason=error.message,
-        ) from error
-
-
-def _pad(item: JsonObject) -> ProposedPad:
-    allowed = CORRECTION_RANGES[Pelott]["height_mm"]
-    return ProposedPad(item.text("kind"), _text(item, "size"), _number(item, "height_mm", allowed))
-
-
-def _text(item: JsonObject, key: str) -> str:
-    return item.text(key, empty=True) if item.has(key) else ""
-
-
-def _number(item: JsonObject, key: str, allowed: Range) -> float | None:
-    return item.number(key, allowed.least, allowed.greatest) if item.has(key) else None

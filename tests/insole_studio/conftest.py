@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -28,6 +28,7 @@ from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
 from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.fields_dialog import Field
 
 LENGTH_MM = 250.0
 
@@ -59,6 +60,7 @@ class CannedQuestions:
         self.replace = True
         self.same_side = SameSide.CANCEL
         self.typed: str | None = None
+        self.given: dict[str, str] | None = None
         self.path: Path | None = None
         self.asked: list[str] = []
 
@@ -98,6 +100,11 @@ class CannedQuestions:
 
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         return self.typed
+
+    def fields(self, _title: str, sentence: str, fields: Sequence[Field]) -> dict[str, str] | None:
+        self.asked.append(sentence)
+        shown = {field.key: field.value for field in fields}
+        return None if self.given is None else shown | self.given
 
     def may_replace_own(self, name: str) -> bool:
         self.asked.append(f"replace {name}")

@@ -32,7 +32,7 @@ from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms
-from insole_core.workflows.findings import ClinicFindings
+from insole_core.workflows.clinic_findings import ClinicFindings
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.features.design.parameters.device_fields import shell_group
 from insole_studio.features.design.rows import ChoiceSpec
@@ -64,11 +64,14 @@ STOCK = {block.name for block in SHOP.blocks} | set(SHOP.materials)
 NOWHERE = Path("/nowhere")
 DEVICES = clinic_devices(NOWHERE).load().items.values()
 FORMS = clinic_forms(NOWHERE).load().items.values()
-FINDINGS = ClinicFindings(NOWHERE / "findings.json").load()
-LIBRARY = {item.name for item in (*DEVICES, *FORMS, *FINDINGS)} | {f.advice for f in FINDINGS}
-"""What the devices, forms and findings of the product are called, and advise."""
-
-MATERIALS = set(read_materials().names)
+FINDINGS = ClinicFindings(NOWHERE).load().items.values()
+LIBRARY = (
+    {text for item in (*DEVICES, *FORMS, *FINDINGS) for text in (item.name, item.source)}
+    | {word for item in (*DEVICES, *FINDINGS) for word in item.keywords}
+    | {finding.advice for finding in FINDINGS}
+)
+"""What the devices, forms and findings of the product are called and advise, and come from."""
+MATERIALS = {text for m in read_materials().materials for text in (m.name, m.source)}
 
 
 def speaking_files() -> list[Path]:
@@ -245,13 +248,13 @@ def test_the_stock_of_the_shop_has_swedish_names() -> None:
     assert STOCK - CATALOGUE.keys() == alike
 
 
-def test_devices_forms_and_findings_have_swedish_names() -> None:
+def test_devices_forms_and_findings_are_swedish_throughout() -> None:
     assert LIBRARY - CATALOGUE.keys() - {""} == set()
 
 
 def test_materials_are_offered_by_their_swedish_names(swedish: Callable[[str], str]) -> None:
     assert MATERIALS - CATALOGUE.keys() == {"EVA", "EVA, Shore A 35", "EVA, Shore A 45"}
-    fields = shell_group(InsoleDesign(Side.LEFT, shell=Shell())).fields
+    fields = shell_group(InsoleDesign(Side.LEFT, shell=Shell()), read_materials()).fields
     (material,) = (field for field in fields if field.key == "shell.material")
     assert isinstance(material, ChoiceSpec)
     assert ("polypropylene", "Polypropen") in material.options

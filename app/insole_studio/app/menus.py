@@ -106,6 +106,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
         (
             "choose_device",
             "toggle_as_scanned",
+            "edit_materials",
             SEPARATOR,
             "add_posting",
             "add_forefoot_twist",

@@ -112,8 +112,11 @@ def clinic_catalogue() -> Catalogue:
 
 
 def clinic_findings() -> tuple[Finding, ...]:
-    """Return the findings of product and clinic."""
-    from insole_core.workflows.findings import ClinicFindings
+    """Return the findings of product and clinic; tell on stderr if the latter cannot be read."""
+    from insole_core.workflows.clinic_findings import ClinicFindings
     from insole_studio.user_paths import UserPaths
 
-    return ClinicFindings(UserPaths.of_user().settings_folder / "findings.json").load()
+    listed = ClinicFindings(UserPaths.of_user().settings_folder).load()
+    for sentence in listed.unreadable:
+        print(f"Warning: {sentence}", file=sys.stderr)
+    return tuple(listed.items.values())

@@ -10,6 +10,8 @@ from insole_studio.texts import tr
 
 TEMPLATE_SUFFIX = ".insole-template"
 DEVICE_SUFFIX = ".insole-device"
+FINDING_SUFFIX = ".insole-findings"
+MATERIALS_SUFFIX = ".insole-materials"
 
 
 def case_kinds() -> str:
@@ -25,6 +27,16 @@ def template_kinds() -> str:
 def device_kinds() -> str:
     """Return the filter for the files of devices."""
     return tr("Device of an insole") + f" (*{DEVICE_SUFFIX} *.json)"
+
+
+def finding_kinds() -> str:
+    """Return the filter for files of findings."""
+    return tr("Findings") + f" (*{FINDING_SUFFIX} *.json)"
+
+
+def material_kinds() -> str:
+    """Return the filter for tables of materials."""
+    return tr("Table of materials") + f" (*{MATERIALS_SUFFIX} *.json)"
 
 
 def scan_kinds() -> str:

@@ -19,7 +19,7 @@ def smoother_step(value: FloatArray, start: float, end: float) -> FloatArray:
     return np.asarray(s * s * s * (10 + s * (6 * s - 15)))
 
 
-def smooth_hinge(value: FloatArray, rounding: float) -> FloatArray:
+def smooth_hinge(value: FloatArray, rounding: FloatArray | float) -> FloatArray:
     """Return 0 below `-rounding`, `value` above `rounding`, and between them a parabola."""
     bend = np.clip(value + rounding, 0, 2 * rounding)
     return np.asarray(bend * bend / (4 * rounding) + np.maximum(value - rounding, 0))

@@ -116,6 +116,14 @@
             <translation>Ett namn måste ha 1 till {most} tecken, varav minst en bokstav eller siffra; skriv ett annat.</translation>
         </message>
         <message>
+            <source>A plane</source>
+            <translation>En plan yta</translation>
+        </message>
+        <message>
+            <source>A plate of even thickness, to be built up by corrections</source>
+            <translation>En platta av jämn tjocklek, som byggs upp med korrigeringar</translation>
+        </message>
+        <message>
             <source>A point is marked outside of the depth image of {width}×{height}; correct its pixel.</source>
             <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
         </message>
@@ -320,6 +328,26 @@
             <translation>Överdrag till tårna.</translation>
         </message>
         <message>
+            <source>Cup 10 to 14, rim 4 to 8, fill 0, flat underside, at least 3 under the heel: the usual values of clinics that mill EVA; flange and forefoot: Insole Studio's own choice</source>
+            <translation>Hälkopp 10 till 14, kant 4 till 8, fyllnad 0, plan undersida, minst 3 under hälen: vanliga värden på kliniker som fräser EVA; sidostöd och framfot: Insole Studios eget val</translation>
+        </message>
+        <message>
+            <source>Cup 12 (Kevin Root clinic guide), fill 3.2 (Cox cast correction), ends behind the heads, shell of 3 with cupped underside and rearfoot post 4 wide at the edges (AOLabs, OpenFO)</source>
+            <translation>Hälkopp 12 (Kevin Root, klinikguide), fyllnad 3,2 (Cox, gipskorrigering), slutar bakom metatarsalhuvudena, skal på 3 med kupad undersida och bakfotskil, 4 bred vid kanterna (AOLabs, OpenFO)</translation>
+        </message>
+        <message>
+            <source>Cup 14 (KLM), fill 1.6, shell with a cover of 3 to the toes; thickness by the weight of the body: Insole Studio's own choice</source>
+            <translation>Hälkopp 14 (KLM), fyllnad 1,6, skal med ett överdrag på 3 fram till tårna; tjocklek efter kroppsvikt: Insole Studios eget val</translation>
+        </message>
+        <message>
+            <source>Cup 20 to 25, high medial and lateral flange, fill 1.6 (ProLab, pediatric), thickness 3 to 4</source>
+            <translation>Hälkopp 20 till 25, högt medialt och lateralt sidostöd, fyllnad 1,6 (ProLab, barn), tjocklek 3 till 4</translation>
+        </message>
+        <message>
+            <source>Cup 8 to 10 (Podiatry Today), narrow by 3.2 (ProLab), fill 0 to 3.2, thickness 2 to 3</source>
+            <translation>Hälkopp 8 till 10 (Podiatry Today), 3,2 smalare (ProLab), fyllnad 0 till 3,2, tjocklek 2 till 3</translation>
+        </message>
+        <message>
             <source>Cup of 18 to 22.</source>
             <translation>Hälskål på 18 till 22.</translation>
         </message>
@@ -504,6 +532,10 @@
             <translation>Rutnät</translation>
         </message>
         <message>
+            <source>HMP Global Learning Network</source>
+            <translation>HMP Global Learning Network</translation>
+        </message>
+        <message>
             <source>Hallux rigidus</source>
             <translation>Hallux rigidus</translation>
         </message>
@@ -536,6 +568,10 @@
             <translation>I vyn {view}: {reason}.</translation>
         </message>
         <message>
+            <source>Insole Studio, from the usual values of the device</source>
+            <translation>Insole Studio, efter inläggstypens vanliga värden</translation>
+        </message>
+        <message>
             <source>Insole built</source>
             <translation>Inlägget är byggt</translation>
         </message>
@@ -544,8 +580,24 @@
             <translation>Fogar ihop vyerna</translation>
         </message>
         <message>
+            <source>Journal of Foot and Ankle Research 7:18; Yonsei Med J 2022;63(9):864</source>
+            <translation>Journal of Foot and Ankle Research 7:18; Yonsei Med J 2022;63(9):864</translation>
+        </message>
+        <message>
             <source>Judging the map</source>
             <translation>Bedömer kartan</translation>
+        </message>
+        <message>
+            <source>Kevin Root Medical, forum</source>
+            <translation>Kevin Root Medical, forum</translation>
+        </message>
+        <message>
+            <source>Kevin Root Medical, forum; Cox cast correction</source>
+            <translation>Kevin Root Medical, forum; Cox, gipskorrigering</translation>
+        </message>
+        <message>
+            <source>Kirby, Podiatry Today</source>
+            <translation>Kirby, Podiatry Today</translation>
         </message>
         <message>
             <source>Lateral draft</source>
@@ -708,6 +760,10 @@
             <translation>Ingen av de {count} bilderna kan användas: {reason}</translation>
         </message>
         <message>
+            <source>Noridian A5513: base of diabetic insoles at least 4.8</source>
+            <translation>Noridian A5513: basen i inlägg för diabetiker minst 4,8</translation>
+        </message>
+        <message>
             <source>Not measured: {regions}; no view that is used shows it.</source>
             <translation>Inte mätt: {regions}; ingen vy som används visar det.</translation>
         </message>
@@ -756,6 +812,10 @@
             <translation>PA12, utskriven</translation>
         </message>
         <message>
+            <source>PTTD</source>
+            <translation>PTTD</translation>
+        </message>
+        <message>
             <source>Pad of 2 to 4.</source>
             <translation>Pelott på 2 till 4.</translation>
         </message>
@@ -772,8 +832,24 @@
             <translation>Plantar fasciit med framfotsvalgus</translation>
         </message>
         <message>
+            <source>Podiatry Today; ProLab, hallux limitus</source>
+            <translation>Podiatry Today; ProLab, hallux limitus</translation>
+        </message>
+        <message>
             <source>Point {number} of the trim line, counted from the medial side, lies beside the insole; move it onto the insole.</source>
             <translation>Punkt {number} på klipplinjen, räknad från medialsidan, ligger bredvid inlägget; flytta in den på inlägget.</translation>
+        </message>
+        <message>
+            <source>ProLab, pediatric</source>
+            <translation>ProLab, barn</translation>
+        </message>
+        <message>
+            <source>ProLab, plantar fasciitis</source>
+            <translation>ProLab, plantarfasciit</translation>
+        </message>
+        <message>
+            <source>ProLab, tibialis posterior; footankle.com, flat foot</source>
+            <translation>ProLab, tibialis posterior; footankle.com, plattfot</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {views}</source>
@@ -814,6 +890,10 @@
         <message>
             <source>Removed: {correction}</source>
             <translation>Borttaget: {correction}</translation>
+        </message>
+        <message>
+            <source>Root</source>
+            <translation>Root</translation>
         </message>
         <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
@@ -876,6 +956,10 @@
             <translation>Sport, hel längd</translation>
         </message>
         <message>
+            <source>SureFit; orthoscan</source>
+            <translation>SureFit; orthoscan</translation>
+        </message>
+        <message>
             <source>TPU, printed</source>
             <translation>TPU, utskriven</translation>
         </message>
@@ -886,6 +970,10 @@
         <message>
             <source>Taking the background away</source>
             <translation>Tar bort bakgrunden</translation>
+        </message>
+        <message>
+            <source>Telfer/OpenFO (3.0); above 95 kg the clinic's own judgement</source>
+            <translation>Telfer/OpenFO (3,0); över 95 kg klinikens egen bedömning</translation>
         </message>
         <message>
             <source>The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the two, or check the side.</source>
@@ -1532,12 +1620,20 @@
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
         </message>
         <message>
+            <source>Thesis 3.3: the contact surface as it was measured, without a designed rim</source>
+            <translation>Avhandlingen 3.3: kontaktytan som den mättes, utan utformad kant</translation>
+        </message>
+        <message>
             <source>Thickness</source>
             <translation>Tjocklek</translation>
         </message>
         <message>
             <source>Thickness at the front edge</source>
             <translation>Tjocklek vid framkanten</translation>
+        </message>
+        <message>
+            <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
+            <translation>Den här designen har inget utöver sin inläggstyp som ett fynd kan föreslå; lägg till en korrigering eller en pelott, eller spara den som inläggstyp.</translation>
         </message>
         <message>
             <source>This design is for a {side} foot and the scan is of a {foot_side} one; open the matching scan or mirror the design.</source>
@@ -1562,6 +1658,10 @@
         <message>
             <source>Too little of the solid is seen from above to check its {what}.</source>
             <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
+        </message>
+        <message>
+            <source>Total contact, cup 8 to 12, low rounded rim without a hard edge, fill 0, base of at least 4.8, Shore A 35 (Noridian A5513), reliefs for each head (SureFit)</source>
+            <translation>Helkontakt, hälkopp 8 till 12, låg rundad kant utan hårda kanter, fyllnad 0, bas på minst 4,8, Shore A 35 (Noridian A5513), avlastning för varje metatarsalhuvud (SureFit)</translation>
         </message>
         <message>
             <source>Trim line</source>
@@ -1590,6 +1690,10 @@
         <message>
             <source>Two stations of the rim lie at the same place {where}, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
             <translation>Två stationer på randen ligger på samma plats {where}, en {height_mm:.1f} mm hög och en {other_mm:.1f} mm; ta bort en av dem.</translation>
+        </message>
+        <message>
+            <source>UCBL</source>
+            <translation>UCBL</translation>
         </message>
         <message>
             <source>UCBL, child</source>
@@ -1680,12 +1784,20 @@
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
         </message>
         <message>
+            <source>adult flatfoot</source>
+            <translation>förvärvad plattfot</translation>
+        </message>
+        <message>
             <source>and height are {width}×{height}, but must be {allowed}</source>
             <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
         </message>
         <message>
             <source>angle of the sole sensors (degrees)</source>
             <translation>fotsulesensorernas vinkel (grader)</translation>
+        </message>
+        <message>
+            <source>ankle</source>
+            <translation>fotled</translation>
         </message>
         <message>
             <source>another program has it open; close it there, or choose another name</source>
@@ -1712,6 +1824,14 @@
             <translation>valvstöd</translation>
         </message>
         <message>
+            <source>arthrosis</source>
+            <translation>artros</translation>
+        </message>
+        <message>
+            <source>as EVA</source>
+            <translation>som EVA</translation>
+        </message>
+        <message>
             <source>as scanned</source>
             <translation>som skannad</translation>
         </message>
@@ -1724,6 +1844,10 @@
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
         </message>
         <message>
+            <source>big toe</source>
+            <translation>stortå</translation>
+        </message>
+        <message>
             <source>birth date</source>
             <translation>Födelsedatumet</translation>
         </message>
@@ -1732,12 +1856,36 @@
             <translation>calcaneus mittlinje mot akillesaxeln; &gt; 0 är valgus</translation>
         </message>
         <message>
+            <source>blank</source>
+            <translation>ämne</translation>
+        </message>
+        <message>
             <source>block</source>
             <translation>block</translation>
         </message>
         <message>
+            <source>cast</source>
+            <translation>gips</translation>
+        </message>
+        <message>
             <source>centimetres</source>
             <translation>centimeter</translation>
+        </message>
+        <message>
+            <source>child</source>
+            <translation>barn</translation>
+        </message>
+        <message>
+            <source>claborthotics-maker/orthoscan, lib/models</source>
+            <translation>claborthotics-maker/orthoscan, lib/models</translation>
+        </message>
+        <message>
+            <source>claw toes</source>
+            <translation>klotår</translation>
+        </message>
+        <message>
+            <source>cobra</source>
+            <translation>cobra</translation>
         </message>
         <message>
             <source>colour</source>
@@ -1758,6 +1906,10 @@
         <message>
             <source>corrections must be a list; put the corrections in [ ].</source>
             <translation>corrections måste vara en lista; sätt korrigeringarna i [ ].</translation>
+        </message>
+        <message>
+            <source>cover</source>
+            <translation>överdrag</translation>
         </message>
         <message>
             <source>crest</source>
@@ -1792,12 +1944,20 @@
             <translation>Besöksdatumet</translation>
         </message>
         <message>
+            <source>default</source>
+            <translation>standard</translation>
+        </message>
+        <message>
             <source>degrees</source>
             <translation>grader</translation>
         </message>
         <message>
             <source>degrees uncertain in direction</source>
             <translation>grader osäkert i riktning</translation>
+        </message>
+        <message>
+            <source>diabetes</source>
+            <translation>diabetes</translation>
         </message>
         <message>
             <source>distance of the sensors (mm)</source>
@@ -1824,8 +1984,16 @@
             <translation>kant {value}</translation>
         </message>
         <message>
+            <source>fascia</source>
+            <translation>fascia</translation>
+        </message>
+        <message>
             <source>file name</source>
             <translation>Filnamnet</translation>
+        </message>
+        <message>
+            <source>filler</source>
+            <translation>fyllnad</translation>
         </message>
         <message>
             <source>filler for the 1st toe</source>
@@ -1848,12 +2016,24 @@
             <translation>utfyllnad för femte tån</translation>
         </message>
         <message>
+            <source>first head</source>
+            <translation>första metatarsalhuvudet</translation>
+        </message>
+        <message>
+            <source>first ray</source>
+            <translation>första strålen</translation>
+        </message>
+        <message>
             <source>flat</source>
             <translation>plan</translation>
         </message>
         <message>
             <source>flat pad</source>
             <translation>plan pelott</translation>
+        </message>
+        <message>
+            <source>flatfoot</source>
+            <translation>plattfot</translation>
         </message>
         <message>
             <source>foot length, rounded up to 5 mm</source>
@@ -1866,6 +2046,10 @@
         <message>
             <source>forefoot filler</source>
             <translation>framfotsutfyllnad</translation>
+        </message>
+        <message>
+            <source>forefoot pain</source>
+            <translation>framfotssmärta</translation>
         </message>
         <message>
             <source>forefoot twist</source>
@@ -1924,6 +2108,10 @@
             <translation>har samma namn två gånger</translation>
         </message>
         <message>
+            <source>heads</source>
+            <translation>metatarsalhuvuden</translation>
+        </message>
+        <message>
             <source>heel</source>
             <translation>häl</translation>
         </message>
@@ -1938,6 +2126,10 @@
         <message>
             <source>heel lift</source>
             <translation>hälhöjning</translation>
+        </message>
+        <message>
+            <source>heel pain</source>
+            <translation>hälsmärta</translation>
         </message>
         <message>
             <source>heel skive</source>
@@ -1956,8 +2148,20 @@
             <translation>heights_mm i form måste ha {rows} rader med {columns} höjder, en för varje station.</translation>
         </message>
         <message>
+            <source>high arch</source>
+            <translation>högt fotvalv</translation>
+        </message>
+        <message>
+            <source>high cup</source>
+            <translation>hög hälkopp</translation>
+        </message>
+        <message>
             <source>highest dorsal point at half of the foot length</source>
             <translation>högsta dorsala punkten vid halva fotlängden</translation>
+        </message>
+        <message>
+            <source>hindfoot</source>
+            <translation>bakfot</translation>
         </message>
         <message>
             <source>holds no material; add one</source>
@@ -1970,6 +2174,10 @@
         <message>
             <source>horseshoe</source>
             <translation>hästsko</translation>
+        </message>
+        <message>
+            <source>imprint</source>
+            <translation>avtryck</translation>
         </message>
         <message>
             <source>inches</source>
@@ -2026,6 +2234,10 @@
         <message>
             <source>is no key of a table of materials; check its spelling or leave it out</source>
             <translation>är ingen nyckel i en materialtabell; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
+            <source>is no key of findings; check its spelling or leave it out</source>
+            <translation>är ingen nyckel i en fil med fynd; kontrollera stavningen eller utelämna den</translation>
         </message>
         <message>
             <source>is no rigid transform</source>
@@ -2168,16 +2380,32 @@
             <translation>minsta</translation>
         </message>
         <message>
+            <source>least 3 under the heel usual; above 95 kg the clinic's own judgement</source>
+            <translation>minst 3 under hälen är vanligt; över 95 kg klinikens egen bedömning</translation>
+        </message>
+        <message>
             <source>left</source>
             <translation>vänster</translation>
+        </message>
+        <message>
+            <source>leg length</source>
+            <translation>benlängd</translation>
         </message>
         <message>
             <source>length of the simulated foot (mm)</source>
             <translation>den simulerade fotens längd (mm)</translation>
         </message>
         <message>
+            <source>lift</source>
+            <translation>höjning</translation>
+        </message>
+        <message>
             <source>line of the 1st to 5th head against the heel's ground; &gt; 0 is varus</source>
             <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
+        </message>
+        <message>
+            <source>low</source>
+            <translation>låg</translation>
         </message>
         <message>
             <source>lower centre</source>
@@ -2230,6 +2458,10 @@
         <message>
             <source>middle third of the toeless footprint / all of it</source>
             <translation>mittersta tredjedelen av fotavtrycket utan tår / hela avtrycket</translation>
+        </message>
+        <message>
+            <source>milled</source>
+            <translation>fräst</translation>
         </message>
         <message>
             <source>millimetres</source>
@@ -2352,8 +2584,20 @@
             <translation>anger {name!r}, men en vy har 1 till 32 av tecknen a-z, 0-9 och _</translation>
         </message>
         <message>
+            <source>narrow</source>
+            <translation>smal</translation>
+        </message>
+        <message>
             <source>navicular, where it is marked, over the ground</source>
             <translation>naviculare, där det är märkt, över underlaget</translation>
+        </message>
+        <message>
+            <source>neuroma</source>
+            <translation>neurom</translation>
+        </message>
+        <message>
+            <source>neuropathy</source>
+            <translation>neuropati</translation>
         </message>
         <message>
             <source>no</source>
@@ -2428,8 +2672,20 @@
             <translation>oval pelott</translation>
         </message>
         <message>
+            <source>pediatric</source>
+            <translation>pediatrisk</translation>
+        </message>
+        <message>
             <source>pelott</source>
             <translation>pelott</translation>
+        </message>
+        <message>
+            <source>pes cavus</source>
+            <translation>pes cavus</translation>
+        </message>
+        <message>
+            <source>pes planus</source>
+            <translation>pes planus</translation>
         </message>
         <message>
             <source>pictures</source>
@@ -2454,6 +2710,10 @@
         <message>
             <source>plane</source>
             <translation>plan yta</translation>
+        </message>
+        <message>
+            <source>plate</source>
+            <translation>platta</translation>
         </message>
         <message>
             <source>points_mm of outline has {count} places, and a drawn outline needs at least {least}; draw it again.</source>
@@ -2568,12 +2828,20 @@
             <translation>höger</translation>
         </message>
         <message>
+            <source>rigid</source>
+            <translation>styv</translation>
+        </message>
+        <message>
             <source>rim of finish has {count} stations, and may have {most}; remove some.</source>
             <translation>rim i finish har {count} stationer och får ha {most}; ta bort några.</translation>
         </message>
         <message>
             <source>rocker</source>
             <translation>rullsula</translation>
+        </message>
+        <message>
+            <source>running</source>
+            <translation>löpning</translation>
         </message>
         <message>
             <source>seed of the simulation</source>
@@ -2588,6 +2856,14 @@
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
         </message>
         <message>
+            <source>sesamoid</source>
+            <translation>sesamben</translation>
+        </message>
+        <message>
+            <source>shell</source>
+            <translation>skal</translation>
+        </message>
+        <message>
             <source>shoe height</source>
             <translation>skohöjd</translation>
         </message>
@@ -2596,8 +2872,16 @@
             <translation>shoe_size_eu i outline saknas; ange skons storlek.</translation>
         </message>
         <message>
+            <source>short leg</source>
+            <translation>kort ben</translation>
+        </message>
+        <message>
             <source>side must be "left" or "right", and is {value}.</source>
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
+        </message>
+        <message>
+            <source>slim shoe</source>
+            <translation>smal sko</translation>
         </message>
         <message>
             <source>smaller</source>
@@ -2610,6 +2894,10 @@
         <message>
             <source>smooth map that varies with disparity</source>
             <translation>jämn karta som ändras med disparitet</translation>
+        </message>
+        <message>
+            <source>soft</source>
+            <translation>mjuk</translation>
         </message>
         <message>
             <source>something moved by {distance_mm:.1f} mm; {moved} of its {frames} depth frames are left out</source>
@@ -2628,6 +2916,10 @@
             <translation>kula</translation>
         </message>
         <message>
+            <source>sprain</source>
+            <translation>stukning</translation>
+        </message>
+        <message>
             <source>step</source>
             <translation>steg</translation>
         </message>
@@ -2644,12 +2936,20 @@
             <translation>tåfåra</translation>
         </message>
         <message>
+            <source>supination</source>
+            <translation>supination</translation>
+        </message>
+        <message>
             <source>switched off</source>
             <translation>avstängd</translation>
         </message>
         <message>
             <source>tape round the foot through the two points of the ball</source>
             <translation>måttband runt foten genom trampdynans två punkter</translation>
+        </message>
+        <message>
+            <source>tendon</source>
+            <translation>sena</translation>
         </message>
         <message>
             <source>text on the bottom</source>
@@ -2678,6 +2978,10 @@
         <message>
             <source>the blue spots lie {rms_px:.1f} px from where the markers should be seen; check that it is the right reference system and the right calibration</source>
             <translation>de blå fläckarna ligger {rms_px:.1f} px från där markörerna borde synas; kontrollera att referenssystemet och kalibreringen är de rätta</translation>
+        </message>
+        <message>
+            <source>the clinic's own judgement</source>
+            <translation>klinikens egen bedömning</translation>
         </message>
         <message>
             <source>the depth is {percent:.1f} % {direction} than the markers in the colour image say, and is corrected by that; calibrate the sensor, and see that the session has the right reference system</source>
@@ -2820,6 +3124,10 @@
             <translation>föremålets {paint} fläckar hittas inte ({reason}); visa det helt och väl belyst, och kontrollera dess punktlista</translation>
         </message>
         <message>
+            <source>thesis</source>
+            <translation>avhandling</translation>
+        </message>
+        <message>
             <source>thickness</source>
             <translation>tjocklek</translation>
         </message>
@@ -2852,6 +3160,10 @@
             <translation>uppifrån</translation>
         </message>
         <message>
+            <source>total contact</source>
+            <translation>helkontakt</translation>
+        </message>
+        <message>
             <source>turned by {turn_deg:.0f}°, it looks like itself within {apart_mm:.1f} mm; move some markers by a few studs so that it is less regular</source>
             <translation>vriden {turn_deg:.0f}° liknar den sig själv inom {apart_mm:.1f} mm; flytta några markörer ett par knoppar så att den blir mindre regelbunden</translation>
         </message>
@@ -2870,6 +3182,10 @@
         <message>
             <source>two raw numbers</source>
             <translation>två råvärden</translation>
+        </message>
+        <message>
+            <source>ulcer</source>
+            <translation>sår</translation>
         </message>
         <message>
             <source>undercut</source>
@@ -2952,8 +3268,16 @@
             <translation>{archive} skulle packas upp till {size_gb:.1f} GB i {files} filer, mycket mer än en session har; använd inte denna fil.</translation>
         </message>
         <message>
+            <source>{area_mm2:.0f} mm² at {place} cannot be reached from above, nor from below with the part turned over; {limit:g} are allowed.</source>
+            <translation>{area_mm2:.0f} mm² vid {place} kan inte nås uppifrån, och inte heller underifrån med detaljen vänd; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
             <source>{area_mm2:.0f} mm² cannot be reached from above at {place}; {limit:g} are allowed.</source>
             <translation>{area_mm2:.0f} mm² kan inte nås uppifrån vid {place}; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
+            <source>{area_mm2:.0f} mm² cannot be reached from above, nor from below with the part turned over; {limit:g} are allowed.</source>
+            <translation>{area_mm2:.0f} mm² kan inte nås uppifrån, och inte heller underifrån med detaljen vänd; {limit:g} är tillåtna.</translation>
         </message>
         <message>
             <source>{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.</source>

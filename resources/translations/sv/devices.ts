@@ -20,12 +20,24 @@
             <translation>Ett överdrag som limmas på senare dras av från det som tillverkas</translation>
         </message>
         <message>
+            <source>Add a body weight</source>
+            <translation>Lägg till en kroppsvikt</translation>
+        </message>
+        <message>
+            <source>Add a material</source>
+            <translation>Lägg till ett material</translation>
+        </message>
+        <message>
             <source>Add a station here</source>
             <translation>Lägg till en kantpunkt här</translation>
         </message>
         <message>
             <source>Add a station to the rim</source>
             <translation>Lägg till en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Advice</source>
+            <translation>Råd</translation>
         </message>
         <message>
             <source>Apply</source>
@@ -56,6 +68,14 @@
             <translation>Som skannad: kanten är fotens egen. Välj en inläggstyp för att utforma den.</translation>
         </message>
         <message>
+            <source>At the front edge</source>
+            <translation>Vid framkanten</translation>
+        </message>
+        <message>
+            <source>At the usual place instead of the present one: {names}</source>
+            <translation>På sin vanliga plats i stället för den nuvarande: {names}</translation>
+        </message>
+        <message>
             <source>Base form: {name}</source>
             <translation>Grundform: {name}</translation>
         </message>
@@ -76,8 +96,16 @@
             <translation>Växla mellan fotens avtryck och det utformade inlägget</translation>
         </message>
         <message>
+            <source>Change least and usual thickness of the clinic's materials</source>
+            <translation>Ändra minsta och vanlig tjocklek för klinikens material</translation>
+        </message>
+        <message>
             <source>Change the rim</source>
             <translation>Ändra kanten</translation>
+        </message>
+        <message>
+            <source>Change the table of materials</source>
+            <translation>Ändra materialtabellen</translation>
         </message>
         <message>
             <source>Choose a device, a base form, or what is proposed for a finding</source>
@@ -148,12 +176,20 @@
             <translation>Ändra inläggstypen</translation>
         </message>
         <message>
+            <source>Edit the finding</source>
+            <translation>Redigera fyndet</translation>
+        </message>
+        <message>
             <source>Edit the post</source>
             <translation>Ändra kilen</translation>
         </message>
         <message>
             <source>Edit the shell</source>
             <translation>Ändra skalet</translation>
+        </message>
+        <message>
+            <source>Edit this finding…</source>
+            <translation>Redigera fyndet…</translation>
         </message>
         <message>
             <source>Expert: device</source>
@@ -164,8 +200,20 @@
             <translation>Expert: skal</translation>
         </message>
         <message>
+            <source>Export the clinic's findings…</source>
+            <translation>Exportera klinikens fynd…</translation>
+        </message>
+        <message>
             <source>Export this device…</source>
             <translation>Exportera inläggstypen…</translation>
+        </message>
+        <message>
+            <source>Export this finding…</source>
+            <translation>Exportera fyndet…</translation>
+        </message>
+        <message>
+            <source>Export this table…</source>
+            <translation>Exportera tabellen…</translation>
         </message>
         <message>
             <source>Finding: {name}</source>
@@ -186,6 +234,10 @@
         <message>
             <source>Forefoot transition</source>
             <translation>Övergång, framfot</translation>
+        </message>
+        <message>
+            <source>From material and body weight a thickness is proposed; the least thickness is kept everywhere.</source>
+            <translation>Av material och kroppsvikt föreslås en tjocklek; den minsta tjockleken hålls överallt.</translation>
         </message>
         <message>
             <source>From which, with the weight, a thickness is proposed</source>
@@ -244,6 +296,14 @@
             <translation>Importera en inläggstyp…</translation>
         </message>
         <message>
+            <source>Import a table…</source>
+            <translation>Importera en tabell…</translation>
+        </message>
+        <message>
+            <source>Import findings…</source>
+            <translation>Importera fynd…</translation>
+        </message>
+        <message>
             <source>Inclination of the lateral wall; &gt; 0 is wider at the bottom</source>
             <translation>Den laterala väggens lutning; &gt; 0 är bredare nedtill</translation>
         </message>
@@ -252,12 +312,24 @@
             <translation>Den mediala väggens lutning; &gt; 0 är bredare nedtill</translation>
         </message>
         <message>
+            <source>Keep as a finding</source>
+            <translation>Behåll som fynd</translation>
+        </message>
+        <message>
+            <source>Keep this design as a finding…</source>
+            <translation>Behåll designen som fynd…</translation>
+        </message>
+        <message>
             <source>Keep this insole's form as a base</source>
             <translation>Behåll inläggets form som grundform</translation>
         </message>
         <message>
             <source>Keep this insole's form as a base…</source>
             <translation>Behåll inläggets form som grundform…</translation>
+        </message>
+        <message>
+            <source>Keywords, with commas</source>
+            <translation>Sökord, med komma</translation>
         </message>
         <message>
             <source>Lateral draft</source>
@@ -270,6 +342,14 @@
         <message>
             <source>Make it the clinic's default</source>
             <translation>Gör den till klinikens förval</translation>
+        </message>
+        <message>
+            <source>Materials</source>
+            <translation>Material</translation>
+        </message>
+        <message>
+            <source>Materials…</source>
+            <translation>Material…</translation>
         </message>
         <message>
             <source>Medial border against the bisection of the 1st metatarsal</source>
@@ -320,8 +400,16 @@
             <translation>Inget innehåller dessa ord; skriv andra.</translation>
         </message>
         <message>
+            <source>Of this foot alone, and not part of it: {names}</source>
+            <translation>Gäller bara den här foten och följer inte med: {names}</translation>
+        </message>
+        <message>
             <source>Over</source>
             <translation>Över</translation>
+        </message>
+        <message>
+            <source>Own material {number}</source>
+            <translation>Eget material {number}</translation>
         </message>
         <message>
             <source>Place</source>
@@ -348,8 +436,16 @@
             <translation>Ta bort en kantpunkt</translation>
         </message>
         <message>
+            <source>Remove this body weight</source>
+            <translation>Ta bort kroppsvikten</translation>
+        </message>
+        <message>
             <source>Remove this device</source>
             <translation>Ta bort inläggstypen</translation>
+        </message>
+        <message>
+            <source>Remove this finding</source>
+            <translation>Ta bort fyndet</translation>
         </message>
         <message>
             <source>Remove this station</source>
@@ -364,6 +460,10 @@
             <translation>Ersätt</translation>
         </message>
         <message>
+            <source>Return to the supplied findings</source>
+            <translation>Återgå till de medföljande fynden</translation>
+        </message>
+        <message>
             <source>Rim</source>
             <translation>Kant</translation>
         </message>
@@ -374,6 +474,10 @@
         <message>
             <source>Save as a device</source>
             <translation>Spara som inläggstyp</translation>
+        </message>
+        <message>
+            <source>Save the table</source>
+            <translation>Spara tabellen</translation>
         </message>
         <message>
             <source>Save this design as a device…</source>
@@ -396,12 +500,20 @@
             <translation>Visa fotens avtryck utan utformad kant; en gång till tar den tillbaka</translation>
         </message>
         <message>
+            <source>Show the supplied materials</source>
+            <translation>Visa de medföljande materialen</translation>
+        </message>
+        <message>
             <source>Skin smoothing</source>
             <translation>Hudutjämning</translation>
         </message>
         <message>
             <source>Soft tissue</source>
             <translation>Mjukdelar</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Källa</translation>
         </message>
         <message>
             <source>Source: {source}</source>
@@ -414,6 +526,14 @@
         <message>
             <source>Sulcus</source>
             <translation>Sulcus</translation>
+        </message>
+        <message>
+            <source>Table of materials</source>
+            <translation>Materialtabell</translation>
+        </message>
+        <message>
+            <source>Table of materials…</source>
+            <translation>Materialtabell…</translation>
         </message>
         <message>
             <source>Take the usual thickness</source>
@@ -436,6 +556,10 @@
             <translation>Ordinationen är redan sådan; inget skulle ändras.</translation>
         </message>
         <message>
+            <source>The finding proposes:</source>
+            <translation>Fyndet föreslår:</translation>
+        </message>
+        <message>
             <source>The foot itself</source>
             <translation>Foten själv</translation>
         </message>
@@ -450,6 +574,10 @@
         <message>
             <source>The rim appears here as soon as there is a foot.</source>
             <translation>Kanten visas här så snart det finns en fot.</translation>
+        </message>
+        <message>
+            <source>The supplied findings apply again; the clinic's are kept as {name}</source>
+            <translation>De medföljande fynden gäller igen; klinikens finns kvar som {name}</translation>
         </message>
         <message>
             <source>The usual thickness for this material and weight</source>
@@ -480,8 +608,16 @@
             <translation>Skriv för att söka: hälskål, barn, plantarfasciit</translation>
         </message>
         <message>
+            <source>Usual thickness</source>
+            <translation>Vanlig tjocklek</translation>
+        </message>
+        <message>
             <source>What lies ahead of the metatarsal heads, in place of the scanned toes</source>
             <translation>Vad som ligger framför metatarsalhuvudena, i stället för de skannade tårna</translation>
+        </message>
+        <message>
+            <source>What the finding proposes stays. To change that, keep a design under its name.</source>
+            <translation>Det som fyndet föreslår blir kvar. Behåll en design under dess namn för att ändra det.</translation>
         </message>
         <message>
             <source>Wide</source>
@@ -504,6 +640,10 @@
             <translation>Bredd över vilken hudveck jämnas ut; 0 för ingen</translation>
         </message>
         <message>
+            <source>above</source>
+            <translation>över</translation>
+        </message>
+        <message>
             <source>at the forefoot</source>
             <translation>vid framfoten</translation>
         </message>
@@ -516,6 +656,14 @@
             <translation>förval</translation>
         </message>
         <message>
+            <source>findings</source>
+            <translation>fynd</translation>
+        </message>
+        <message>
+            <source>for every body weight</source>
+            <translation>för alla kroppsvikter</translation>
+        </message>
+        <message>
             <source>glued on later</source>
             <translation>limmas på senare</translation>
         </message>
@@ -526,6 +674,10 @@
         <message>
             <source>made with it</source>
             <translation>tillverkas med</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>material</translation>
         </message>
         <message>
             <source>mm over the heel</source>
@@ -554,6 +706,10 @@
         <message>
             <source>total contact</source>
             <translation>full kontakt</translation>
+        </message>
+        <message>
+            <source>up to</source>
+            <translation>upp till</translation>
         </message>
         <message>
             <source>{form}: at 0 % the form alone, at 100 % the sole of the foot</source>

@@ -308,8 +308,8 @@
             <translation>De avviker högst {deviation:.3f} mm.</translation>
         </message>
         <message>
-            <source>Undercut from above</source>
-            <translation>Underskärning från ovan</translation>
+            <source>Undercut</source>
+            <translation>Underskärning</translation>
         </message>
         <message>
             <source>Use these</source>
@@ -380,8 +380,8 @@
             <translation>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} trianglar</translation>
         </message>
         <message>
-            <source>{value:.0f} mm² cannot be reached from above</source>
-            <translation>{value:.0f} mm² nås inte från ovan</translation>
+            <source>{value:.0f} mm² cannot be reached by the cutter</source>
+            <translation>{value:.0f} mm² nås inte av fräsen</translation>
         </message>
         <message>
             <source>{value:.1f} mm at the highest place</source>

@@ -7,16 +7,24 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import manifold3d
 import numpy as np
 import pytest
 
 from insole_core.errors import DesignError, InputError
+from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.surface.height_field import HeightField
+from insole_core.resources import resource_path
 from insole_core.solids.checks import Finding, Override, check_solid, require_export
 from insole_core.solids.export_rules import CHECK_NAMES, ExportRules, read_rules
 from insole_core.solids.prism import Faces, prism
+from insole_core.solids.simplification import from_manifold, to_manifold
+from insole_core.solids.solid import insole_solid
 from insole_core.solids.solid_outline import outline_distance
 from insole_core.solids.trimmed_grid import trim
 
@@ -87,6 +95,45 @@ def test_walls_that_lean_inwards_are_undercut():
     finding = findings(plate(lambda _x, _y: 8.0, draft_deg=-10))["undercut"]
     assert not finding.passed
     assert finding.value == pytest.approx(360 * 8 / np.cos(np.radians(10)), rel=0.05)
+
+
+DEVICES = ("functional-three-quarter", "dress-three-quarter", "ucbl-child", "sport-full-length")
+
+
+def shell_of(foot: Foot, key: str) -> TriangleMesh:
+    device = read_device(resource_path("devices") / f"{key}.json")
+    return insole_solid(build_insole(foot, apply_device(device, InsoleDesign(foot.side))))
+
+
+def undercut(mesh: TriangleMesh) -> Finding:
+    (finding,) = check_solid(mesh, read_rules().only(("undercut",)))
+    return finding
+
+
+@pytest.mark.parametrize("key", DEVICES)
+def test_a_sound_cupped_shell_has_no_undercut(left_foot: Foot, key: str):
+    finding = undercut(shell_of(left_foot, key))
+    assert (finding.passed, finding.value) == (True, 0.0)
+    assert "turned over" in finding.sentence
+
+
+def test_a_slot_in_the_wall_of_a_cupped_shell_is_an_undercut(left_foot: Foot):
+    shell = shell_of(left_foot, "ucbl-child")
+    (low_x, _, _), (high_x, _, _) = shell.vertices.min(axis=0), shell.vertices.max(axis=0)
+    slot = manifold3d.Manifold.cube([high_x - low_x, 20.0, 1.0]).translate([low_x, 30.0, 8.0])
+    finding = undercut(from_manifold(to_manifold(shell) - slot))
+    assert not finding.passed
+    assert 2 * 2 * 20 * 2.0 < finding.value < 2 * 2 * 20 * 20.0  # floor and roof, both walls
+    assert finding.place_mm is not None
+    assert finding.place_mm[1] == pytest.approx(40, abs=10.01)
+    assert finding.place_mm[2] == pytest.approx(8.5, abs=0.51)
+    assert "nor from below" in finding.sentence
+
+
+def test_a_slot_in_the_wall_on_a_flat_bottom_is_an_undercut():
+    slot = manifold3d.Manifold.cube([10.0, 20.0, 2.0]).translate([25.0, 0.0, 3.0])
+    finding = undercut(from_manifold(to_manifold(plate(lambda _x, _y: 8.0)) - slot))
+    assert finding.value == pytest.approx(2 * 5 * 20, abs=1)
 
 
 @pytest.mark.parametrize("wider", [1 - 1e-12, 1 + 1e-12])

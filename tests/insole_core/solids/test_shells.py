@@ -29,8 +29,10 @@ from insole_core.insole.prescription.design import (
     Posting,
     Shell,
 )
+from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.surface.shoe_last import last_heights_mm
+from insole_core.resources import resource_path
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.order import Order, make_part
 from insole_core.solids.shell_body import made_surface
@@ -187,6 +189,24 @@ def test_a_rearfoot_post_stands_level_over_its_length(left_foot: Foot):
     assert np.array_equal(faces(posted)[1][beyond], faces(plain)[1][beyond])
     assert posted.volume_mm3 > plain.volume_mm3 + 5000
     assert np.array_equal(faces(posted)[0], faces(plain)[0])
+
+
+@pytest.mark.parametrize("device", ["ucbl-child", "functional-three-quarter"])
+def test_the_front_of_a_post_runs_out_into_the_flank_of_the_shell(left_foot: Foot, device: str):
+    design = apply_device(
+        read_device(resource_path("devices") / f"{device}.json"), InsoleDesign(Side.LEFT)
+    )
+    bottom = faces(insole_solid(build_insole(left_foot, design)))[1]
+    front = bottom[:, 1].min() + 0.25 * left_foot.length_mm
+    near = (np.abs(bottom[:, 1] - front) < 18) & (bottom[:, :2] == np.rint(bottom[:, :2])).all(1)
+    height = {(x, y): z for x, y, z in bottom[near]}
+    bent = [
+        abs(height[x, y + 1] - 2 * z + height[x, y - 1])
+        for (x, y), z in height.items()
+        if z > 3.0 and (x, y + 1) in height and (x, y - 1) in height
+    ]
+    assert len(bent) > 100
+    assert max(bent) < 0.6  # 1/mm; a wall of 65° that meets a level shell within 1 mm has 2.1
 
 
 @pytest.mark.parametrize(("region", "key"), [("rearfoot", 1), ("forefoot", -1)])

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from insole_core.errors import InputError
+from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import (
+    ArchRaise,
+    BrushStroke,
     HeelCup,
     HeelSkive,
     InsoleDesign,
@@ -26,18 +29,20 @@ from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
 from insole_core.workflows.clinic_devices import AS_SCANNED, DEFAULT_DEVICE, clinic_devices
+from insole_core.workflows.clinic_findings import ClinicFindings, export_findings
+from insole_core.workflows.finding_file import read_findings
 from insole_core.workflows.findings import (
     Catalogue,
-    ClinicFindings,
     Finding,
     ProposedPad,
     apply_finding,
     find_finding,
 )
+from insole_core.workflows.kept_finding import finding_of
 from insole_core.workflows.pad_library import load_pads
 
-NOWHERE = Path("/nowhere/findings.json")
-FINDINGS = ClinicFindings(NOWHERE).load()
+NOWHERE = Path("/nowhere")
+FINDINGS = tuple(ClinicFindings(NOWHERE).load().items.values())
 CATALOGUE = Catalogue(clinic_devices(NOWHERE).load().items, DEFAULT_DEVICE, load_pads(), 8.0)
 
 
@@ -187,34 +192,106 @@ def test_a_finding_that_there_is_not():
         find_finding(FINDINGS, "cold feet")
 
 
-def written(path: Path, *findings: Any) -> ClinicFindings:
+def written(folder: Path, *findings: Any) -> ClinicFindings:
     content = {"format": "insole-findings", "version": 1, "findings": findings}
-    path.write_text(json.dumps(content), "utf-8")
-    return ClinicFindings(path)
+    (folder / "findings.json").write_text(json.dumps(content), "utf-8")
+    return ClinicFindings(folder)
 
 
 def test_a_file_of_findings_that_leads_nowhere_is_told(tmp_path: Path):
     path = tmp_path / "findings.json"
-    assert ClinicFindings(path).load()
     path.symlink_to(path)
-    with pytest.raises(InputError, match=r"findings\.json"):
-        ClinicFindings(path).load()
+    listed = ClinicFindings(tmp_path).load()
+    assert len(listed.items) == len(FINDINGS), "those of the product are there all the same"
+    assert "findings.json" in str(*listed.unreadable)
 
 
 def test_the_clinics_findings_replace_and_add(tmp_path: Path):
     own = written(
-        tmp_path / "f.json",
+        tmp_path,
         {"name": "cavus foot", "cup_mm": 15},
         {"name": "Cold feet", "advice": "Wool."},
     )
-    found = own.load()
-    assert len(found) == len(FINDINGS) + 1
-    assert find_finding(found, "Cavus foot") == Finding("cavus foot", cup_mm=15)
-    assert find_finding(found, "cold feet").advice == "Wool."
+    listed = own.load()
+    assert len(listed.items) == len(FINDINGS) + 1
+    assert listed.own == {"cavus-foot", "cold-feet"}
+    assert listed.items["cavus-foot"] == Finding("cavus foot", cup_mm=15)
+    assert listed.items["cold-feet"].advice == "Wool."
+
+
+def unsigned(finding: Finding) -> Finding:
+    corrections = tuple(replace(c, id="") for c in finding.corrections)
+    return replace(finding, corrections=corrections)
+
+
+def test_findings_are_written_as_they_are_read(tmp_path: Path):
+    path = tmp_path / "shared.json"
+    export_findings(FINDINGS, path)
+    assert list(map(unsigned, read_findings(path))) == list(map(unsigned, FINDINGS))
+
+
+def test_a_finding_is_stored_renamed_and_removed(tmp_path: Path):
+    clinic = ClinicFindings(tmp_path)
+    clinic.save([Finding("Cold feet"), Finding("Cavus foot", cup_mm=15)])
+    clinic.save([Finding("Warm feet")], instead_of="Cold feet")
+    assert clinic.load().own == {"cavus-foot", "warm-feet"}
+    clinic.remove("cavus foot")
+    assert unsigned(clinic.load().items["cavus-foot"]) == unsigned(
+        find_finding(FINDINGS, "cavus foot")
+    )
+    kept = clinic.reset()
+    assert clinic.load().own == frozenset()
+    assert kept is not None
+    assert [finding.name for finding in read_findings(kept)] == ["Warm feet"]
+    assert clinic.reset() is None
+
+
+def test_a_broken_file_is_kept_when_findings_are_stored(tmp_path: Path):
+    (tmp_path / "findings.json").write_text("half a fi")
+    ClinicFindings(tmp_path).save([Finding("Cold feet")])
+    assert [f.read_text() for f in tmp_path.glob("*.broken-1")] == ["half a fi"]
+    assert ClinicFindings(tmp_path).load().own == {"cold-feet"}
+
+
+@pytest.mark.parametrize("finding", FINDINGS, ids=lambda finding: finding.name)
+def test_what_a_finding_made_of_a_design_is_kept_as_that_finding(finding: Finding, left_foot):
+    """On the clinic's device, where the finding changes something of it."""
+    marks, before = find_landmarks(left_foot), eva(Side.LEFT)
+    made = apply_finding(finding, before, marks, CATALOGUE)
+    kept = finding_of(made, "Ours", marks, CATALOGUE)
+    assert (kept.left_out, kept.moved) == ((), ())
+    again = apply_finding(kept.finding, before, marks, CATALOGUE)
+    assert not lines(made, replace(again, corrections=made.corrections))
+    assert [main(c) for c in again.corrections] == [main(c) for c in made.corrections]
+
+
+def main(correction: Any) -> Any:
+    return replace(correction, id="", author="", created_at="")
+
+
+def test_what_is_of_this_foot_alone_is_not_kept(left_foot):
+    marks = find_landmarks(left_foot)
+    raised = ArchRaise(target_mm=30.0, apex_mm=(20.0, 110.0))
+    moved = Pelott(centre_mm=(0.0, 30.0))
+    drawn = Pelott(shape="free", centre_mm=(0.0, 30.0), outline_mm=((0, 0), (9, 0), (0, 9)))
+    stroke = BrushStroke(points_mm=((0.0, 100.0),))
+    design = replace(eva(Side.LEFT), corrections=(raised, moved, drawn, stroke))
+    kept = finding_of(design, "Ours", marks, CATALOGUE)
+    (arch,) = kept.finding.corrections
+    assert arch == replace(raised, id=arch.id, apex_mm=None)
+    assert kept.left_out == (drawn, stroke)
+    assert kept.moved == (moved,)
+    assert [pad.kind for pad in kept.finding.pads] == ["pelott"]
+
+
+def test_a_kept_finding_needs_a_name(left_foot):
+    with pytest.raises(DesignError, match="A name must have"):
+        finding_of(eva(Side.LEFT), " ", find_landmarks(left_foot), CATALOGUE)
 
 
 BAD = [
     ({}, r"findings\[0\].name is missing"),
+    ({"name": " , "}, "A name must have"),
     ({"name": "A", "cup": 3}, "cup is no key of a finding"),
     ({"name": "A", "cup_mm": 90}, "cup_mm is 90"),
     ({"name": "A", "corrections": [{"type": "clog"}]}, 'type "clog"'),
@@ -227,7 +304,9 @@ BAD = [
 
 @pytest.mark.parametrize(("bad", "sentence"), BAD, ids=[sentence for _, sentence in BAD])
 def test_findings_are_read_strictly(tmp_path: Path, bad: dict[str, Any], sentence: str):
-    path = tmp_path / "f.json"
+    path = tmp_path / "findings.json"
+    told = written(tmp_path, bad).load().unreadable
+    assert re.search(sentence, str(*told))
     with pytest.raises(InputError, match=sentence) as refused:
-        written(path, bad).load()
+        read_findings(path)
     assert str(path) in str(refused.value)

@@ -98,6 +98,10 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
         repeat=RepeatActions(services, feet),
         prescriber=PrescriberSetting(services),
         devices=DeviceActions(
-            services, stage.preview, stage.pads, stage.rules.pelott_usual_behind_heads_mm
+            services,
+            stage.preview,
+            stage.pads,
+            stage.rules.pelott_usual_behind_heads_mm,
+            stage.materials,
         ),
     )

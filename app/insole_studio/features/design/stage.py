@@ -13,6 +13,7 @@ from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.material_model import MaterialModel
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
@@ -83,6 +84,7 @@ class DesignStage(QObject):
         self._was_asked = False, False
         """Whether the section followed the pointer, and whether its tool was taken."""
         self.rim_model = rim
+        self.materials = MaterialModel()
         self.linked = True
         self.steps = StepStrip()
         self.patient = PatientView()
@@ -122,6 +124,7 @@ class DesignStage(QObject):
             surface=surface,
             tool_controller=tool_controller,
             rules=rules,
+            materials=self.materials,
             look_at=self.look_at,
         )
         self._parameters_presenter = ParametersPresenter(
@@ -131,6 +134,7 @@ class DesignStage(QObject):
             pads,
             rules,
             rim=rim,
+            materials=self.materials,
             request_action=self.action_requested.emit,
         )
         self._section_presenter = SectionPresenter(

@@ -62,7 +62,7 @@ TITLES: dict[CheckName, Callable[[], str]] = {
     "watertight": lambda: tr("Closed solid"),
     "thickness": lambda: tr("Least thickness"),
     "cutter": lambda: tr("Hollows for the cutter"),
-    "undercut": lambda: tr("Undercut from above"),
+    "undercut": lambda: tr("Undercut"),
     "step": lambda: tr("Height of step"),
     "block": lambda: tr("Fits the block"),
     "shoe_height": lambda: tr("Fits the shoe"),
@@ -75,7 +75,7 @@ UNITS: dict[CheckName, str] = {
 _SENTENCES: dict[CheckName, Callable[[], str]] = {
     "thickness": lambda: tr("{value:.1f} mm at the thinnest place"),
     "cutter": lambda: tr("{value:.2f} mm of material is left in hollows"),
-    "undercut": lambda: tr("{value:.0f} mm² cannot be reached from above"),
+    "undercut": lambda: tr("{value:.0f} mm² cannot be reached by the cutter"),
     "step": lambda: tr("{value:.1f} mm of rise over 1 mm"),
     "shoe_height": lambda: tr("{value:.1f} mm at the highest place"),
     "grid": lambda: tr("{value:g} mm between the points of the surface"),

@@ -28,6 +28,7 @@ from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.material_model import MaterialModel
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.document.side_by_side import SideBySide
@@ -282,6 +283,7 @@ class TestParameters:
             load_pads(),
             load_rules(),
             rim=rim,
+            materials=MaterialModel(),
             request_action=lambda _key: None,
         )
 
@@ -455,6 +457,7 @@ class TestModels:
             (),
             load_rules(),
             rim=rim,
+            materials=MaterialModel(),
             request_action=lambda _key: None,
         )
         open_foot()
@@ -543,6 +546,7 @@ class TestWarnings:
             surface=surface,
             tool_controller=tool_controller,
             rules=load_rules(),
+            materials=MaterialModel(),
             look_at=looked.append,
         )
         open_foot()

@@ -52,6 +52,12 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         shortcut="Y",
         needs_foot=True,
     ),
+    ActionRecord(
+        "edit_materials",
+        lambda: tr("Table of materials…"),
+        lambda: tr("Change least and usual thickness of the clinic's materials"),
+        lambda design, _on: design.devices.table.open(),
+    ),
     _prescription(
         lambda: tr("Posting"),
         lambda: tr("Tilt rear- and forefoot by degrees"),

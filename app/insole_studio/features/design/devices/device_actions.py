@@ -11,6 +11,7 @@ from insole_core.insole.forms.kept_form import form_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device, device_of
 from insole_core.insole.prescription.item_name import key_of
+from insole_core.insole.prescription.materials import with_least_thickness
 from insole_core.workflows.clinic_devices import (
     AS_SCANNED,
     DEFAULT_DEVICE,
@@ -18,13 +19,15 @@ from insole_core.workflows.clinic_devices import (
     clinic_forms,
     find_device,
 )
+from insole_core.workflows.clinic_findings import ClinicFindings
 from insole_core.workflows.default_device import DefaultDevice
-from insole_core.workflows.findings import Catalogue, ClinicFindings, Finding, apply_finding
+from insole_core.workflows.findings import Catalogue, Finding, apply_finding
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.named_files import Item, NamedFiles
 from insole_core.workflows.pad_library import LibraryPad
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.material_model import MaterialModel
 from insole_studio.features.design.devices.device_choices import (
     Choice,
     Kind,
@@ -34,6 +37,8 @@ from insole_studio.features.design.devices.device_choices import (
 )
 from insole_studio.features.design.devices.devices_presenter import DevicesPresenter
 from insole_studio.features.design.devices.devices_view import DevicesView, MenuEntry
+from insole_studio.features.design.devices.finding_actions import FindingActions
+from insole_studio.features.design.devices.material_actions import MaterialActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import DEVICE_SUFFIX, device_kinds
 from insole_studio.services.last_folders import Kept
@@ -53,6 +58,8 @@ class DeviceActions:
         The library that findings propose from.
     behind_heads_mm
         The clinic's rule on the place of pads.
+    materials
+        The clinic's table.
     """
 
     def __init__(
@@ -61,6 +68,7 @@ class DeviceActions:
         preview: InsolePreview,
         pads: Sequence[LibraryPad],
         behind_heads_mm: float,
+        materials: MaterialModel,
     ) -> None:
         self._services = services
         self._case = services.case
@@ -70,7 +78,12 @@ class DeviceActions:
         folder = services.paths.settings_folder
         self._devices, self._forms = clinic_devices(folder), clinic_forms(folder)
         self._default_device = DefaultDevice(folder)
-        self._findings = ClinicFindings(folder / "findings.json")
+        self._findings = ClinicFindings(folder)
+        self._of_findings = FindingActions(
+            services, self._findings, lambda: self._catalogue, self._renew
+        )
+        self._materials = materials
+        self.table = MaterialActions(services, materials)
         self._view: DevicesView | None = None
         self._presenter: DevicesPresenter | None = None
         self._designed: dict[Side, InsoleDesign] = {}
@@ -107,7 +120,7 @@ class DeviceActions:
             if device.values.finish is None:
                 device = find_device(devices, DEFAULT_DEVICE)
             changed = apply_device(device, design) if before is None else _again(before, design)
-            self._case.apply(changed, tr("Design the rim"))
+            self._case.apply(self._with_table(changed), tr("Design the rim"))
         else:
             self._designed[design.side] = design
             changed = apply_device(find_device(devices, AS_SCANNED), design)
@@ -180,49 +193,77 @@ class DeviceActions:
 
     def _choices(self) -> list[Choice]:
         return [
-            *device_choices(self._devices.load()),
+            *device_choices(self._devices.load(), self._with_device),
             *finding_choices(self._findings.load(), self._with_finding),
             *form_choices(self._forms.load(), self._case.foot),
         ]
 
     def _tell_unreadable(self) -> None:
-        sentences = (*self._devices.load().unreadable, *self._forms.load().unreadable)
+        listed = (self._devices.load(), self._forms.load(), self._findings.load())
+        sentences = [sentence for of_kind in listed for sentence in of_kind.unreadable]
         text = "\n".join(map(translate_core_message, sentences))
         if text:
             self._services.notices.put(_UNREADABLE, text, stays=True)
         else:
             self._services.notices.drop(_UNREADABLE)
 
+    @property
+    def _catalogue(self) -> Catalogue:
+        """What findings refer to."""
+        devices = self._devices.load().items
+        return Catalogue(devices, self._default, self._pads, self._behind_heads_mm)
+
+    def _with_device(self, device: Device, design: InsoleDesign) -> InsoleDesign:
+        return self._with_table(apply_device(device, design))
+
     def _with_finding(self, finding: Finding, design: InsoleDesign) -> InsoleDesign:
         """Return a design with what is proposed for a finding."""
-        catalogue = Catalogue(
-            self._devices.load().items, self._default, self._pads, self._behind_heads_mm
-        )
-        landmarks = landmarks_of(self._case.record)
-        return apply_finding(finding, design, landmarks, catalogue, self._case.stamped)
+        landmarks, catalogue = landmarks_of(self._case.record), self._catalogue
+        changed = apply_finding(finding, design, landmarks, catalogue, self._case.stamped)
+        return self._with_table(changed)
+
+    def _with_table(self, design: InsoleDesign) -> InsoleDesign:
+        """Return a design as thick at least as the clinic's table asks for its material."""
+        return with_least_thickness(design, self._materials.table)
 
     def _entries(self, choice: Choice | None) -> list[MenuEntry]:
         """Return the menu below the list, for what is chosen in it."""
         is_device = choice is not None and choice.kind is Kind.DEVICE
-        is_own = choice is not None and is_device and choice.is_own
+        is_finding = choice is not None and choice.kind is Kind.FINDING
+        is_own = choice is not None and choice.is_own
+        has_own = bool(self._findings.load().own)
         return [
             MenuEntry("save", tr("Save this design as a device…")),
+            MenuEntry("keep", tr("Keep this design as a finding…")),
+            MenuEntry("form", tr("Keep this insole's form as a base…")),
+            MenuEntry("", ""),
             MenuEntry("import", tr("Import a device…")),
             MenuEntry("export", tr("Export this device…"), is_device),
             MenuEntry("default", tr("Make it the clinic's default"), is_device),
-            MenuEntry("remove", tr("Remove this device"), is_own),
-            MenuEntry("form", tr("Keep this insole's form as a base…")),
+            MenuEntry("remove", tr("Remove this device"), is_device and is_own),
+            MenuEntry("", ""),
+            MenuEntry("import_findings", tr("Import findings…")),
+            MenuEntry("export_finding", tr("Export this finding…"), is_finding),
+            MenuEntry("export_findings", tr("Export the clinic's findings…"), has_own),
+            MenuEntry("edit_finding", tr("Edit this finding…"), is_finding),
+            MenuEntry("remove_finding", tr("Remove this finding"), is_finding and is_own),
+            MenuEntry("reset_findings", tr("Return to the supplied findings"), has_own),
         ]
 
     def _take_entry(self, key: str) -> None:
         choice = None if self._presenter is None else self._presenter.chosen
         try:
-            if key in _ON_DEVICE:
-                assert choice is not None, "the menu offers it for a device only"
-                device = self._devices.load().items[choice.key.removeprefix("device:")]
-                _ON_DEVICE[key](self, device)
-            else:
+            if key in _ON_DESIGN:
                 _ON_DESIGN[key](self)
+            elif key in _ON_FINDINGS:
+                _ON_FINDINGS[key](self._of_findings)
+            else:
+                assert choice is not None, "the menu offers the others for a chosen row only"
+                kind, _, name = choice.key.partition(":")
+                if kind == "device":
+                    _ON_DEVICE[key](self, self._devices.load().items[name])
+                else:
+                    _ON_FINDING[key](self._of_findings, self._findings.load().items[name])
         except InsoleError as error:
             self._services.messages.show_error(error, self._view)
 
@@ -263,4 +304,15 @@ _ON_DESIGN: dict[str, Callable[[DeviceActions], None]] = {
     "save": DeviceActions.save_as_device,
     "import": DeviceActions.import_device,
     "form": DeviceActions.keep_form,
+}
+_ON_FINDING: dict[str, Callable[[FindingActions, Finding], None]] = {
+    "export_finding": FindingActions.export,
+    "edit_finding": FindingActions.edit,
+    "remove_finding": FindingActions.remove,
+}
+_ON_FINDINGS: dict[str, Callable[[FindingActions], None]] = {
+    "keep": FindingActions.keep,
+    "import_findings": FindingActions.import_file,
+    "export_findings": FindingActions.export_own,
+    "reset_findings": FindingActions.reset,
 }

@@ -11,7 +11,7 @@ from insole_core.foot.foot import Foot
 from insole_core.insole.forms.form_surface import check_length
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.device import Device, apply_device
+from insole_core.insole.prescription.device import Device
 from insole_core.workflows.findings import Finding
 from insole_core.workflows.named_files import Listed
 from insole_studio.texts import tr, translate_core_message
@@ -52,8 +52,16 @@ class Choice:
     is_own: bool = False
 
 
-def device_choices(devices: Listed[Device]) -> Iterator[Choice]:
-    """Yield the devices."""
+def device_choices(
+    devices: Listed[Device], apply: Callable[[Device, InsoleDesign], InsoleDesign]
+) -> Iterator[Choice]:
+    """Yield the devices.
+
+    Parameters
+    ----------
+    apply
+        Returns the design as one of a device.
+    """
     for key, device in devices.items.items():
         yield Choice(
             Kind.DEVICE,
@@ -61,7 +69,7 @@ def device_choices(devices: Listed[Device]) -> Iterator[Choice]:
             translate_core_message(device.name),
             (device.name, *map(translate_core_message, device.keywords), *device.keywords),
             source_notes(device.source),
-            partial(apply_device, device),
+            partial(apply, device),
             key in devices.own,
         )
 
@@ -100,7 +108,7 @@ def form_choices(forms: Listed[Form], foot: Foot | None) -> Iterator[Choice]:
 
 
 def finding_choices(
-    findings: Sequence[Finding], apply: Callable[[Finding, InsoleDesign], InsoleDesign]
+    findings: Listed[Finding], apply: Callable[[Finding, InsoleDesign], InsoleDesign]
 ) -> Iterator[Choice]:
     """Yield the findings.
 
@@ -109,15 +117,16 @@ def finding_choices(
     apply
         Returns the design with what is proposed for a finding.
     """
-    for number, finding in enumerate(findings):
+    for key, finding in findings.items.items():
         advice = (translate_core_message(finding.advice),) if finding.advice else ()
         yield Choice(
             Kind.FINDING,
-            f"finding:{number}",
+            f"finding:{key}",
             translate_core_message(finding.name),
             (finding.name, *map(translate_core_message, finding.keywords), *finding.keywords),
             (*advice, *source_notes(finding.source)),
             partial(apply, finding),
+            key in findings.own,
         )
 
 

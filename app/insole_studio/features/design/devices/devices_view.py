@@ -62,7 +62,7 @@ class ChoiceDetails:
 
 @dataclass(frozen=True)
 class MenuEntry:
-    """An entry of the menu below the list."""
+    """An entry of the menu below the list; one without a key is a line between others."""
 
     key: str
     text: str
@@ -155,6 +155,9 @@ class DevicesView(QDialog):
         menu = self.more.menu()
         menu.clear()
         for entry in entries:
+            if not entry.key:
+                menu.addSeparator()
+                continue
             action = menu.addAction(entry.text)
             action.setData(entry.key)
             action.setEnabled(entry.enabled)

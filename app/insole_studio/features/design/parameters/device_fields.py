@@ -9,7 +9,11 @@ from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Finish, InsoleDesign, Post
 from insole_core.insole.prescription.design_limits import SHELL_RANGES
-from insole_core.insole.prescription.materials import proposed_thickness, read_materials
+from insole_core.insole.prescription.materials import (
+    MaterialTable,
+    proposed_thickness,
+    with_least_thickness,
+)
 from insole_core.insole.prescription.rim_sliders import (
     cup_depth_mm,
     medial_flange_mm,
@@ -140,8 +144,14 @@ def device_fields(finish: Finish, side: Side) -> Fields:
     return (*sliders, *field_specs(finish, "finish", side))
 
 
-def shell_group(design: InsoleDesign) -> FieldGroup:
-    """Return the group of a shell, with the thickness that is usual for material and weight."""
+def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
+    """Return the group of a shell, with the thickness that is usual for material and weight.
+
+    Parameters
+    ----------
+    table
+        The clinic's materials.
+    """
     shell = design.shell
     assert shell is not None, "a solid insole has no shell"
     least, most = SHELL_RANGES["body_weight_kg"].least, SHELL_RANGES["body_weight_kg"].greatest
@@ -157,7 +167,7 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
             least=localised(least, "g")
         ),
     )
-    known = read_materials().names
+    known = table.names
     names = known if shell.material in known else (*known, shell.material)
     materials = tuple((name, _capitalised(translate_core_message(name))) for name in names)
     material = ChoiceSpec(
@@ -169,7 +179,7 @@ def shell_group(design: InsoleDesign) -> FieldGroup:
     )
     posts = (spec for region in REGIONS for spec in _post_fields(design, region))
     fields = (material, weight, *field_specs(shell, "shell", design.side), *posts)
-    return FieldGroup(tr("Shell"), fields, _thickness_offers(design))
+    return FieldGroup(tr("Shell"), fields, _offers(design, table))
 
 
 def _capitalised(text: str) -> str:
@@ -189,27 +199,41 @@ def _post_fields(design: InsoleDesign, region: str) -> Fields:
     return (choice, *field_specs(post, f"post.{region}", design.side))
 
 
-def _thickness_offers(design: InsoleDesign) -> tuple[Proposal, ...]:
-    """Return the button that takes the usual thickness, where another one is set."""
+def _offers(design: InsoleDesign, table: MaterialTable) -> tuple[Proposal, ...]:
+    """Return the button of the table, and one that takes the usual thickness if another is set."""
     shell = design.shell
     assert shell is not None
+    edit = Proposal(
+        "action.edit_materials",
+        tr("Materials…"),
+        tr("Change least and usual thickness of the clinic's materials"),
+    )
     try:
-        usual_mm = proposed_thickness(shell.material, shell.body_weight_kg)
+        usual_mm = proposed_thickness(shell.material, shell.body_weight_kg, table)
     except DesignError:  # without weight or material there is nothing to propose
-        return ()
+        return (edit,)
     if usual_mm == design.thickness_mm:
-        return ()
+        return (edit,)
     text = tr("Take {thickness} mm").format(thickness=localised(usual_mm, "g"))
     tip = tr("The usual thickness for this material and weight")
-    return (Proposal("thickness.usual", text, tip),)
+    return (Proposal("thickness.usual", text, tip), edit)
 
 
-def with_shell_value(design: InsoleDesign, name: str, value: float | str) -> InsoleDesign:
-    """Return the design with a value of its shell: material, weight, edges."""
+def with_shell_value(
+    design: InsoleDesign, name: str, value: float | str, table: MaterialTable
+) -> InsoleDesign:
+    """Return the design with a value of its shell: material, weight, edges.
+
+    Parameters
+    ----------
+    table
+        Of the least thicknesses that come with a material.
+    """
     shell = design.shell
     assert shell is not None
     if name == "material":
-        return replace(design, shell=replace(shell, material=str(value)))
+        other = replace(shell, material=str(value), least_mm=None, least_edge_mm=None)
+        return with_least_thickness(replace(design, shell=other), table)
     if name == "body_weight_kg":
         least = SHELL_RANGES["body_weight_kg"].least
         weight = float(value) if float(value) >= least else None
@@ -230,7 +254,7 @@ def with_post_value(design: InsoleDesign, name: str, value: float | str) -> Inso
     return replace(design, shell=replace(shell, posts=posts))
 
 
-def with_usual_thickness(design: InsoleDesign) -> InsoleDesign:
+def with_usual_thickness(design: InsoleDesign, table: MaterialTable) -> InsoleDesign:
     """Return the design with the usual thickness for its material and the weight.
 
     Raises
@@ -239,7 +263,7 @@ def with_usual_thickness(design: InsoleDesign) -> InsoleDesign:
         As `proposed_thickness`.
     """
     assert design.shell is not None
-    usual_mm = proposed_thickness(design.shell.material, design.shell.body_weight_kg)
+    usual_mm = proposed_thickness(design.shell.material, design.shell.body_weight_kg, table)
     return replace(design, thickness_mm=usual_mm)
 
 

@@ -19,6 +19,7 @@ from insole_core.insole.prescription.design import (
 from insole_core.insole.prescription.design_limits import Range
 from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.case import Case
+from insole_studio.document.material_model import MaterialModel
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.correction_names import name_of, pad_text
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
@@ -75,10 +76,12 @@ class ParametersPresenter:
         rules: ClinicRules,
         *,
         rim: RimModel,
+        materials: MaterialModel,
         request_action: Callable[[str], None],
     ) -> None:
         self._panel = panel
         self._rim = rim
+        self._materials = materials
         self._is_sliding = False
         self._request = request_action
         self._case = case
@@ -95,6 +98,7 @@ class ParametersPresenter:
         case.selection_changed.connect(self.show)
         tool_controller.tool_changed.connect(self.show)
         rim.selection_changed.connect(self.show)
+        materials.changed.connect(self.show)
         self.show()
 
     def show(self) -> None:
@@ -108,7 +112,7 @@ class ParametersPresenter:
         make = _make_groups(design, self._expert_fields(design), outline_first=is_outline)
         device = [device_group(design, design.side)]
         if design.shell is not None:
-            device.append(shell_group(design))
+            device.append(shell_group(design, self._materials.table))
         self._panel.show_groups([*self._groups(design), *device, *make])
 
     def edit(self, key: str, value: Any) -> None:
@@ -249,7 +253,9 @@ class ParametersPresenter:
     def _take_thickness(self) -> None:
         design = self._case.record.design
         if design is not None:
-            self._case.apply(with_usual_thickness(design), tr("Take the usual thickness"))
+            self._case.apply(
+                with_usual_thickness(design, self._materials.table), tr("Take the usual thickness")
+            )
 
     def _remove(self, name: str) -> None:
         if name == "station" and self._rim.selected is not None:
@@ -316,7 +322,7 @@ class ParametersPresenter:
     def _edit_shell(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None and design.shell is not None:
-            changed = with_shell_value(design, name, value)
+            changed = with_shell_value(design, name, value, self._materials.table)
             self._case.apply(changed, tr("Edit the shell"), f"shell:{name}")
 
     def _edit_post(self, name: str, value: Any) -> None:

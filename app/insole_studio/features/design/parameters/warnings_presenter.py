@@ -10,6 +10,7 @@ from insole_core.insole.prescription.design_warning import DesignWarning
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.material_model import MaterialModel
 from insole_studio.features.design.rows import WarningRow
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.texts import translate_core_message
@@ -34,6 +35,7 @@ class WarningsPresenter:
         surface: InsolePreview,
         tool_controller: ToolController,
         rules: ClinicRules,
+        materials: MaterialModel,
         look_at: Callable[[tuple[float, float]], None],
     ) -> None:
         self._panel = panel
@@ -41,12 +43,14 @@ class WarningsPresenter:
         self._surface = surface
         self._tool_controller = tool_controller
         self._rules = rules
+        self._materials = materials
         self._look_at = look_at
         self._warnings: tuple[DesignWarning, ...] = ()
         panel.warning_chosen.connect(self.lead_to)
         surface.changed.connect(self.show)
         case.changed.connect(self.show)
         tool_controller.gesture_ended.connect(self.show)
+        materials.changed.connect(self.show)
 
     def show(self) -> None:
         """Show the current warnings."""
@@ -74,4 +78,4 @@ class WarningsPresenter:
             return ()
         if insole is None:
             return self._warnings
-        return design_warnings(insole, landmarks_of(record), self._rules)
+        return design_warnings(insole, landmarks_of(record), self._rules, self._materials.table)
