@@ -6,13 +6,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from sqlalchemy import Connection, func, select, update
+from sqlalchemy import Connection, func, select
 
 from insole_core.records.audit import AuditLog, Detail
 from insole_core.records.author import Author
 from insole_core.records.content_store import ContentStore
 from insole_core.records.database import Database
-from insole_core.records.schema import audit_head, persons
+from insole_core.records.person_rows import touch_person
+from insole_core.records.visit import Visit
+from insole_core.records.visit_rows import visit_of
 
 CHANNEL = "insole_studio_records"
 """Where PostgreSQL tells the other stations of a change."""
@@ -37,12 +39,23 @@ class RecordsContext:
         """
         with self.database.writing() as connection:
             if person_id is not None:
-                # Not the number of the line to come, but near enough for the order of recent ones:
-                # the head of the log is locked last.
-                coming = select(audit_head.c.seq + 1).scalar_subquery()
-                row = update(persons).where(persons.c.id == person_id)
-                connection.execute(row.values(last_seq=coming))
+                touch_person(connection, person_id)
             yield connection
+
+    @contextmanager
+    def writing_visit(self, visit_id: str) -> Iterator[tuple[Connection, Visit]]:
+        """Yield a connection for one transaction that concerns a visit, and the visit as it is.
+
+        The rows of the visit and its person are locked until the end.
+
+        Raises
+        ------
+        RecordsError
+            Whatever goes wrong, or when there is no such visit; then nothing was written.
+        """
+        with self.database.writing() as connection:
+            touch_person(connection, visit_of(connection, visit_id).person_id)
+            yield connection, visit_of(connection, visit_id, locked=True)
 
     def log(
         self,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Final
@@ -15,7 +15,7 @@ from sqlalchemy.exc import DBAPIError
 from sqlalchemy.pool import QueuePool
 
 from insole_core.errors import RecordsError
-from insole_core.records.database_errors import described
+from insole_core.records.database_errors import away, described
 from insole_core.records.place import RecordsPlace
 
 BUSY_S: Final = 10.0
@@ -92,6 +92,38 @@ class Database:
         with self._transaction(**{_WRITES: True}) as connection:
             self._check_schema(connection)
             yield connection
+
+    @contextmanager
+    def listening(self, channel: str) -> Iterator[Callable[[float], None]]:
+        """Listen to a channel of PostgreSQL; yield a function that waits for a notice.
+
+        The function takes how many seconds it waits at most.
+
+        Raises
+        ------
+        Unreachable
+            When the server does not answer.
+        """
+        import psycopg
+
+        with self._transaction() as connection:
+            listener = connection.connection.driver_connection
+            connection.connection.detach()  # it listens, so nobody else may get it
+        if not isinstance(listener, psycopg.Connection):
+            raise TypeError("only a PostgreSQL database tells of changes")
+
+        def wait(most_s: float) -> None:
+            for _ in listener.notifies(timeout=most_s, stop_after=1):
+                return
+
+        try:
+            listener.autocommit = True
+            listener.execute(f"LISTEN {channel}")
+            yield wait
+        except psycopg.OperationalError as error:
+            raise away(self.place) from error
+        finally:
+            listener.close()
 
     def close(self) -> None:
         """Close all connections."""

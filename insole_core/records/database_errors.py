@@ -81,6 +81,11 @@ def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
     return kind(sentence, place=place.name)
 
 
+def away(place: RecordsPlace) -> Unreachable:
+    """Return the sentence for a database that does not answer."""
+    return Unreachable(_AWAY, place=place.name)
+
+
 def _kind_of(place: RecordsPlace, error: DBAPIError) -> tuple[type[RecordsError], str]:
     original = error.orig
     if place.is_local:

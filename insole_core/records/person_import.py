@@ -10,8 +10,8 @@ from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.person_matching import PersonIndex, summary_of
-from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.persons import add_person
+from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.records import Records
 
 
