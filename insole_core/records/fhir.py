@@ -12,8 +12,10 @@ from typing import Any, Final
 
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
+from insole_core.records.order import Order, OrderState
 from insole_core.records.person import Person
 from insole_core.records.prescription import VersionSummary
+from insole_core.records.visit import Visit
 
 Resource = dict[str, Any]
 
@@ -25,14 +27,14 @@ _PSEUDONYM: Final = {
 _SWEDISH: Final = "http://electronichealth.se/identifier/"
 """Naming systems of the Swedish base profiles: personnummer and samordningsnummer, 12 digits."""
 _LEAST_COORDINATION_DAY: Final = 61
-STATUS_OF: Final[Mapping[str, str]] = {
-    "designed": "draft",
-    "checked": "draft",
-    "sent": "active",
-    "in production": "active",
-    "delivered": "completed",
-    "adjusted": "active",
-    "returned": "revoked",
+STATUS_OF: Final[Mapping[OrderState, str]] = {
+    OrderState.DESIGNED: "draft",
+    OrderState.CHECKED: "draft",
+    OrderState.SENT: "active",
+    OrderState.IN_PRODUCTION: "active",
+    OrderState.DELIVERED: "completed",
+    OrderState.ADJUSTED: "completed",
+    OrderState.RETURNED: "active",
 }
 """Code of RequestStatus by the state of the order."""
 
@@ -43,19 +45,14 @@ class PrescribedDevice:
 
     Parameters
     ----------
-    reason, findings
-        Of the visit.
-    order_number, order_state, shop
-        Empty while it is not ordered.
+    order
+        None while it is not ordered.
     """
 
     version: VersionSummary
     design: InsoleDesign
-    reason: str = ""
-    findings: str = ""
-    order_number: str = ""
-    order_state: str = ""
-    shop: str = ""
+    visit: Visit
+    order: Order | None = None
 
 
 def patient_resource(person: Person, *, is_pseudonymous: bool = False) -> Resource:
@@ -89,7 +86,7 @@ def device_request_resource(person: Person, device: PrescribedDevice) -> Resourc
 
     It refers to the person by ``Patient/<id>`` and names nobody but the prescriber.
     """
-    version, design = device.version, device.design
+    version, design, visit, order = device.version, device.design, device.visit, device.order
     resource: Resource = {
         "resourceType": "DeviceRequest",
         "id": version.id,
@@ -101,13 +98,14 @@ def device_request_resource(person: Person, device: PrescribedDevice) -> Resourc
         "authoredOn": version.signed_at or version.changed_at,
         "requester": {"display": version.signed_by or version.author},
     }
-    if device.order_number:
-        resource["groupIdentifier"] = {"value": device.order_number}
-    if device.shop:
-        resource["performer"] = {"display": device.shop}
-    if device.findings:
-        resource["reasonCode"] = [_words(device.findings)]
-    lines = [*correction_lines(design), *([device.reason] if device.reason else [])]
+    if order is not None:
+        resource["groupIdentifier"] = {"value": order.number}
+    if order is not None and order.shop:
+        resource["performer"] = {"display": order.shop}
+    reasons = [text for text in (visit.reason, visit.findings) if text]
+    if reasons:
+        resource["reasonCode"] = [_words(text) for text in reasons]
+    lines = correction_lines(design)
     if lines:
         resource["note"] = [{"text": line} for line in lines]
     return resource
@@ -125,8 +123,8 @@ def _personal_number(person: Person) -> Resource:
 
 def _status(device: PrescribedDevice) -> str:
     """Return the code of RequestStatus; signing makes a prescription that was not ordered valid."""
-    if device.order_state:
-        return STATUS_OF[device.order_state]
+    if device.order is not None:
+        return STATUS_OF[device.order.state]
     return "active" if device.version.signed_by else "draft"
 
 

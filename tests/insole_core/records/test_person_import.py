@@ -20,7 +20,6 @@ from insole_core.records.person_columns import (
 )
 from insole_core.records.person_import import Outcome, import_persons, plan_import
 from insole_core.records.persons_of_table import read_persons
-from insole_core.records.place import RecordsPlace
 from insole_core.records.text_table import read_table
 from insole_core.records.written_dates import DateOrder
 
@@ -29,8 +28,8 @@ _F = PersonField
 
 
 @pytest.fixture
-def records(tmp_path):
-    opened = open_records(RecordsPlace.local(tmp_path / "record"), Author("eva", "desk"))
+def records(local_place):
+    opened = open_records(local_place, Author("eva", "desk"))
     yield opened
     opened.close()
 
