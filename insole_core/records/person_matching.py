@@ -63,10 +63,11 @@ class PersonIndex:
         person
             Not in the index.
         """
-        matches = list(self._matches(person))
+        matches = list(self.matches(person))
         return next((match for match in matches if match.is_certain), next(iter(matches), None))
 
-    def _matches(self, person: Person) -> Iterator[Match]:
+    def matches(self, person: Person) -> Iterator[Match]:
+        """Yield everybody who is the same person, or may be."""
         of_number = (
             self._by_number.get(person.personal_number, ()) if person.personal_number else ()
         )
