@@ -37,6 +37,7 @@ from insole_core.insole.prescription.finish_warnings import finish_warnings
 from insole_core.insole.prescription.materials import MaterialTable, read_materials
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
+from insole_core.insole.prescription.scan_warnings import scan_warnings
 from insole_core.insole.prescription.shell_warnings import shell_warnings
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm, rockers
@@ -149,14 +150,15 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, grid, finish, arch, pads, and shell; at most
-        one about landmarks.
+        Landmarks first, then the foot's pose, posting, heel, height, grid, finish, arch, pads, and
+        shell; at most one about landmarks.
     """
     design, table = insole.design, materials or read_materials()
     pads = [c for c in design.active if isinstance(c, Pelott)]
     arches = [c for c in design.active if isinstance(c, ArchRaise)]
     return (
         *islice(_of_landmarks(design.side, landmarks), 1),  # the first explains the others
+        *scan_warnings(insole),
         *_of_posting(design, rules),
         *_of_heel(design, rules),
         *_of_height(insole, rules),

@@ -329,23 +329,23 @@
         </message>
         <message>
             <source>Cup 10 to 14, rim 4 to 8, fill 0, flat underside, at least 3 under the heel: the usual values of clinics that mill EVA; flange and forefoot: Insole Studio's own choice</source>
-            <translation>Hälkopp 10 till 14, kant 4 till 8, fyllnad 0, plan undersida, minst 3 under hälen: vanliga värden på kliniker som fräser EVA; sidostöd och framfot: Insole Studios eget val</translation>
+            <translation>Hälskål 10 till 14, kant 4 till 8, fyllnad 0, plan undersida, minst 3 under hälen: vanliga värden på kliniker som fräser EVA; fläns och framfot: Insole Studios eget val</translation>
         </message>
         <message>
             <source>Cup 12 (Kevin Root clinic guide), fill 3.2 (Cox cast correction), ends behind the heads, shell of 3 with cupped underside and rearfoot post 4 wide at the edges (AOLabs, OpenFO)</source>
-            <translation>Hälkopp 12 (Kevin Root, klinikguide), fyllnad 3,2 (Cox, gipskorrigering), slutar bakom metatarsalhuvudena, skal på 3 med kupad undersida och bakfotskil, 4 bred vid kanterna (AOLabs, OpenFO)</translation>
+            <translation>Hälskål 12 (Kevin Root, klinikguide), fyllnad 3,2 (Cox, gipskorrigering), slutar bakom metatarsalhuvudena, skal på 3 med skålad undersida och bakfotskil, 4 bred vid kanterna (AOLabs, OpenFO)</translation>
         </message>
         <message>
             <source>Cup 14 (KLM), fill 1.6, shell with a cover of 3 to the toes; thickness by the weight of the body: Insole Studio's own choice</source>
-            <translation>Hälkopp 14 (KLM), fyllnad 1,6, skal med ett överdrag på 3 fram till tårna; tjocklek efter kroppsvikt: Insole Studios eget val</translation>
+            <translation>Hälskål 14 (KLM), fyllnad 1,6, skal med ett överdrag på 3 fram till tårna; tjocklek efter kroppsvikt: Insole Studios eget val</translation>
         </message>
         <message>
             <source>Cup 20 to 25, high medial and lateral flange, fill 1.6 (ProLab, pediatric), thickness 3 to 4</source>
-            <translation>Hälkopp 20 till 25, högt medialt och lateralt sidostöd, fyllnad 1,6 (ProLab, barn), tjocklek 3 till 4</translation>
+            <translation>Hälskål 20 till 25, hög medial och lateral fläns, fyllnad 1,6 (ProLab, barn), tjocklek 3 till 4</translation>
         </message>
         <message>
             <source>Cup 8 to 10 (Podiatry Today), narrow by 3.2 (ProLab), fill 0 to 3.2, thickness 2 to 3</source>
-            <translation>Hälkopp 8 till 10 (Podiatry Today), 3,2 smalare (ProLab), fyllnad 0 till 3,2, tjocklek 2 till 3</translation>
+            <translation>Hälskål 8 till 10 (Podiatry Today), 3,2 smalare (ProLab), fyllnad 0 till 3,2, tjocklek 2 till 3</translation>
         </message>
         <message>
             <source>Cup of 18 to 22.</source>
@@ -696,6 +696,10 @@
             <translation>Metatarsalgi</translation>
         </message>
         <message>
+            <source>Middle layer</source>
+            <translation>Mellanlager</translation>
+        </message>
+        <message>
             <source>Morton's extension</source>
             <translation>Mortons förlängning</translation>
         </message>
@@ -920,10 +924,6 @@
             <translation>Formar foten</translation>
         </message>
         <message>
-            <source>Shell layer</source>
-            <translation>Skallager</translation>
-        </message>
-        <message>
             <source>Shoe size</source>
             <translation>Skostorlek</translation>
         </message>
@@ -1134,6 +1134,14 @@
         <message>
             <source>The font has none of the letters of “{text}”; write the identification in other letters, such as a number.</source>
             <translation>Typsnittet har inga av bokstäverna i ”{text}”; skriv märkningen med andra tecken, till exempel ett nummer.</translation>
+        </message>
+        <message>
+            <source>The foot is not level: the ball lies {higher_mm:.0f} mm higher than the heel ({angle:g}°), and the insole is as much thicker below it; turn the foot toes down by {angle:g}°, or scan it again with heel and ball on one level.</source>
+            <translation>Foten ligger inte plant: trampdynan ligger {higher_mm:.0f} mm högre än hälen ({angle:g}°), och inlägget är lika mycket tjockare under den; vrid foten {angle:g}° med tårna nedåt, eller skanna den igen med häl och trampdyna i samma nivå.</translation>
+        </message>
+        <message>
+            <source>The foot is not level: the heel lies {higher_mm:.0f} mm higher than the ball ({angle:g}°), and the insole is as much thicker below it; turn the foot toes up by {angle:g}°, or scan it again with heel and ball on one level.</source>
+            <translation>Foten ligger inte plant: hälen ligger {higher_mm:.0f} mm högre än trampdynan ({angle:g}°), och inlägget är lika mycket tjockare under den; vrid foten {angle:g}° med tårna uppåt, eller skanna den igen med häl och trampdyna i samma nivå.</translation>
         </message>
         <message>
             <source>The foot is ready</source>
@@ -1633,7 +1641,7 @@
         </message>
         <message>
             <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
-            <translation>Den här designen har inget utöver sin inläggstyp som ett fynd kan föreslå; lägg till en korrigering eller en pelott, eller spara den som inläggstyp.</translation>
+            <translation>Den här ordinationen har inget utöver sin inläggstyp som ett fynd kan föreslå; lägg till en korrigering eller en pelott, eller spara den som inläggstyp.</translation>
         </message>
         <message>
             <source>This design is for a {side} foot and the scan is of a {foot_side} one; open the matching scan or mirror the design.</source>
@@ -1661,7 +1669,7 @@
         </message>
         <message>
             <source>Total contact, cup 8 to 12, low rounded rim without a hard edge, fill 0, base of at least 4.8, Shore A 35 (Noridian A5513), reliefs for each head (SureFit)</source>
-            <translation>Helkontakt, hälkopp 8 till 12, låg rundad kant utan hårda kanter, fyllnad 0, bas på minst 4,8, Shore A 35 (Noridian A5513), avlastning för varje metatarsalhuvud (SureFit)</translation>
+            <translation>Helkontakt, hälskål 8 till 12, låg rundad kant utan hårda kanter, fyllnad 0, bas på minst 4,8, Shore A 35 (Noridian A5513), avlastning för varje metatarsalhuvud (SureFit)</translation>
         </message>
         <message>
             <source>Trim line</source>
@@ -2153,7 +2161,7 @@
         </message>
         <message>
             <source>high cup</source>
-            <translation>hög hälkopp</translation>
+            <translation>hög hälskål</translation>
         </message>
         <message>
             <source>highest dorsal point at half of the foot length</source>
@@ -2613,7 +2621,7 @@
         </message>
         <message>
             <source>none</source>
-            <translation>inga</translation>
+            <translation>–</translation>
         </message>
         <message>
             <source>number of colour frames</source>

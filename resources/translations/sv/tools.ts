@@ -228,6 +228,14 @@
             <translation>{angle}° {kind}</translation>
         </message>
         <message>
+            <source>{count} warnings: show all</source>
+            <translation>{count} varningar: visa alla</translation>
+        </message>
+        <message>
+            <source>{typed} cannot be taken; put in {least} to {greatest}, or 0 if it is not known. It stays {before}.</source>
+            <translation>{typed} går inte; ange {least} till {greatest}, eller 0 om värdet är okänt. Det förblir {before}.</translation>
+        </message>
+        <message>
             <source>{typed} cannot be taken; put in {least} to {greatest}. It stays {before}.</source>
             <translation>{typed} går inte; ange {least} till {greatest}. Det förblir {before}.</translation>
         </message>

@@ -49,6 +49,15 @@ def local_place(tmp_path: Path, migrated_file: Path) -> RecordsPlace:
 
 
 @pytest.fixture
+def database(local_place: RecordsPlace) -> Iterator[Database]:
+    """The database of an empty record of one computer."""
+    database = Database(local_place)
+    database.schema = SCHEMA
+    yield database
+    database.close()
+
+
+@pytest.fixture
 def server_place(tmp_path: Path, postgres: PostgresServer) -> Iterator[RecordsPlace]:
     name = f"t{uuid.uuid4().hex}"
     postgres.execute(f"CREATE DATABASE {name} TEMPLATE migrated")

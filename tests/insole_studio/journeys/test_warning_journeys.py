@@ -223,3 +223,24 @@ def cut_labels(panel: QWidget) -> list[str]:
         or (not label.wordWrap() and label.width() < label.minimumSizeHint().width())
         or label.height() < label.fontMetrics().height()
     ]
+
+
+def test_all_warnings_are_reached_from_their_number(
+    opened: Application, view: SceneView, settle: Callable[[], None]
+) -> None:
+    panel = opened.stage.patient
+    off = [Pelott(centre_mm=(60.0 + 5 * n, 30.0 + 30 * n)) for n in range(6)]
+    assert not [label for label in warnings(opened) if "show all" in label.text()]
+    opened.case.apply(replace(design(opened), corrections=tuple(off)), "Add pads off the foot")
+    settle()
+    panel.setFixedHeight(300)
+    panel.verticalScrollBar().setValue(0)
+    (count,) = [label for label in warnings(opened) if "show all" in label.text()]
+    shown = [label for label in warnings(opened) if label is not count]
+    assert f"{len(shown)} warnings" in count.text()
+    assert len(shown) > 2
+    assert shown[-1].visibleRegion().isEmpty()
+    count.linkActivated.emit("")
+    QApplication.processEvents()
+    assert not count.visibleRegion().isEmpty()
+    assert not shown[0].visibleRegion().isEmpty()

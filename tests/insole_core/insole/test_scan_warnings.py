@@ -1,0 +1,58 @@
+"""Warnings about a foot that is not level."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from insole_core.foot.alignment import PoseAngles, pose_angles, turned
+from insole_core.foot.contact_tilt import contact_tilt
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.workflows.open_scan import open_scan
+
+
+def warnings(foot: Foot) -> list[str]:
+    """The sentences about the pose, as the window and the command line show them."""
+    insole = build_insole(foot, InsoleDesign(foot.side, grid_mm=2.0))
+    found = design_warnings(insole, find_landmarks(foot), load_rules())
+    return [str(w.sentence) for w in found if "not level" in w.sentence]
+
+
+def pitched(foot: Foot, by_deg: float) -> Foot:
+    landmarks = find_landmarks(foot)
+    return turned(foot, landmarks, PoseAngles(pose_angles(foot, landmarks).pitch_deg + by_deg))
+
+
+def test_a_level_foot_is_no_reason_to_warn(left_foot: Foot, right_foot: Foot) -> None:
+    assert warnings(left_foot) == warnings(right_foot) == []
+
+
+@pytest.mark.parametrize(
+    ("by_deg", "higher", "way"), [(-4.0, "heel", "toes up"), (4.0, "ball", "toes down")]
+)
+def test_a_tilted_foot_is_told_with_what_levels_it(
+    left_foot: Foot, by_deg: float, higher: str, way: str
+) -> None:
+    tilted, level = pitched(left_foot, by_deg), contact_tilt(left_foot)
+    tilt = contact_tilt(tilted)
+    assert tilt is not None
+    assert level is not None
+    assert tilt.angle_deg == pytest.approx(level.angle_deg - by_deg, abs=0.6)
+    (sentence,) = warnings(tilted)
+    assert f"the {higher} lies {abs(tilt.heel_mm - tilt.ball_mm):.0f} mm higher" in sentence
+    assert f"({round(abs(tilt.angle_deg), 1):g}°)" in sentence
+    assert way in sentence
+    assert warnings(pitched(tilted, tilt.angle_deg)) == []
+
+
+@pytest.mark.shared
+def test_a_scan_that_is_not_level_is_told(shared_data: Path) -> None:
+    foot = open_scan(shared_data / "feet" / "plantar_scan.obj", Side.RIGHT).foot
+    (sentence,) = warnings(foot)
+    assert "the heel lies 5 mm higher than the ball" in sentence
