@@ -33,6 +33,7 @@ from insole_core.records.fhir import (
 )
 from insole_core.records.order import Order
 from insole_core.records.records import Records
+from insole_core.records.rights import Right, require
 from insole_core.records.visits import patient_of
 from insole_core.solids.checks import survey_heights
 from insole_core.solids.export_job import standing
@@ -100,6 +101,8 @@ def export_person(
         When there is no such person, or the account may not export.
     Cancelled
     """
+    with records.context.database.reading() as connection:
+        require(connection, records.who, Right.EXPORT)
     dossier = read_dossier(records, person_id)
     name = dossier.person.name
     if is_pseudonymous:
