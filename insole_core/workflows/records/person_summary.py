@@ -6,12 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table
 from insole_core.export.paper import paper_texts
-from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.insole.prescription.prescription_lines import (
     correction_lines,
@@ -170,15 +170,11 @@ def _plot(pictures: Sequence[FootPicture], texts: Texts) -> Plot:
 
 
 def _draw(figure: Figure, *, pictures: Sequence[FootPicture], texts: Texts) -> None:
-    """Draw the feet and then the insoles, the left one on the left."""
-    maps: list[tuple[str, FloatArray, HeightMap, float | None]] = [
-        (f"{p.foot.side} foot", p.sole.bottom_mm, p.sole, _SOLE_MM) for p in pictures
-    ]
-    maps += [
-        (f"{p.foot.side} insole", p.insole.top_mm, p.insole, None)
-        for p in pictures
-        if p.insole is not None
-    ]
+    """Draw the feet and then the insoles, the left one on the left, both to one scale."""
+    insoles = [(p.foot.side, p.insole) for p in pictures if p.insole is not None]
+    highest_mm = max((float(np.nanmax(i.top_mm)) for _, i in insoles), default=0.0)
+    maps = [(f"{p.foot.side} foot", p.sole.bottom_mm, p.sole, _SOLE_MM) for p in pictures]
+    maps += [(f"{side} insole", i.top_mm, i, highest_mm) for side, i in insoles]
     for axes, (title, heights_mm, height_map, most_mm) in zip(
         figure.subplots(1, len(maps), squeeze=False)[0], maps, strict=True
     ):
@@ -192,4 +188,4 @@ def _draw(figure: Figure, *, pictures: Sequence[FootPicture], texts: Texts) -> N
         )
         axes.set_title(texts[title], fontsize=8)
         axes.tick_params(labelsize=6)
-        figure.colorbar(image, ax=axes, shrink=0.7)
+        figure.colorbar(image, ax=axes, shrink=0.7).ax.tick_params(labelsize=6)
