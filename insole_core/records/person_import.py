@@ -13,7 +13,7 @@ from insole_core.records.person_matching import PersonIndex, summary_of
 from insole_core.records.persons import add_person
 from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.records import Records
-from insole_core.records.rights import Right, require
+from insole_core.records.rights import Right
 
 
 class Outcome(StrEnum):
@@ -104,8 +104,7 @@ def import_persons(
     """
     plan = plan_import(rows, records.persons.everybody())
     added = list(plan.persons(with_doubtful=with_doubtful))
-    with records.context.writing() as connection:
-        require(connection, records.who, Right.WRITE)
+    with records.context.writing(Right.WRITE) as connection:
         for number, person in enumerate(added):
             if number % 100 == 0:
                 progress.step(number / len(added), "Adding persons")

@@ -28,6 +28,7 @@ from insole_core.records.person_rows import (
     person_of,
     write_search_text,
 )
+from insole_core.records.rights import Right
 from insole_core.records.schema import persons, visits
 from insole_core.records.search_text import search_text_of, search_words
 from insole_core.records.times import utc_now
@@ -91,7 +92,7 @@ class Persons:
         RecordsError
             When there is none.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return person_of(connection, person_id)
 
     def open(self, person_id: str) -> Person:
@@ -104,7 +105,7 @@ class Persons:
         """
         if self._context.database.is_read_only:
             return self.get(person_id)
-        with self._context.writing(person_id) as connection:
+        with self._context.writing(Right.SEE, person_id) as connection:
             person = person_of(connection, person_id)
             self._context.log(connection, "seen", "person", person.id)
         return person
@@ -117,7 +118,7 @@ class Persons:
         InputError
             When a field cannot be right, or the pseudonym is that of somebody else.
         """
-        with self._context.writing() as connection:
+        with self._context.writing(Right.WRITE) as connection:
             return add_person(self._context, connection, person)
 
     def change(self, person: Person, revision: int) -> Person:
@@ -136,7 +137,7 @@ class Persons:
             When somebody else has changed the person meanwhile.
         """
         person = person.checked(date.today())
-        with self._context.writing(person.id) as connection:
+        with self._context.writing(Right.WRITE, person.id) as connection:
             stored = locked_person(connection, person.id)
             changed = [n for n in _EDITED if getattr(person, n) != getattr(stored, n)]
             if stored.revision != revision:
@@ -185,7 +186,7 @@ class Persons:
         return merges_of(self._context, person_id)
 
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return [PersonSummary(*row) for row in connection.execute(query)]
 
 

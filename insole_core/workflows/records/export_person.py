@@ -101,7 +101,7 @@ def export_person(
         When there is no such person, or the account may not export.
     Cancelled
     """
-    with records.context.database.reading() as connection:
+    with records.context.reading() as connection:
         require(connection, records.who, Right.EXPORT)
     dossier = read_dossier(records, person_id)
     name = dossier.person.name
@@ -111,7 +111,7 @@ def export_person(
         writer = _ExportWriter(records, dossier, name, beside)
         writer.write(progress)
     files = tuple(file.path for file in writer.files)
-    with records.context.writing(dossier.person.id) as connection:
+    with records.context.writing(Right.EXPORT, dossier.person.id) as connection:
         records.context.log(
             connection,
             "exported",

@@ -27,7 +27,6 @@ from insole_core.records.person import Person, PersonSummary, new_pseudonym
 from insole_core.records.person_import import Outcome
 from insole_core.records.person_matching import PersonIndex, summary_of
 from insole_core.records.records import Records
-from insole_core.records.rights import Right, require
 from insole_core.records.visit import Visit
 
 SUFFIX: Final = ".insole"
@@ -115,8 +114,6 @@ def import_cases(
 def _import(
     records: Records, folder: Path, progress: Progress, *, is_dry: bool, with_doubtful: bool
 ) -> CasePlan:
-    with records.context.database.reading() as connection:
-        require(connection, records.who, Right.SEE if is_dry else Right.WRITE)
     paths = _case_files(folder)
     planner = _Planner(records)
     added = {Outcome.NEW, Outcome.DOUBTFUL} if with_doubtful else {Outcome.NEW}
