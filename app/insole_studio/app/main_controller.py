@@ -16,8 +16,9 @@ from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
+from insole_studio.document.record_keeper import KeepState
 from insole_studio.services.app_services import AppServices
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.typed_text import commit_typed_text
 
 _STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
@@ -118,6 +119,24 @@ class MainController(QObject):
         records.recent_file_chosen.connect(self._open_recent)
         self._case.opened.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
+        keeper.state_changed.connect(self._show_kept)
+
+    def _show_kept(self) -> None:
+        """Say whether the open visit is in the record."""
+        keeper = self._services.keeper
+        text, warns = {
+            KeepState.NOTHING: ("", False),
+            KeepState.SAVED: (tr("Saved in the record"), False),
+            KeepState.CHANGED: (tr("Saving…"), False),
+            KeepState.WAITING: (
+                tr("Not saved yet: the database does not answer; your work is kept here"),
+                True,
+            ),
+            KeepState.CONFLICT: (tr("Not saved yet: two versions, decide"), True),
+            KeepState.REFUSED: (tr("Not saved in the record; your work is kept here"), True),
+        }[keeper.state]
+        tip = translate_core_message(keeper.trouble)
+        self._window.status.show_kept(text, tip, warns=warns)
 
     def _show_page(self, page: QWidget) -> None:
         self._window.show_page(page)

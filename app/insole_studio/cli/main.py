@@ -19,7 +19,6 @@ from insole_core.progress import Progress
 from insole_studio.cli import (
     calibrate,
     capture,
-    clinic_record,
     compare,
     design,
     devices,
@@ -33,6 +32,7 @@ from insole_studio.cli import (
 )
 from insole_studio.cli.argument_parser import Parser
 from insole_studio.cli.path_arguments import check_paths
+from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, stop_on_signals
 from insole_studio.cli.subcommands import Command
 
@@ -48,8 +48,8 @@ COMMANDS: tuple[Command, ...] = (
     devices,
     measure,
     compare,
+    records,
     simulate,
-    clinic_record,
 )
 
 _SIGPIPE = 13  # Windows has no signal of this name

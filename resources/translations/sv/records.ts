@@ -32,6 +32,10 @@
             <translation>Alla patienter</translation>
         </message>
         <message>
+            <source>Another scan</source>
+            <translation>En annan skanning</translation>
+        </message>
+        <message>
             <source>Arch height (mm)</source>
             <translation>Valvhöjd (mm)</translation>
         </message>
@@ -64,6 +68,10 @@
             <translation>Välj två besök för att jämföra dem</translation>
         </message>
         <message>
+            <source>Choose what goes on; the other version stays in the history.</source>
+            <translation>Välj vad som gäller; den andra versionen finns kvar i historiken.</translation>
+        </message>
+        <message>
             <source>Compare</source>
             <translation>Jämför</translation>
         </message>
@@ -74,6 +82,14 @@
         <message>
             <source>Consent on</source>
             <translation>Samtycke den</translation>
+        </message>
+        <message>
+            <source>Decide later</source>
+            <translation>Bestäm senare</translation>
+        </message>
+        <message>
+            <source>Decide…</source>
+            <translation>Bestäm…</translation>
         </message>
         <message>
             <source>Delivered</source>
@@ -100,6 +116,18 @@
             <translation>Funna patienter</translation>
         </message>
         <message>
+            <source>From theirs to mine</source>
+            <translation>Från deras till min</translation>
+        </message>
+        <message>
+            <source>Go on with mine</source>
+            <translation>Fortsätt med min</translation>
+        </message>
+        <message>
+            <source>Go on with theirs</source>
+            <translation>Fortsätt med deras</translation>
+        </message>
+        <message>
             <source>Heel width (mm)</source>
             <translation>Hälbredd (mm)</translation>
         </message>
@@ -110,6 +138,10 @@
         <message>
             <source>In production</source>
             <translation>I produktion</translation>
+        </message>
+        <message>
+            <source>Keep both as variants</source>
+            <translation>Behåll båda som varianter</translation>
         </message>
         <message>
             <source>Keep this version</source>
@@ -130,6 +162,10 @@
         <message>
             <source>Measure over time</source>
             <translation>Mått över tid</translation>
+        </message>
+        <message>
+            <source>Mine</source>
+            <translation>Min</translation>
         </message>
         <message>
             <source>Name, birth date, personal number or order</source>
@@ -156,6 +192,10 @@
             <translation>Nytt besök, samma ordination</translation>
         </message>
         <message>
+            <source>No difference that can be seen</source>
+            <translation>Ingen skillnad som syns</translation>
+        </message>
+        <message>
             <source>No patient yet. Begin with “New patient”, or open a file.</source>
             <translation>Ingen patient än. Börja med ”Ny patient”, eller öppna en fil.</translation>
         </message>
@@ -168,6 +208,18 @@
             <translation>Ingen hittas. Kontrollera stavningen, eller lägg till en ny patient.</translation>
         </message>
         <message>
+            <source>Not saved in the record; your work is kept here</source>
+            <translation>Inte sparat i journalen; ditt arbete finns kvar här</translation>
+        </message>
+        <message>
+            <source>Not saved yet: the database does not answer; your work is kept here</source>
+            <translation>Inte sparat än: databasen svarar inte; ditt arbete finns kvar här</translation>
+        </message>
+        <message>
+            <source>Not saved yet: two versions, decide</source>
+            <translation>Inte sparat än: två versioner, bestäm</translation>
+        </message>
+        <message>
             <source>Number</source>
             <translation>Nummer</translation>
         </message>
@@ -178,6 +230,14 @@
         <message>
             <source>Orders</source>
             <translation>Beställningar</translation>
+        </message>
+        <message>
+            <source>Other marks on the foot</source>
+            <translation>Andra märken på foten</translation>
+        </message>
+        <message>
+            <source>Other variants</source>
+            <translation>Andra varianter</translation>
         </message>
         <message>
             <source>Patients</source>
@@ -208,6 +268,14 @@
             <translation>Pågår</translation>
         </message>
         <message>
+            <source>Saved in the record</source>
+            <translation>Sparat i journalen</translation>
+        </message>
+        <message>
+            <source>Saving…</source>
+            <translation>Sparar…</translation>
+        </message>
+        <message>
             <source>Search for a patient; today's visits and open orders</source>
             <translation>Sök en patient; dagens besök och öppna beställningar</translation>
         </message>
@@ -224,6 +292,14 @@
             <translation>Signera…</translation>
         </message>
         <message>
+            <source>Somebody else has changed the left foot of this visit while you worked on it.</source>
+            <translation>Någon annan har ändrat besökets vänstra fot medan du arbetade med den.</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the right foot of this visit while you worked on it.</source>
+            <translation>Någon annan har ändrat besökets högra fot medan du arbetade med den.</translation>
+        </message>
+        <message>
             <source>State</source>
             <translation>Läge</translation>
         </message>
@@ -232,8 +308,20 @@
             <translation>Patienten samtycker till att uppgifterna sparas (i dag)</translation>
         </message>
         <message>
+            <source>Theirs</source>
+            <translation>Deras</translation>
+        </message>
+        <message>
             <source>Today's visits</source>
             <translation>Dagens besök</translation>
+        </message>
+        <message>
+            <source>Two versions of the same foot</source>
+            <translation>Två versioner av samma fot</translation>
+        </message>
+        <message>
+            <source>Two versions of this foot wait for a decision; yours is kept on this computer.</source>
+            <translation>Två versioner av foten väntar på ett beslut; din finns kvar på den här datorn.</translation>
         </message>
         <message>
             <source>Versions…</source>
@@ -254,6 +342,10 @@
         <message>
             <source>Without a patient, or from files</source>
             <translation>Utan patient, eller från filer</translation>
+        </message>
+        <message>
+            <source>signed by {name}</source>
+            <translation>signerad av {name}</translation>
         </message>
         <message>
             <source>{day}, overdue</source>

@@ -1,137 +1,179 @@
-"""Backing up, restoring and verifying the record on the command line."""
+"""The clinic's record on the command line."""
 
 from __future__ import annotations
 
-from pathlib import Path
+import csv
+import io
+import json
+from datetime import date
 
-import pyrage
 import pytest
 
-from insole_core.records.author import Author
+from insole_core.cases.case_file import write_case
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.records.accounts import Accounts
+from insole_core.records.author import Author, Role
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.visit import Visit
 from insole_studio.cli.main import run
-from insole_studio.user_paths import UserPaths
 
-ANNA = Author("anna", "desk")
-IDENTITY = pyrage.x25519.Identity.generate()
+_TABLE = "Namn;Född;Personnummer;Anteckning\nÅsa Öberg;02/03/1970;;=1+1\nPer Ek;1980-01-01;;\n;;;\n"
 
 
 @pytest.fixture
-def paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> UserPaths:
-    paths = UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
-    monkeypatch.setattr(UserPaths, "of_user", lambda: paths)
-    return paths
-
-
-@pytest.fixture
-def record(paths: UserPaths) -> Path:
-    """The user's own record, with a person and a file, and the user's settings."""
-    records = open_records(RecordsPlace.local(paths.records_folder), ANNA)
-    records.persons.add(Person("Anna Berg"))
-    records.contents.put(b"solid left foot")
+def record(tmp_path):
+    """A record with two persons, and a visit of today."""
+    folder = tmp_path / "record"
+    records = open_records(RecordsPlace.local(folder), Author("eva", "desk"))
+    anna = records.persons.add(Person("Anna Berg", date(1970, 2, 28), pseudonym="A-1"))
+    records.persons.add(Person("Anna Bergman", pseudonym="A-2"))
+    records.visits.add(Visit(anna.id, date.today(), reason="heel\npain"))
     records.close()
-    paths.settings_folder.mkdir()
-    paths.settings_file.write_text("{}")
-    return paths.records_folder
+    return folder
 
 
-@pytest.fixture
-def key(tmp_path: Path) -> Path:
-    path = tmp_path / "key.txt"
-    path.write_text(f"# created by age-keygen\n{IDENTITY}\n")
-    return path
+def test_persons_and_visits_are_listed_as_lines_and_as_json(record, capsys):
+    assert run(["records", "list", "berg", "1970", "--record", str(record)]) == 0
+    heading, row = csv.reader(io.StringIO(capsys.readouterr().out), delimiter="\t")
+    assert heading[:3] == ["pseudonym", "name", "born"]
+    assert row[:3] == ["A-1", "Anna Berg", "1970-02-28"]
+    assert run(["records", "list", "--visits", "today", "--json", "--record", str(record)]) == 0
+    (visit,) = json.loads(capsys.readouterr().out)
+    assert (visit["name"], visit["reason"]) == ("Anna Berg", "heel pain")
+    assert run(["records", "list", "--orders", "--record", str(record)]) == 0
+    assert capsys.readouterr().out == ""
 
 
-def back_up(folder: Path, *more: str) -> int:
-    return run(["records", "backup", str(folder), "--recipient", str(IDENTITY.to_public()), *more])
+def test_a_person_is_shown_by_pseudonym_and_refused_if_several_are_meant(record, capsys):
+    assert run(["records", "show", "A-1", "--record", str(record)]) == 0
+    shown = capsys.readouterr().out
+    assert "Name: Anna Berg" in shown
+    assert "heel" in shown
+    assert run(["records", "show", "A-1", "--json", "--record", str(record)]) == 0
+    assert json.loads(capsys.readouterr().out)["person"]["name"] == "Anna Berg"
+    assert run(["records", "show", "Anna", "--record", str(record)]) == 1
+    assert "several persons" in capsys.readouterr().err
+    assert run(["records", "show", "Nobody", "--record", str(record)]) == 1
+    assert "Nobody is found" in capsys.readouterr().err
 
 
-def names_in(folder: Path) -> list[str]:
-    records = open_records(RecordsPlace.local(folder), ANNA)
-    names = [person.name for person in records.persons.recent()]
-    records.close()
-    return names
-
-
-def test_a_record_is_backed_up_verified_and_restored(
-    record: Path, key: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    folder, new = tmp_path / "backups", tmp_path / "new"
-    assert back_up(folder) == 0
-    assert "snapshot 1" in capsys.readouterr().out
-    assert back_up(folder) == 0
-    assert "0.0 MB were new" in capsys.readouterr().out
-    secret = ["--private-key", str(key)]
-    assert run(["records", "verify", "--backup", str(folder), *secret]) == 0
-    assert "backup 2" in capsys.readouterr().out
-    assert run(["records", "restore", str(folder), *secret, "--record", str(new)]) == 0
-    assert "1 settings were there and stay" in capsys.readouterr().out
-    assert names_in(new) == ["Anna Berg"]
-    assert run(["records", "verify", "--record", str(new)]) == 0
-
-
-def test_a_record_that_is_there_is_set_aside_only_on_request(
-    record: Path, key: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    folder = tmp_path / "backups"
-    assert back_up(folder) == 0
-    restore = ["records", "restore", str(folder), "--private-key", str(key)]
-    assert run(restore) == 1
-    assert "holds a record that is newer than the backup" in capsys.readouterr().err
-    assert run([*restore, "--set-aside", "--snapshot", "1"]) == 0
-    assert "the record before is kept as" in capsys.readouterr().out
-    assert len(list(record.glob("records until *.sqlite3"))) == 1
-    assert names_in(record) == ["Anna Berg"]
-
-
-def test_what_is_wrong_is_the_last_line_and_the_exit_code(
-    record: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert run(["records", "verify"]) == 0
-    file = next(path for path in (record / "contents").rglob("*") if len(path.name) == 64)
-    file.write_bytes(b"changed on the disk")
-    assert run(["records", "verify"]) == 1
-    assert "1 files were changed since" in capsys.readouterr().err.splitlines()[-1]
+def test_a_table_is_imported_after_a_dry_run_and_the_order_of_days_is_asked(
+    record, tmp_path, capsys
+):
+    table, report = tmp_path / "persons.csv", tmp_path / "report.csv"
+    table.write_bytes(_TABLE.encode("cp1252"))
+    command = ["records", "import", str(table), "--record", str(record)]
+    assert run([*command, "--dry-run"]) == 2
+    assert "--day-first or --month-first" in capsys.readouterr().err
+    assert run([*command, "--dry-run", "--day-first", "--report", str(report)]) == 0
+    assert "Dry run: 2 new" in capsys.readouterr().err
+    assert _names(record) == {"Anna Berg", "Anna Bergman"}
+    assert _read_csv(report)[1:] == [["2", "new", "Åsa Öberg", ""], ["3", "new", "Per Ek", ""]]
+    assert run([*command, "--day-first", "--column", "Anteckning=-"]) == 0
+    assert "Åsa Öberg" in _names(record)
+    person = _persons(record)["Åsa Öberg"]
+    assert person.birth_date == date(1970, 3, 2)
+    assert run([*command, "--day-first"]) == 0
+    captured = capsys.readouterr()
+    assert "Done: 2 already there" in captured.err
+    assert captured.out.splitlines() == [
+        "2\talready there\tÅsa Öberg\t",
+        "3\talready there\tPer Ek\t",
+    ]
 
 
 @pytest.mark.parametrize(
-    ("arguments", "sentence", "code"),
+    ("options", "words"),
     [
-        (["verify", "--record", "nowhere"], "There is no record at", 1),
-        (["verify", "--contents", "x"], "--contents belongs to --database", 2),
-        (["verify", "--database", "postgresql://x/y"], "--database needs --contents", 2),
-        (["verify", "--database", "mysql://x/y", "--contents", "x"], "of the kind mysql", 1),
-        (["verify", "--account", "eva"], "Nobody can be asked", 2),
-        (["verify", "--account", "eva", "--password-file", "KEY"], "password is wrong", 1),
-        (["restore", "nowhere", "--private-key", "KEY"], "holds no backup", 1),
-        (["restore", "nowhere", "--private-key", "nowhere"], "cannot be read", 1),
-        (["restore", "nowhere"], "Nobody can be asked", 2),
-        (["backup", "b", "--recipient", "age1x"], "public key of age", 1),
-        (["backup", "b"], "Nobody can be asked", 2),
+        (["--column", "Foo=name"], "no column “Foo”"),
+        (["--column", "1=shoe"], "name one of"),
+        (["--number-kind", "xx"], "--number-kind"),
+        (["--contents", "x"], "--contents belongs"),
+        (["--database", "postgresql://x/y"], "needs --contents"),
     ],
 )
-def test_what_is_wrong_with_the_arguments_is_told(
-    record: Path,
-    key: Path,
-    arguments: list[str],
-    sentence: str,
-    code: int,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.chdir(key.parent)
-    given = [str(key) if argument == "KEY" else argument for argument in arguments]
-    assert run(["records", *given]) == code
-    assert sentence in capsys.readouterr().err.splitlines()[-1]
+def test_options_that_mean_nothing_are_refused(record, tmp_path, capsys, options, words):
+    table = tmp_path / "persons.csv"
+    table.write_text(_TABLE, encoding="utf-8")
+    place = [] if options[0] in ("--contents", "--database") else ["--record", str(record)]
+    assert run(["records", "import", str(table), *options, *place]) == 2
+    assert words in capsys.readouterr().err
 
 
-@pytest.mark.slow
-def test_a_passphrase_comes_from_a_file(record: Path, tmp_path: Path) -> None:
-    file = tmp_path / "passphrase.txt"
-    file.write_text("blå sko på grön äng\n", "utf-8")
-    folder, secret = str(tmp_path / "backups"), ["--passphrase-file", str(file)]
-    assert run(["records", "backup", folder, *secret]) == 0
-    assert run(["records", "restore", folder, *secret, "--record", str(tmp_path / "new")]) == 0
-    assert names_in(tmp_path / "new") == ["Anna Berg"]
+def test_a_formula_in_a_reason_is_only_text_in_the_report(record, tmp_path):
+    table, report = tmp_path / "persons.csv", tmp_path / "report.csv"
+    table.write_text("Name,Born\nX,=cmd()\n", encoding="utf-8")
+    command = ["records", "import", str(table), "--record", str(record), "--report", str(report)]
+    assert run(command) == 0
+    (_, row) = _read_csv(report)
+    assert row[1] == "refused"
+    assert row[3].startswith("'=cmd() is no date")
+
+
+def test_a_folder_of_cases_is_imported(record, tmp_path, capsys):
+    cases = tmp_path / "cases"
+    cases.mkdir()
+    write_case(CaseRecord(Patient("Anna Berg", "1970-02-28", "2026-03-01")), cases / "a.insole")
+    (cases / "b.insole").write_bytes(b"")
+    assert run(["records", "import", str(cases), "--record", str(record)]) == 0
+    captured = capsys.readouterr()
+    assert "Done: 1 new, 1 refused" in captured.err
+    assert captured.out.startswith("b.insole\trefused")
+    assert _names(record) == {"Anna Berg", "Anna Bergman"}
+    assert run(["records", "import", str(cases), "--day-first", "--record", str(record)]) == 2
+
+
+def test_a_person_is_exported(record, tmp_path, capsys):
+    out = tmp_path / "out"
+    command = ["records", "export", "A-1", "--out", str(out), "--record", str(record)]
+    assert run([*command, "--pseudonymous"]) == 0
+    assert "Anna" not in (out / "summary.html").read_text(encoding="utf-8")
+    assert run(command) == 1
+    assert "not replaced" in capsys.readouterr().err
+
+
+def test_only_migrate_makes_a_record(tmp_path, capsys):
+    assert run(["records", "list", "--record", str(tmp_path / "new")]) == 2
+    assert "does not exist" in capsys.readouterr().err
+    assert not (tmp_path / "new").exists()
+    assert run(["records", "migrate", "--record", str(tmp_path / "new")]) == 0
+    assert run(["records", "list", "--record", str(tmp_path / "new")]) == 0
+
+
+def test_where_the_clinic_has_accounts_a_command_signs_in_and_keeps_to_the_role(
+    record, tmp_path, capsys, monkeypatch
+):
+    password = "correct horse battery"
+    records = open_records(RecordsPlace.local(record), Author("eva", "desk"))
+    database = records.context.database
+    Accounts(database, records.who).switch_on("eva", "Eva Lund", password)
+    eva = Accounts(database, Author("eva", "desk", Role.ADMINISTRATOR))
+    eva.add("olle", "Olle Ek", Role.ORTHOPEDIST, password)
+    records.close()
+    command = ["records", "show", "A-1", "--record", str(record)]
+    assert run(command) == 1
+    assert "not signed in" in capsys.readouterr().err
+    for account, code in (("eva", 1), ("olle", 0)):
+        monkeypatch.setattr("sys.stdin", io.StringIO(f"{password}\n"))
+        assert run([*command, "--account", account]) == code
+    monkeypatch.setattr("sys.stdin", io.StringIO("wrong\n"))
+    assert run([*command, "--account", "olle"]) == 1
+    assert "password is wrong" in capsys.readouterr().err
+
+
+def _read_csv(path):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.reader(file))
+
+
+def _names(folder):
+    return set(_persons(folder))
+
+
+def _persons(folder):
+    records = open_records(RecordsPlace.local(folder), Author("eva", "desk"))
+    persons = {person.name: person for person in records.persons.everybody()}
+    records.close()
+    return persons

@@ -9,12 +9,8 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
-from insole_studio.cli.records.record_arguments import (
-    add_account_argument,
-    add_record_arguments,
-    opened_record,
-    saved_settings,
-)
+from insole_studio.cli.records.place import add_place, opened
+from insole_studio.cli.records.saved_settings import saved_settings
 from insole_studio.cli.records.secrets import ask
 
 if TYPE_CHECKING:
@@ -40,15 +36,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--recipient", action="append", metavar="AGE1…",
         help="the first time: public key of age, instead of a passphrase",
     )  # fmt: skip
-    add_record_arguments(parser)
-    add_account_argument(parser)
+    add_place(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Back the record up."""
     from insole_core.records.backup.back_up import back_up, key_of_backups, set_up_backups
+    from insole_core.records.rights import Right
 
-    with opened_record(arguments) as records:
+    with opened(arguments, Right.BACK_UP) as records:
         if key_of_backups(records.context) is None:
             set_up_backups(records.context, _new_key(arguments))
         report = back_up(records.context, arguments.folder, saved_settings(), progress)

@@ -7,11 +7,8 @@ from pathlib import Path
 
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
-from insole_studio.cli.records.record_arguments import (
-    add_record_arguments,
-    place_of,
-    saved_settings,
-)
+from insole_studio.cli.records.place import add_place, place_of
+from insole_studio.cli.records.saved_settings import saved_settings
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
 
 NAME = "restore"
@@ -29,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="rename the record that is there, which is kept, and restore in its place",
     )  # fmt: skip
     add_secret_arguments(parser)
-    add_record_arguments(parser)
+    add_place(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:

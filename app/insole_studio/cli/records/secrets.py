@@ -40,18 +40,21 @@ def secret_of(arguments: argparse.Namespace) -> str:
 
 
 def ask(prompt: str, file: Path | None) -> str:
-    """Return a secret from a file, or from whoever sits at the terminal.
+    """Return a secret from a file, from whoever sits at the terminal, or from standard input.
 
     Raises
     ------
     UsageError
-        When there is neither.
+        When there is none.
     """
     if file is not None:
         return _read(file).rstrip("\r\n")
-    if not sys.stdin.isatty():
-        raise UsageError("Nobody can be asked for the password here; give the file that holds it.")
-    return getpass.getpass(prompt)
+    if sys.stdin.isatty():
+        return getpass.getpass(prompt)
+    line = sys.stdin.readline().rstrip("\r\n")
+    if not line:
+        raise UsageError("Nobody can be asked for the passphrase; give the file that holds it.")
+    return line
 
 
 def _read(file: Path) -> str:

@@ -8,11 +8,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import RecordsError
 from insole_core.progress import Progress
-from insole_studio.cli.records.record_arguments import (
-    add_account_argument,
-    add_record_arguments,
-    opened_record,
-)
+from insole_studio.cli.records.place import add_place, opened
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
 
 if TYPE_CHECKING:
@@ -29,19 +25,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="decrypt the newest backup in a folder, too, and compare the audit log with it",
     )  # fmt: skip
     add_secret_arguments(parser)
-    add_record_arguments(parser)
-    add_account_argument(parser)
+    add_place(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Verify the record."""
+    from insole_core.records.rights import Right
     from insole_core.records.verify import verify_record
 
     known: dict[int, str] = {}
     problems: list[str] = []
     if arguments.backup is not None:
         known, problems = _check(arguments, progress.part(0, 0.5))
-    with opened_record(arguments) as records:
+    with opened(arguments, Right.BACK_UP) as records:
         report = verify_record(records.context, known, progress.part(0.5, 1))
     problems += report.problems()
     print(

@@ -7,14 +7,23 @@ from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
+from insole_core.cases.case_record import FootRecord
+from insole_core.errors import Conflict
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.visit import CaptureState, Visit
+from insole_studio.features.records.conflict_dialog import (
+    Choice,
+    ComparedVersion,
+    ConflictDialog,
+    chosen_foot,
+)
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
+from insole_studio.features.records.record_texts import version_text
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import StartPresenter
 from insole_studio.services.app_services import AppServices
@@ -24,6 +33,7 @@ if TYPE_CHECKING:
     from insole_core.records.records import Records
 
 Then = Callable[[], None]
+CONFLICT = "record-conflict"
 
 
 class PatientRecords(QObject):
@@ -50,6 +60,7 @@ class PatientRecords(QObject):
         self.person: PersonPage | None = None
         self._start_presenter: StartPresenter | None = None
         self._person_presenter: PersonPresenter | None = None
+        self._keeper.conflicted.connect(self.decide)
         services.recent.changed.connect(self._show_recent_files)
 
     def show_start(self) -> None:
@@ -109,6 +120,52 @@ class PatientRecords(QObject):
         self._clinic.write(
             add, lambda added: self.open_visit(added.id), self._services.messages.show_error
         )
+
+    @Slot()
+    def decide(self) -> None:
+        """Show both versions of a foot that was changed at two stations, and keep the choice."""
+        conflict = self._keeper.conflict
+        if conflict is None:
+            return
+        mine, summary = conflict.mine, conflict.theirs
+
+        def show(theirs: FootRecord) -> None:
+            dialog = ConflictDialog(
+                ComparedVersion(tr("Mine"), self._here(), mine),
+                ComparedVersion(tr("Theirs"), version_text(summary), theirs),
+                self._services.window,
+            )
+            dialog.finished.connect(dialog.deleteLater)
+            dialog.rejected.connect(self._remind)
+            dialog.accepted.connect(
+                lambda: self._settle(conflict, dialog.choice, theirs, summary.author)
+            )
+            dialog.open()
+
+        self._clinic.ask(
+            "records-conflict",
+            lambda records: records.prescriptions.read(summary.id),
+            show,
+            self._services.messages.show_error,
+        )
+
+    def _settle(
+        self, conflict: Conflict, choice: Choice | None, theirs: FootRecord, author: str
+    ) -> None:
+        assert choice is not None
+        self._services.notices.drop(CONFLICT)
+        self._keeper.settle(conflict, chosen_foot(choice, conflict.mine, theirs, author))
+
+    def _remind(self) -> None:
+        self._services.notices.put(
+            CONFLICT,
+            tr("Two versions of this foot wait for a decision; yours is kept on this computer."),
+            (tr("Decide…"), self.decide),
+        )
+
+    def _here(self) -> str:
+        who = self._clinic.author
+        return "" if who is None else f"{who.name}, {who.station}"
 
     def undo(self) -> None:
         """Undo the last edit on the person page."""

@@ -1,16 +1,34 @@
-"""``insole-studio records``: back up, restore and verify the clinic's record."""
+"""``insole-studio records``: the clinic's record, without a window."""
 
 from __future__ import annotations
 
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.cli.records import backup, restore, verify
+from insole_studio.cli.records import (
+    backup,
+    export,
+    import_,
+    list_,
+    migrate,
+    restore,
+    show,
+    verify,
+)
 from insole_studio.cli.subcommands import Command, add_steps
 
 NAME = "records"
-HELP = "back up, restore or verify the clinic's record"
-STEPS: tuple[Command, ...] = (backup, restore, verify)
+HELP = "the clinic's record: its patients, orders and backups"
+STEPS: tuple[Command, ...] = (
+    list_,
+    show,
+    import_,
+    export,
+    backup,
+    restore,
+    verify,
+    migrate,
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
