@@ -27,8 +27,8 @@ class Settings:
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
     which sensor gives which view (``left=SERIAL``); `device` is that of new designs; `author`,
     `clinic`, `maker` and `maker_address` stand on the prescription; file dialogs start in the
-    folder of their kind. A view is refused if its pose exceeds the largest residuals or
-    displacement.
+    folder of their kind; `number_kind` is that of new personal numbers. A view is refused if its
+    pose exceeds the largest residuals or displacement.
     """
 
     theme: Theme = "system"
@@ -40,6 +40,7 @@ class Settings:
     clinic: str = ""
     maker: str = ""
     maker_address: str = ""
+    number_kind: str = ""
     recent: list[str] = field(default_factory=list)
     cases_folder: str = ""
     scans_folder: str = ""

@@ -47,6 +47,11 @@ class UserPaths:
         """The folder of the locks of cases whose own folder takes none."""
         return self.data_folder / "locks"
 
+    @property
+    def records_folder(self) -> Path:
+        """The folder of the clinic's record: its database and large files."""
+        return self.data_folder / "records"
+
     def make_private(self) -> None:
         """Close the folders to other users; an earlier version left them open."""
         for folder in (self.settings_folder, self.data_folder):

@@ -5,34 +5,26 @@ Patient files are read strictly: what is not understood is refused, never guesse
 
 from __future__ import annotations
 
-import io
 import json
 import zipfile
 from pathlib import Path
 
-import numpy as np
-
 from insole_core.cases.case_json import FORMAT, VERSION, case_from_json, case_to_json
 from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.stored_mesh import MAX_PART_BYTES, pack_mesh, unpack_mesh
 from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.file_digest import sha256_of
-from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
-from insole_core.stored_arrays import read_arrays
 from insole_core.strict_json import MOST_BYTES
 from insole_core.zip_archive import DamagedArchiveError, ZipArchive
 
 CASE_NAME = "case.json"
 FOOT_NAMES = {side: f"{side}.npz" for side in Side}
-MAX_PART_BYTES = 256 * 2**20
-"""The surface of a foot of four million triangles has 150 MB."""
 MAX_CASE_BYTES = 3 * MAX_PART_BYTES
-_MOST_MM = 1e4
 _PARTS = (CASE_NAME, FOOT_NAME_1, *FOOT_NAMES.values())
 _WHEN = (1980, 1, 1, 0, 0, 0)
 
@@ -55,7 +47,7 @@ def write_case(record: CaseRecord, path: Path) -> str:
             text = json.dumps(case_to_json(record), indent=1, ensure_ascii=False)
             _add(archive, CASE_NAME, text.encode("utf-8"))
             for foot in record.feet:
-                _add(archive, FOOT_NAMES[foot.side], _pack_mesh(foot.foot.mesh))
+                _add(archive, FOOT_NAMES[foot.side], pack_mesh(foot.foot.mesh))
         return sha256_of(beside, MAX_CASE_BYTES)
 
 
@@ -121,59 +113,12 @@ def _case_of(parts: dict[str, bytes], path: Path) -> CaseRecord:
             raise InputError(
                 "{path} has lost its {file}; restore the file from a backup.", path=path, file=name
             )
-        return _unpack_mesh(parts[name], path, name)
+        try:
+            return unpack_mesh(name, parts[name])
+        except InputError as error:
+            raise _damaged(path, name) from error
 
     return case_from_json(case, mesh_of)
-
-
-def _pack_mesh(mesh: TriangleMesh) -> bytes:
-    arrays = {"vertices": mesh.vertices, "triangles": mesh.triangles}
-    if mesh.colors is not None:
-        arrays["colors"] = mesh.colors
-    if mesh.touches is not None:
-        arrays |= {"touched": mesh.touches.points, "touched_normals": mesh.touches.normals}
-    packed = io.BytesIO()
-    np.savez_compressed(packed, **arrays)  # type: ignore[arg-type]
-    return packed.getvalue()
-
-
-def _unpack_mesh(packed: bytes, path: Path, name: str) -> TriangleMesh:
-    try:
-        arrays = read_arrays(name, packed, MAX_PART_BYTES)
-        touches = None
-        if "touched" in arrays:
-            touches = ContourConstraints(arrays["touched"], arrays["touched_normals"])
-        mesh = TriangleMesh(arrays["vertices"], arrays["triangles"], arrays.get("colors"), touches)
-    except (InputError, KeyError) as error:
-        raise _damaged(path, name) from error
-    if not _is_sound(mesh):
-        raise _damaged(path, name)
-    return mesh
-
-
-def _is_sound(mesh: TriangleMesh) -> bool:
-    vertices, triangles, colors = mesh.vertices, mesh.triangles, mesh.colors
-    kinds = vertices.dtype == np.float64 and triangles.dtype == np.int32
-    shapes = vertices.ndim == triangles.ndim == 2 and vertices.shape[1] == triangles.shape[1] == 3
-    if not (kinds and shapes and len(triangles) and _are_near(vertices)):
-        return False
-    if colors is not None and (colors.dtype != np.uint8 or colors.shape != vertices.shape):
-        return False
-    if mesh.touches is not None and not _are_sound(mesh.touches):
-        return False
-    return bool(triangles.min() >= 0 and triangles.max() < len(vertices))
-
-
-def _are_sound(touches: ContourConstraints) -> bool:
-    points, normals = touches.points, touches.normals
-    shapes = points.ndim == 2 and points.shape[1] == 3 and points.shape == normals.shape
-    kinds = points.dtype == normals.dtype == np.float64
-    return bool(kinds and shapes and _are_near(points) and _are_near(normals))
-
-
-def _are_near(points: FloatArray) -> bool:
-    """Return whether all coordinates are finite and near the foot, so that nothing overflows."""
-    return bool((np.abs(points) < _MOST_MM).all())
 
 
 def _read_parts(path: Path) -> tuple[dict[str, bytes], str]:

@@ -37,7 +37,7 @@ def case_to_json(record: CaseRecord) -> dict[str, Any]:
         "format": FORMAT,
         "version": VERSION,
         "patient": vars(record.patient).copy(),
-        "feet": [_foot_to_json(foot) for foot in record.feet],
+        "feet": [foot_to_json(foot) for foot in record.feet],
     }
     if record.at_hand is not None:
         content["at_hand"] = str(record.at_hand)
@@ -60,7 +60,7 @@ def case_from_json(case: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
         Names the file and the key of the first violation.
     """
     patient = _patient(case.object("patient"))
-    feet = [_foot_record(foot, mesh_of) for foot in case.objects("feet")]
+    feet = [foot_from_json(foot, mesh_of) for foot in case.objects("feet")]
     sides = [foot.side for foot in feet]
     if len(set(sides)) < len(sides):
         raise case.fail("feet", "has two feet of the same side")
@@ -72,7 +72,8 @@ def case_from_json(case: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
     return record.at(case.choice("at_hand", sides))
 
 
-def _foot_to_json(record: FootRecord) -> dict[str, Any]:
+def foot_to_json(record: FootRecord) -> dict[str, Any]:
+    """Return a foot and its prescriptions without the surface, as plain values."""
     foot = record.foot
     content: dict[str, Any] = {
         "side": str(foot.side),
@@ -109,7 +110,14 @@ def _annotations_to_json(annotations: Annotations) -> dict[str, Any]:
     return content
 
 
-def _foot_record(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> FootRecord:
+def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> FootRecord:
+    """Build a foot from its JSON form and its surface; the inverse of `foot_to_json`.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key of the first violation.
+    """
     side = foot.choice("side", list(Side))
     variants = tuple(_variant(variant, side) for variant in foot.objects("variants"))
     names = [variant.name for variant in variants]

@@ -14,7 +14,12 @@ from insole_core.memo import Memo
 
 DISPLAY = "display"
 """Kind of the surface for display in the cache of a foot."""
-_KEPT = 2  # so that two variants of a prescription do not evict each other's results
+_KEPT, _LEAST_KEPT, _MOST_BYTES = 8, 2, 96_000_000
+"""Results of a kind: enough to change between a clinic's devices, on fine grids between two."""
+
+
+def _cache() -> Memo:
+    return Memo(_KEPT, most_bytes=_MOST_BYTES, least=_LEAST_KEPT)
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +46,7 @@ class Foot:
     source2insole: FloatArray
     length_mm: float
     notes: tuple[str, ...] = ()
-    derived: Memo = field(default_factory=lambda: Memo(_KEPT), init=False, repr=False)
+    derived: Memo = field(default_factory=_cache, init=False, repr=False)
 
     @property
     def even(self) -> EvenSurface:

@@ -20,6 +20,7 @@ from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import Session, View
 from insole_core.recording.session_layout import foreign_in_session
+from insole_core.recording.store import FolderStore
 
 
 def write_session(
@@ -48,7 +49,7 @@ def write_session(
     if path.suffix.lower() == ".zip":
         with replacing_file(path) as beside, scratch_folder(path) as parts:
             _write_parts(session, parts, truth, sensor2reference, progress)
-            _zip(parts, beside)
+            pack_session(parts, beside)
     else:
         with replacing_folder(path, foreign_in_session) as folder:
             _write_parts(session, folder, truth, sensor2reference, progress)
@@ -87,9 +88,20 @@ def _write_json(path: Path, values: dict[str, Any]) -> None:
     path.write_text(json.dumps(values, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
-def _zip(folder: Path, archive: Path) -> None:
+def pack_session(folder: Path, archive: Path) -> None:
+    """Write the files of a session folder, as they are, into an archive of a session.
+
+    Parameters
+    ----------
+    archive
+        An unfinished file, such as one of `replacing_file`.
+
+    Raises
+    ------
+    OSError
+        When a file cannot be read, or the archive not be written.
+    """
     # PNG and npz are already compressed.
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as opened:
-        for path in sorted(folder.rglob("*")):
-            if path.is_file():
-                opened.write(path, path.relative_to(folder).as_posix())
+        for name in FolderStore(folder).names():
+            opened.write(folder / name, name)

@@ -13,7 +13,7 @@ import hashlib
 import os
 import re
 import uuid
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -31,6 +31,8 @@ from insole_core.regular_file import blocks_of, open_regular
 
 IDENTITY_FILE: Final = "identity"
 """Names the store; a share that is not mounted leaves an empty folder, which has none."""
+IDENTITY_VALUE: Final = "contents_identity"
+"""Key of the clinic's settings: the store that belongs to the database."""
 REMOVED_FOLDER: Final = "removed"
 GRACE_S: Final = 7 * 24 * 3600.0
 """Longer than any work between the writing of a file and of its row, and than a clock is wrong."""
@@ -175,6 +177,28 @@ class ContentStore:
                         path=str(content),
                     )
         return sha256
+
+    def receive(self, sha256: str, write: Callable[[BinaryIO], object]) -> None:
+        """Store a content that somebody else writes, such as a backup; not if it is there.
+
+        Raises
+        ------
+        DamagedContent
+            When what was written is something else.
+        OutputError, Unreachable
+            As for `put`.
+        """
+        self.identity()
+        path = self.path(sha256)
+        with self._answering():
+            if self._is_kept(path):
+                return
+            self._make_folder(path.parent)
+            with replacing_file(path) as beside:
+                with beside.open("wb") as file:
+                    write(file)
+                if sha256_of(beside) != sha256:
+                    raise self._changed(sha256)
 
     def read(self, sha256: str) -> bytes:
         """Return a content, verified.

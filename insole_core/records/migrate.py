@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from typing import Final
 
-from sqlalchemy import Connection, inspect, text
+from sqlalchemy import Connection, func, inspect, select
 
 from insole_core.errors import RecordsError
-from insole_core.records.database import MIGRATION_LOCK, Database
+from insole_core.records.database import MIGRATION_LOCK, SCHEMA_COLUMN, SCHEMA_TABLE, Database
 
 SCHEMA: Final = "0001"
 """The newest revision in `migrations/versions`; revisions are numbered."""
-_TABLE: Final = "alembic_version"
 
 
 def schema_of(connection: Connection) -> str | None:
     """Return the revision of a database; None where it has no tables yet."""
-    if not inspect(connection).has_table(_TABLE):
+    if not inspect(connection).has_table(SCHEMA_TABLE.name):
         return None
-    found: str | None = connection.execute(text(f"SELECT version_num FROM {_TABLE}")).scalar()
+    found: str | None = connection.execute(select(SCHEMA_COLUMN)).scalar()
     return found
 
 
@@ -34,11 +33,16 @@ def check_schema(found: str | None, name: str) -> None:
         )
 
 
-def migrate(database: Database) -> bool:
+def migrate(database: Database, schema: str = SCHEMA) -> bool:
     """Make the tables of an empty database, or change those of an older one.
 
     All is one transaction: an interrupted migration leaves the database as it was, and the next
     start makes it anew. Of two programs that start at once, one migrates, and the other waits.
+
+    Parameters
+    ----------
+    schema
+        Revision to bring it to: an older one only for the rows of an older backup.
 
     Returns
     -------
@@ -53,18 +57,18 @@ def migrate(database: Database) -> bool:
     with database.reading() as connection:
         found = schema_of(connection)
     check_schema(found, database.place.name)
-    if found == SCHEMA:
+    if found == schema:
         return False
     with database.writing() as connection:
         if not database.is_sqlite:
-            connection.execute(text(f"SELECT pg_advisory_xact_lock({MIGRATION_LOCK})"))
+            connection.execute(select(func.pg_advisory_xact_lock(MIGRATION_LOCK)))
         found = schema_of(connection)
         check_schema(found, database.place.name)
-        _upgrade(connection)
-    return found != SCHEMA
+        _upgrade(connection, schema)
+    return found != schema
 
 
-def _upgrade(connection: Connection) -> None:
+def _upgrade(connection: Connection, schema: str) -> None:
     # Alembic takes half a second to load, and most starts find nothing to migrate.
     from alembic import command
     from alembic.config import Config
@@ -72,4 +76,4 @@ def _upgrade(connection: Connection) -> None:
     config = Config()
     config.set_main_option("script_location", "insole_core.records:migrations")
     config.attributes["connection"] = connection
-    command.upgrade(config, SCHEMA)
+    command.upgrade(config, schema)

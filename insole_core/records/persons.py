@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from datetime import date
 from typing import Any, Final
 
@@ -18,14 +18,21 @@ from sqlalchemy import (
     update,
 )
 
-from insole_core.errors import Conflict, InputError, RecordsError
+from insole_core.errors import Conflict, InputError
 from insole_core.records.context import RecordsContext
+from insole_core.records.merging import Merge, merge_persons, merges_of, undo_merge
 from insole_core.records.person import Person, PersonSummary, new_pseudonym
-from insole_core.records.schema import orders, persons, visits
+from insole_core.records.person_rows import (
+    PERSON_FIELDS,
+    locked_person,
+    person_of,
+    write_search_text,
+)
+from insole_core.records.rights import Right
+from insole_core.records.schema import persons, visits
 from insole_core.records.search_text import search_text_of, search_words
 from insole_core.records.times import utc_now
 
-_FIELDS: Final = tuple(field.name for field in fields(Person))
 _EDITED: Final = (
     "name",
     "birth_date",
@@ -69,6 +76,10 @@ class Persons:
         """Return those who were seen or changed last, the latest first."""
         return self._summaries(_listed().order_by(persons.c.last_seq.desc()).limit(limit))
 
+    def everybody(self) -> list[PersonSummary]:
+        """Return all who can be found, to compare a list of others with them."""
+        return self._summaries(_listed())
+
     def with_number(self, personal_number: str) -> list[PersonSummary]:
         """Return those who have a personal number, as it is stored."""
         return self._summaries(_listed().where(persons.c.personal_number == personal_number))
@@ -81,7 +92,7 @@ class Persons:
         RecordsError
             When there is none.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return person_of(connection, person_id)
 
     def open(self, person_id: str) -> Person:
@@ -94,7 +105,7 @@ class Persons:
         """
         if self._context.database.is_read_only:
             return self.get(person_id)
-        with self._context.writing(person_id) as connection:
+        with self._context.writing(Right.SEE, person_id) as connection:
             person = person_of(connection, person_id)
             self._context.log(connection, "seen", "person", person.id)
         return person
@@ -107,18 +118,8 @@ class Persons:
         InputError
             When a field cannot be right, or the pseudonym is that of somebody else.
         """
-        person = person.checked(date.today())
-        now = utc_now()
-        with self._context.writing() as connection:
-            person = _with_free_pseudonym(connection, person)
-            person = replace(person, created_at=now, changed_at=now, revision=1)
-            values = {name: getattr(person, name) for name in _FIELDS}
-            text = search_text_of(
-                person.name, person.birth_date, person.personal_number, [person.pseudonym]
-            )
-            connection.execute(insert(persons).values(**values, search_text=text))
-            self._context.log(connection, "added", "person", person.id)
-        return person
+        with self._context.writing(Right.WRITE) as connection:
+            return add_person(self._context, connection, person)
 
     def change(self, person: Person, revision: int) -> Person:
         """Store the changed fields of a person; return them as they are stored.
@@ -136,7 +137,7 @@ class Persons:
             When somebody else has changed the person meanwhile.
         """
         person = person.checked(date.today())
-        with self._context.writing(person.id) as connection:
+        with self._context.writing(Right.WRITE, person.id) as connection:
             stored = locked_person(connection, person.id)
             changed = [n for n in _EDITED if getattr(person, n) != getattr(stored, n)]
             if stored.revision != revision:
@@ -157,61 +158,56 @@ class Persons:
             self._context.log(connection, "changed", "person", person.id, fields=" ".join(changed))
             return person_of(connection, person.id)
 
+    def merge(self, keep_id: str, merge_id: str) -> Merge:
+        """Join two persons that turned out to be one.
+
+        Everything of `merge_id` moves to `keep_id`, whose fields stay as they are where they are
+        filled in. Whoever asks for the merged person gets the kept one.
+
+        Raises
+        ------
+        RecordsError
+            When they are the same, or one of them was merged or erased already.
+        """
+        return merge_persons(self._context, keep_id, merge_id)
+
+    def undo_merge(self, merge: Merge) -> None:
+        """Take two persons apart again; what was added since stays with the one that was kept.
+
+        Raises
+        ------
+        RecordsError
+            When that has been done already, or a later merge has to be undone first.
+        """
+        undo_merge(self._context, merge)
+
+    def merges_into(self, person_id: str) -> list[Merge]:
+        """Return the merges into a person that are not undone, the latest first."""
+        return merges_of(self._context, person_id)
+
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return [PersonSummary(*row) for row in connection.execute(query)]
 
 
-def person_of(connection: Connection, person_id: str) -> Person:
-    """Return a person, or the one that this person was merged into.
+def add_person(context: RecordsContext, connection: Connection, person: Person) -> Person:
+    """Add a person within a transaction; return them as they are stored.
 
     Raises
     ------
-    RecordsError
-        When there is none.
+    InputError
+        When a field cannot be right, or the pseudonym is that of somebody else.
     """
-    while True:
-        person = _one(connection, person_id)
-        if person.merged_into is None:
-            return person
-        person_id = person.merged_into
-
-
-def locked_person(connection: Connection, person_id: str) -> Person:
-    """Return a person whose row no other station changes until the transaction ends.
-
-    Raises
-    ------
-    RecordsError
-        When there is none, or the person was merged or erased.
-    """
-    person = _one(connection, person_id, locked=True)
-    if person.merged_into is not None:
-        raise RecordsError("This person was merged with another one meanwhile; open the other one.")
-    if person.is_erased:
-        raise RecordsError("The data of this person were erased; nothing can be added to them.")
-    return person
-
-
-def write_search_text(connection: Connection, person_id: str) -> None:
-    """Write anew what a person is found by, after a change of the person or of the orders."""
-    person = _one(connection, person_id)
-    numbers = connection.execute(
-        select(orders.c.number).where(orders.c.person_id == person_id).order_by(orders.c.number)
-    ).scalars()
+    now = utc_now()
+    person = _with_free_pseudonym(connection, person.checked(date.today()))
+    person = replace(person, created_at=now, changed_at=now, revision=1)
+    values = {name: getattr(person, name) for name in PERSON_FIELDS}
     text = search_text_of(
-        person.name, person.birth_date, person.personal_number, [person.pseudonym, *numbers]
+        person.name, person.birth_date, person.personal_number, [person.pseudonym]
     )
-    row = update(persons).where(persons.c.id == person_id)
-    connection.execute(row.values(search_text=text))
-
-
-def _one(connection: Connection, person_id: str, *, locked: bool = False) -> Person:
-    query = select(*(persons.c[name] for name in _FIELDS)).where(persons.c.id == person_id)
-    row = connection.execute(query.with_for_update() if locked else query).one_or_none()
-    if row is None:
-        raise RecordsError("This person is no longer in the record; search for them again.")
-    return Person(*row)
+    connection.execute(insert(persons).values(**values, search_text=text))
+    context.log(connection, "added", "person", person.id)
+    return person
 
 
 def _listed() -> Select[Any]:

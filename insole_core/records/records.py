@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+from insole_core.messages import Message
+from insole_core.records.accounts import Accounts
+from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
+from insole_core.records.captures import Captures
+from insole_core.records.changes import ChangeFeed, Changes
+from insole_core.records.clinic import ClinicSettings
 from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext
 from insole_core.records.database import Database
+from insole_core.records.follow_ups import FollowUps
+from insole_core.records.orders import Orders
 from insole_core.records.persons import Persons
 from insole_core.records.place import RecordsPlace
+from insole_core.records.prescriptions import Prescriptions
+from insole_core.records.presence import Presence
 from insole_core.records.visits import Visits
 
 
@@ -29,7 +39,16 @@ class Records:
         self.context = context
         self.contents = contents
         self.persons = Persons(context)
-        self.visits = Visits(context)
+        self.prescriptions = Prescriptions(context)
+        self.visits = Visits(context, self.prescriptions)
+        self.captures = Captures(context)
+        self.orders = Orders(context)
+        self.follow_ups = FollowUps(context)
+        self.presence = Presence(context)
+        self.clinic = ClinicSettings(context)
+        self.audit = AuditLog(database)
+        self.accounts = Accounts(database, who)
+        self._changes = ChangeFeed(context)
 
     @property
     def place(self) -> RecordsPlace:
@@ -40,6 +59,38 @@ class Records:
     def is_read_only(self) -> bool:
         """Whether nothing can be changed."""
         return self._database.is_read_only
+
+    @property
+    def problem(self) -> Message | None:
+        """Why nothing can be changed, in one sentence; None where everything can."""
+        return self._database.problem
+
+    def for_author(self, who: Author) -> Records:
+        """Return the same record for somebody else who has signed in at this station.
+
+        Both have the same connections; close one of them.
+        """
+        return Records(self._database, self.contents, who)
+
+    def mark(self) -> int:
+        """Return the mark of now, for `changes_since`."""
+        return self._changes.mark()
+
+    def changes_since(self, mark: int) -> Changes:
+        """Return what any station has changed since a mark."""
+        return self._changes.since(mark)
+
+    def wait_for_changes(self, mark: int, timeout_s: float) -> Changes:
+        """Do the same as `changes_since`, but wait until there is something or the time is over.
+
+        It is for a thread of its own.
+
+        Raises
+        ------
+        Unreachable
+            When the database does not answer.
+        """
+        return self._changes.wait(mark, timeout_s)
 
     def close(self) -> None:
         """Close all connections; the record cannot be used any more."""

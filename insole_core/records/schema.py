@@ -106,10 +106,13 @@ captures = Table(
     "captures",
     metadata,
     _id(),
-    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False, index=True),
+    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False),
+    Column("number", Integer, nullable=False),
     Column("kind", Text, nullable=False),
     Column("file_name", Text, nullable=False),
     Column("content_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True),
+    # as a case names its scan: of the manifest of a session's folder, or of the file
+    _text("source_sha256"),
     _text("recorded_at"),
     Column("sensor_serials", Text, nullable=False, server_default="[]"),
     _text("calibrated_on"),
@@ -118,6 +121,7 @@ captures = Table(
     Column("program_version", Text, nullable=False),
     Column("created_at", Text, nullable=False),
     Column("author", Text, nullable=False),
+    UniqueConstraint("visit_id", "number"),
 )
 
 prescription_versions = Table(
@@ -199,7 +203,7 @@ follow_ups = Table(
     Column("order_id", Text, ForeignKey("orders.id"), index=True),
     Column("visit_id", Text, ForeignKey("visits.id"), index=True),
     Column("on_date", Date, nullable=False),
-    Column("outcome", Text, nullable=False),
+    _text("outcome"),
     _text("notes"),
     Column("author", Text, nullable=False),
     Column("created_at", Text, nullable=False),

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields as fields_of
 from dataclasses import replace
 from datetime import date
 from typing import Any, Final
 
-from sqlalchemy import Connection, Row, Select, insert, select, update
+from sqlalchemy import Row, Select, insert, select, update
 
-from insole_core.errors import Conflict, RecordsError
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.errors import Conflict
+from insole_core.geometry.side import Side
 from insole_core.records.context import RecordsContext
-from insole_core.records.persons import locked_person
+from insole_core.records.person import Person
+from insole_core.records.person_rows import locked_person, person_of
+from insole_core.records.prescription import Base
+from insole_core.records.prescriptions import Prescriptions
+from insole_core.records.rights import Right
 from insole_core.records.schema import persons, visits
 from insole_core.records.times import utc_now
-from insole_core.records.visit import CaptureState, Visit, VisitSummary
+from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
+from insole_core.records.visit_rows import VISIT_FIELDS, all_visits, visit_from, visit_of
 
-_FIELDS: Final = tuple(field.name for field in fields_of(Visit))
 _EDITED: Final = (
     "visited_on",
     "reason",
@@ -33,8 +38,9 @@ _WAITING: Final = (CaptureState.WANTED, CaptureState.RUNNING)
 class Visits:
     """Finds, adds and changes visits."""
 
-    def __init__(self, context: RecordsContext) -> None:
+    def __init__(self, context: RecordsContext, prescriptions: Prescriptions) -> None:
         self._context = context
+        self._prescriptions = prescriptions
 
     def get(self, visit_id: str) -> Visit:
         """Return a visit.
@@ -44,15 +50,15 @@ class Visits:
         RecordsError
             When there is none.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return visit_of(connection, visit_id)
 
     def of_person(self, person_id: str) -> list[Visit]:
         """Return the visits of a person, the newest first."""
-        query = _all().where(visits.c.person_id == person_id)
+        query = all_visits().where(visits.c.person_id == person_id)
         query = query.order_by(visits.c.visited_on.desc(), visits.c.created_at.desc())
-        with self._context.database.reading() as connection:
-            return [_visit(row) for row in connection.execute(query)]
+        with self._context.reading() as connection:
+            return [visit_from(row) for row in connection.execute(query)]
 
     def on(self, day: date) -> list[VisitSummary]:
         """Return the visits of one day, in the order in which they were added."""
@@ -75,9 +81,9 @@ class Visits:
         now = utc_now()
         visit = visit.checked(date.today())
         visit = replace(visit, created_at=now, changed_at=now, revision=1)
-        values = {name: getattr(visit, name) for name in _FIELDS}
+        values = {name: getattr(visit, name) for name in VISIT_FIELDS}
         values["measures"] = json.dumps(dict(visit.measures))
-        with self._context.writing(visit.person_id) as connection:
+        with self._context.writing(Right.WRITE, visit.person_id) as connection:
             locked_person(connection, visit.person_id)
             connection.execute(insert(visits).values(values))
             self._context.log(connection, "added", "visit", visit.id, person=visit.person_id)
@@ -99,8 +105,7 @@ class Visits:
             When somebody else has changed the visit meanwhile.
         """
         visit = visit.checked(date.today())
-        with self._context.writing(visit.person_id) as connection:
-            stored = visit_of(connection, visit.id, locked=True)
+        with self._context.writing_visit(Right.WRITE, visit.id) as (connection, stored):
             if stored.revision != revision:
                 raise Conflict(
                     visit,
@@ -126,37 +131,45 @@ class Visits:
             )
             return visit_of(connection, visit.id)
 
+    def open_case(self, visit_id: str) -> OpenedCase:
+        """Return a visit as the case that a window works on, which the audit log tells.
+
+        The newest version of each foot is read, with the scan it was made from.
+
+        Raises
+        ------
+        RecordsError
+            When there is no such visit, or a surface is missing or was changed on the disk.
+        """
+        if not self._context.database.is_read_only:
+            with self._context.writing_visit(Right.SEE, visit_id) as (connection, visit):
+                self._context.log(connection, "seen", "visit", visit_id, person=visit.person_id)
+        with self._context.reading() as connection:
+            visit = visit_of(connection, visit_id)
+            person = person_of(connection, visit.person_id)
+            rows = self._prescriptions.newest_of(connection, visit_id)
+        record = CaseRecord(patient_of(person, visit))
+        for row in reversed(rows):  # the left foot is shown first
+            record = record.with_foot(self._prescriptions.foot_of(row))
+        bases = {Side(row.side): Base(row.id, row.revision) for row in rows}
+        return OpenedCase(record, bases, person, visit)
+
     def _summaries(self, query: Select[Any]) -> list[VisitSummary]:
         query = query.order_by(visits.c.visited_on, visits.c.created_at)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             rows = connection.execute(query).all()
         return [_summary(row) for row in rows]
 
 
-def visit_of(connection: Connection, visit_id: str, *, locked: bool = False) -> Visit:
-    """Return a visit, on demand with its row locked until the transaction ends.
-
-    Raises
-    ------
-    RecordsError
-        When there is none.
-    """
-    query = _all().where(visits.c.id == visit_id)
-    row = connection.execute(query.with_for_update() if locked else query).one_or_none()
-    if row is None:
-        raise RecordsError("This visit is no longer in the record; open the person again.")
-    return _visit(row)
-
-
-def _all() -> Select[Any]:
-    return select(*(visits.c[name] for name in _FIELDS))
-
-
-def _visit(row: Row[Any]) -> Visit:
-    values = dict(zip(_FIELDS, row, strict=True))
-    values["measures"] = json.loads(values["measures"])
-    values["capture_state"] = CaptureState(values["capture_state"])
-    return Visit(**values)
+def patient_of(person: Person, visit: Visit) -> Patient:
+    """Return what the patient panel shows of a person on a visit."""
+    return Patient(
+        name=person.name,
+        born="" if person.birth_date is None else person.birth_date.isoformat(),
+        visit=visit.visited_on.isoformat(),
+        notes=visit.findings,
+        pseudonym=person.pseudonym,
+    )
 
 
 def _summary(row: Row[Any]) -> VisitSummary:

@@ -7,21 +7,29 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.surface.height_field import HeightField
 
-_PITCH_MM = 0.5  # between the points of a surface that a ball may touch
+PITCH_MM = 0.5
+"""Between the points of a surface that a ball may touch."""
 
 
-def parallel_below(field: HeightField, distance_mm: float) -> FloatArray:
+def parallel_below(
+    field: HeightField, distance_mm: float, pitch_mm: float = PITCH_MM
+) -> FloatArray:
     """Compute the highest surface that keeps a distance from the field and stays above z = 0.
 
     It is the erosion of the field by a ball of that radius: no point is nearer than the distance,
     and no loop can arise in a hollow. Between the nodes of a coarse field the ball touches it too.
+
+    Parameters
+    ----------
+    pitch_mm
+        Greatest distance of the points that the ball may touch; a larger one is faster.
 
     Returns
     -------
     (ny, nx) float64, mm
         Heights at the nodes of the field.
     """
-    pieces = int(np.ceil(field.step_mm / _PITCH_MM))
+    pieces = int(np.ceil(field.step_mm / pitch_mm))
     fine, step_mm = _refined(field.heights_mm, pieces), field.step_mm / pieces
     return np.maximum(_eroded(fine, step_mm, distance_mm, every=pieces), 0.0)
 
@@ -64,18 +72,36 @@ def _eroded(heights_mm: FloatArray, step_mm: float, radius_mm: float, every: int
 
     With `every`, only at each such node of a row and of a column.
     """
-    rows, columns = heights_mm.shape
     reach = int(radius_mm / step_mm)
     ring = np.pad(heights_mm, reach, mode="edge")
-    lowest = np.full_like(heights_mm[::every, ::every], np.inf)
+    # Each of these is contiguous, which is twice as fast as strided parts of the ring.
+    grids = {
+        (i, j): np.ascontiguousarray(ring[i::every, j::every])
+        for i in range(every)
+        for j in range(every)
+    }
+    rows, columns = (-(-count // every) for count in heights_mm.shape)
+    lowest = np.full((rows, columns), np.inf)
+    for below_mm, offsets in _ball(reach, step_mm, radius_mm):
+        parts = []
+        for i, j in offsets:
+            (down, row), (right, column) = divmod(reach + i, every), divmod(reach + j, every)
+            parts.append(grids[row, column][down : down + rows, right : right + columns])
+        level = parts[0] if len(parts) == 1 else np.minimum(parts[0], parts[1])
+        for part in parts[2:]:
+            np.minimum(level, part, out=level)
+        np.minimum(lowest, level - below_mm, out=lowest)
+    return lowest
+
+
+def _ball(
+    reach: int, step_mm: float, radius_mm: float
+) -> list[tuple[float, list[tuple[int, int]]]]:
+    """Return the depths of a ball below its centre, with the offsets (row, column) of each."""
+    depths: dict[float, list[tuple[int, int]]] = {}
     for i in range(-reach, reach + 1):
         for j in range(-reach, reach + 1):
             below2 = radius_mm**2 - (i * i + j * j) * step_mm**2
             if below2 >= 0:
-                first_row, first_column = reach + i, reach + j
-                part = ring[
-                    first_row : first_row + rows : every,
-                    first_column : first_column + columns : every,
-                ]
-                np.minimum(lowest, part - np.sqrt(below2), out=lowest)
-    return lowest
+                depths.setdefault(float(np.sqrt(below2)), []).append((i, j))
+    return list(depths.items())

@@ -20,6 +20,7 @@ from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
 from insole_core.insole.prescription.prescription_lines import make_facts, plain_number
 from insole_core.progress import SILENT, Progress
@@ -76,6 +77,8 @@ class ExportJob:
         For the prescription, which stays with the patient and in the record.
     responsible
         Who prescribes and who makes, for the prescription.
+    materials
+        What each side is made of, for the papers.
     block
         In which a pair is nested; None for parts that lie as they were designed, on z = 0.
     override
@@ -89,7 +92,7 @@ class ExportJob:
     identification: Mapping[str, str] = field(default_factory=dict)
     patient: Mapping[str, str] = field(default_factory=dict)
     responsible: Responsible = NOBODY
-    material: str = ""
+    materials: Mapping[Side, str] = field(default_factory=dict)
     block: Block | None = None
     override: Override | None = None
     ascii_stl: bool = False
@@ -226,7 +229,7 @@ def run_export_job(
     InputError
         If a paper lacks what it states.
     """
-    _check_texts((*job.identification.values(), job.material))
+    _check_texts((*job.identification.values(), *job.materials.values()))
     placed = job.placed()
     records = [require_export(each.findings, job.override) for each in placed]
     progress.step(0.1, "Writing the file")
@@ -250,7 +253,7 @@ def run_export_job(
             beside.prescription,
             responsible=job.responsible,
             identification={**job.patient, **job.identification},
-            material=job.material,
+            material=" / ".join(dict.fromkeys(filter(None, job.materials.values()))),
             day=date.today(),
         )
 
@@ -335,7 +338,7 @@ def _measures(part: Part) -> dict[str, str]:
 
 def _make(job: ExportJob, part: Part) -> dict[str, str]:
     facts = {
-        "material": job.material or "–",
+        "material": job.materials.get(part.side) or "–",
         "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
         **make_facts(part.insole.design),
     }

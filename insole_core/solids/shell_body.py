@@ -16,7 +16,7 @@ from insole_core.insole.surface.blending import smooth_hinge, smooth_step
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, eased, rocker_heights_mm, rockers
 from insole_core.insole.surface.shoe_last import last_heights_mm
-from insole_core.solids.ball_offset import parallel_below
+from insole_core.solids.ball_offset import PITCH_MM, parallel_below
 from insole_core.solids.front_edge import behind_front_mm
 from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside
 from insole_core.solids.prism import Walls
@@ -38,6 +38,137 @@ class Body:
     bottom_mm: FloatArray
 
 
+@dataclass(frozen=True, eq=False)
+class BodyPlan:
+    """All that the body of an insole depends on beside its contact surface, at the same nodes.
+
+    Parameters
+    ----------
+    ground_mm : (ny, nx) float64
+        The plane, or the last of a shoe with a heel.
+    rise_mm : (ny, nx) float64, optional
+        By how much rockers ask the underside to rise; None without one.
+    taper : (ny, nx) float64
+        From 0 at the front edge to 1 behind the taper; 1 everywhere without a shell.
+    posts_mm : (ny, nx) float64 each
+        Undersides of the posts over the ground.
+    """
+
+    design: InsoleDesign
+    ground_mm: FloatArray
+    rise_mm: FloatArray | None
+    taper: FloatArray
+    posts_mm: tuple[FloatArray, ...]
+
+    @classmethod
+    def of(cls, insole: Insole, outline: FloatArray, edge: OutlineDistance) -> BodyPlan:
+        """Return the plan of an insole.
+
+        Parameters
+        ----------
+        outline : (n, 2) float64, mm, insole frame
+            Counter-clockwise.
+        edge
+            The distance to it.
+        """
+        field, design, length_mm = insole.contact, insole.design, insole.foot.length_mm
+        ground = np.zeros_like(field.heights_mm)
+        ground += last_heights_mm(design, field.y_mm, length_mm)[:, None]
+        rise = rocker_heights_mm(design, insole.foot, field) if rockers(design) else None
+        shell = design.shell
+        if shell is None:
+            return cls(design, ground, rise, np.ones_like(ground), ())
+        behind = behind_front_mm(outline, field)
+        taper = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
+        front = behind
+        if shell.posts and design.outline.extent != "three_quarter":
+            front = behind_heads_mm(insole, field)
+        heel = field.y_mm[:, None] - outline[:, 1].min()
+        places = PostPlan(edge.inside_mm, heel, front)
+        posts = tuple(post_underside(post, places, length_mm) for post in shell.posts)
+        return cls(design, ground, rise, taper, posts)
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the upper side is the contact surface and the underside does not follow it."""
+        design = self.design
+        follows = design.bottom != "flat" or self.rise_mm is not None
+        return not follows and design.shell is None and design.taken_off_mm == 0
+
+    @property
+    def reach_mm(self) -> float:
+        """How far beside a change of the contact surface the body may change."""
+        return self.design.taken_off_mm + _thickness_mm(self.design)
+
+    def within(self, rows: slice, columns: slice) -> BodyPlan:
+        """Return the part of the plan for a window of the nodes."""
+        at = rows, columns
+        return replace(
+            self,
+            ground_mm=self.ground_mm[at],
+            rise_mm=None if self.rise_mm is None else self.rise_mm[at],
+            taper=self.taper[at],
+            posts_mm=tuple(post[at] for post in self.posts_mm),
+        )
+
+    def body(
+        self,
+        contact: HeightField,
+        pitch_mm: float = PITCH_MM,
+        *,
+        made_mm: FloatArray | None = None,
+    ) -> Body:
+        """Return the body below a contact surface: tapered, posted, and nowhere too thin.
+
+        The taper thins a flat insole from above and one with a following underside from below.
+        Where less than the least thickness of the material is left, the upper side is raised.
+
+        Parameters
+        ----------
+        contact
+            On the nodes of the plan. Within `reach_mm` of a window's border, the body of a window
+            differs from that of the whole.
+        pitch_mm
+            As of `parallel_below`.
+        made_mm : (ny, nx) float64, optional
+            Heights of the `made_surface`, if they are known.
+        """
+        top = made_heights_mm(contact, self.design, pitch_mm) if made_mm is None else made_mm
+        bottom = self._underside(contact, top, pitch_mm)
+        shell = self.design.shell
+        if shell is None:
+            return Body(top, bottom)
+        top, bottom = self._tapered(shell, top, bottom)
+        for post in self.posts_mm:
+            over_post = bottom - self.ground_mm - post
+            fillet = np.clip(bottom - self.ground_mm, *_FILLET_MM)
+            bottom = np.maximum(bottom - smooth_hinge(over_post, fillet), self.ground_mm)
+        return Body(np.maximum(top, bottom + _least_mm(shell, self.taper)), bottom)
+
+    def _underside(self, contact: HeightField, top_mm: FloatArray, pitch_mm: float) -> FloatArray:
+        """Return the underside before taper and posts: flat, or parallel to the top, and rocked."""
+        bottom, design = self.ground_mm, self.design
+        if design.bottom != "flat":
+            away_mm = design.taken_off_mm + _thickness_mm(design)
+            bottom = np.maximum(parallel_below(contact, away_mm, pitch_mm), bottom)
+        if self.rise_mm is None:
+            return bottom
+        shell = design.shell
+        needed_mm = 0.0 if shell is None else max(material_of(shell).least_mm - LEAST_LEFT_MM, 0.0)
+        return eased(bottom, top_mm - needed_mm, self.rise_mm)
+
+    def _tapered(
+        self, shell: Shell, top: FloatArray, bottom: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        share, front_mm = self.taper, max(shell.taper_mm, material_of(shell).least_edge_mm)
+        if self.design.bottom == "flat":
+            thinner = bottom + front_mm + (top - bottom - front_mm) * share
+            return np.where(share < 1, thinner, top), bottom
+        # Thickness counts along the normal, so that it is scaled: flanks stay as thick.
+        scale = share + (1 - share) * front_mm / _thickness_mm(self.design)
+        return top, np.maximum(top - (top - bottom) * scale, self.ground_mm)
+
+
 def made_surface(insole: Insole) -> HeightField:
     """Return the upper side of what is made: below a cover that is glued on later.
 
@@ -46,39 +177,18 @@ def made_surface(insole: Insole) -> HeightField:
     HeightField, mm, insole frame
         The contact surface itself if no cover is taken off.
     """
-    taken_off_mm = insole.design.taken_off_mm
-    if taken_off_mm == 0:
+    if insole.design.taken_off_mm == 0:
         return insole.contact
-    lowered = parallel_below(insole.contact, taken_off_mm)
-    return replace(insole.contact, heights_mm=lowered)
+    return replace(insole.contact, heights_mm=made_heights_mm(insole.contact, insole.design))
 
 
-def plain_underside(insole: Insole, made: HeightField) -> FloatArray:
-    """Return the underside before taper and posts, (ny, nx), mm: flat, or parallel to the top.
-
-    For a shoe with a heel a flat one has the shape of its last. A rocker eases it at the forefoot.
-
-    Parameters
-    ----------
-    made
-        The `made_surface` of the insole.
-    """
-    whole, design = _unrocked_underside(insole), insole.design
-    if not rockers(design):
-        return whole
-    rise = rocker_heights_mm(design, insole.foot, insole.contact)
-    shell = design.shell
-    needed_mm = 0.0 if shell is None else max(material_of(shell).least_mm - LEAST_LEFT_MM, 0.0)
-    return eased(whole, made.heights_mm - needed_mm, rise)
-
-
-def _unrocked_underside(insole: Insole) -> FloatArray:
-    field, design = insole.contact, insole.design
-    ground = np.zeros_like(field.heights_mm)
-    ground += last_heights_mm(design, field.y_mm, insole.foot.length_mm)[:, None]
-    if design.bottom == "flat":
-        return ground
-    return np.maximum(parallel_below(field, design.taken_off_mm + _thickness_mm(design)), ground)
+def made_heights_mm(
+    contact: HeightField, design: InsoleDesign, pitch_mm: float = PITCH_MM
+) -> FloatArray:
+    """Return the heights (ny, nx), mm, of the upper side of what is made."""
+    if design.taken_off_mm == 0:
+        return contact.heights_mm
+    return parallel_below(contact, design.taken_off_mm, pitch_mm)
 
 
 def _thickness_mm(design: InsoleDesign) -> float:
@@ -87,50 +197,6 @@ def _thickness_mm(design: InsoleDesign) -> float:
         return design.made_thickness_mm
     least_mm = material_of(design.shell).least_mm + _LOSS * design.grid_mm
     return max(design.made_thickness_mm, least_mm)
-
-
-def shell_body(
-    insole: Insole,
-    shell: Shell,
-    made: HeightField,
-    outline: FloatArray,
-    edge: OutlineDistance,
-) -> Body:
-    """Return the body of an insole with a shell: tapered, posted, and nowhere too thin.
-
-    The taper thins a flat insole from above and one with a following underside from below. Where
-    less than the least thickness of the material is left, the upper side is raised.
-
-    Parameters
-    ----------
-    made
-        The `made_surface` of the insole.
-    outline : (n, 2) float64, mm, insole frame
-        Counter-clockwise.
-    edge
-        The distance to it.
-    """
-    field, design, length_mm = insole.contact, insole.design, insole.foot.length_mm
-    top, bottom = made.heights_mm, plain_underside(insole, made)
-    behind = behind_front_mm(outline, field)
-    share = smooth_step(behind, 0.0, taper_length_mm(shell, outline))
-    front_mm = max(shell.taper_mm, material_of(shell).least_edge_mm)
-    ground = last_heights_mm(design, field.y_mm, length_mm)[:, None]
-    if design.bottom == "flat":
-        top = np.where(share < 1, bottom + front_mm + (top - bottom - front_mm) * share, top)
-    else:
-        # Thickness counts along the normal, so that it is scaled: flanks stay as thick.
-        thinner = share + (1 - share) * front_mm / _thickness_mm(design)
-        bottom = np.maximum(top - (top - bottom) * thinner, ground)
-    for post in shell.posts:
-        short = design.outline.extent == "three_quarter"
-        front = behind if short else behind_heads_mm(insole, field)
-        heel = field.y_mm[:, None] - outline[:, 1].min()
-        plan = PostPlan(edge.inside_mm, heel, front)
-        over_post = bottom - ground - post_underside(post, plan, length_mm)
-        fillet = np.clip(bottom - ground, *_FILLET_MM)
-        bottom = np.maximum(bottom - smooth_hinge(over_post, fillet), ground)
-    return Body(np.maximum(top, bottom + _least_mm(shell, share)), bottom)
 
 
 def least_thickness(insole: Insole, shell: Shell) -> HeightField:

@@ -17,10 +17,10 @@ from insole_core.progress import SILENT, Progress
 from insole_core.solids.posts import POST_BAND_MM
 from insole_core.solids.prism import LEAST_WALL_MM, Faces, band_mm, prism
 from insole_core.solids.shell_body import (
+    Body,
+    BodyPlan,
     edge_contours_mm,
     made_surface,
-    plain_underside,
-    shell_body,
     shell_walls,
 )
 from insole_core.solids.solid_outline import (
@@ -77,6 +77,23 @@ class SolidOptions:
 DEFAULT_OPTIONS = SolidOptions()
 
 
+@dataclass(frozen=True, eq=False)
+class ClosedInsole:
+    """The solid of an insole, and the body between whose faces it was closed.
+
+    Parameters
+    ----------
+    solid : mm, insole frame
+        As `insole_solid` returns it.
+    plan, body
+        At the nodes of the contact surface, before walls and edges.
+    """
+
+    solid: TriangleMesh
+    plan: BodyPlan
+    body: Body
+
+
 def make_solid(
     insole: Insole,
     kind: Kind = "insole",
@@ -131,22 +148,40 @@ def insole_solid(
     DesignError
         If the outline leaves no insole.
     """
+    return closed_insole(insole, options, outline).solid
+
+
+def closed_insole(
+    insole: Insole,
+    options: SolidOptions = DEFAULT_OPTIONS,
+    outline: FloatArray | None = None,
+) -> ClosedInsole:
+    """Make the solid as `insole_solid` does, and keep the body that it was made of.
+
+    Raises
+    ------
+    DesignError
+        If the outline leaves no insole.
+    """
     polygon = outline_of(insole) if outline is None else checked_outline(outline)
-    made, shell = _made(insole), insole.design.shell
+    shell = insole.design.shell
     if shell is not None:
-        return _shell_solid(insole, made, shell, polygon)
+        return _closed_shell(insole, shell, polygon)
+    made = _made(insole)
     field = made.contact
     distance = _distance(made, polygon, options, float(field.heights_mm.max()))
-    bottom = plain_underside(insole, field)
-    top = field.heights_mm - np.clip(options.chamfer_mm - distance.inside_mm, 0, None)
-    top = np.maximum(top, bottom + LEAST_WALL_MM)
+    body_plan = BodyPlan.of(insole, polygon, distance)
+    body = body_plan.body(insole.contact, made_mm=field.heights_mm)
+    top = body.top_mm - np.clip(options.chamfer_mm - distance.inside_mm, 0, None)
+    top = np.maximum(top, body.bottom_mm + LEAST_WALL_MM)
     plan, tips = _plan(made, distance, options.chamfer_mm)
-    tip_bottom = replace(field, heights_mm=bottom).height_at(tips[:, :2])
-    faces = Faces(top, bottom, np.column_stack([tips, tip_bottom]))
-    return prism(plan, field, faces, distance, options.draft_deg)
+    tip_bottom = replace(field, heights_mm=body.bottom_mm).height_at(tips[:, :2])
+    faces = Faces(top, body.bottom_mm, np.column_stack([tips, tip_bottom]))
+    return ClosedInsole(prism(plan, field, faces, distance, options.draft_deg), body_plan, body)
 
 
-def _shell_solid(insole: Insole, made: Insole, shell: Shell, polygon: FloatArray) -> TriangleMesh:
+def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedInsole:
+    made = _made(insole)
     field = made.contact
     inward_deg = min(shell.draft_medial_deg, shell.draft_lateral_deg)
     reach = max(
@@ -156,7 +191,8 @@ def _shell_solid(insole: Insole, made: Insole, shell: Shell, polygon: FloatArray
         POST_BAND_MM if shell.posts else 0.0,
     )
     distance = _distance_within(made, polygon, reach)
-    body = shell_body(insole, shell, field, polygon, distance)
+    body_plan = BodyPlan.of(insole, polygon, distance)
+    body = body_plan.body(insole.contact, made_mm=field.heights_mm)
     contours_mm = edge_contours_mm(shell)
     plan, tips = _plan(made, distance, max(contours_mm, default=0.0), contours_mm)
     at = tips[:, :2]
@@ -166,7 +202,7 @@ def _shell_solid(insole: Insole, made: Insole, shell: Shell, polygon: FloatArray
     top += tips[:, 2] - field.height_at(at)
     faces = Faces(body.top_mm, body.bottom_mm, np.column_stack([at, top, bottom]))
     walls = shell_walls(shell, insole.design.side.medial_sign, distance)
-    return prism(plan, field, faces, distance, walls)
+    return ClosedInsole(prism(plan, field, faces, distance, walls), body_plan, body)
 
 
 def positive_solid(

@@ -1,4 +1,4 @@
-"""An insole during editing: pads, strokes and the rim are moved and checked interactively."""
+"""An insole during editing: pads, strokes and finish are changed and checked interactively."""
 
 from __future__ import annotations
 
@@ -12,22 +12,27 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import material_problem
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design import Finish, InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, with_rim
+from insole_core.insole.surface.followed_base import followed_base
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import Window, apply_pads, moved_pad
 from insole_core.insole.surface.posting import posted_mesh, posting_angles
 from insole_core.insole.surface.shoe_last import last_heights_mm
+from insole_core.solids.ball_offset import PITCH_MM
 from insole_core.workflows.insole_builder import BareInsole, BareKey, bare_key
+
+_QUICK_PITCH_MM = 2.0
+"""Of the points that the ball of an underside touches, while the surface is not exact either."""
 
 
 class EditedInsole:
     """The insole of a design, updated as the design is edited.
 
     A change of a pad updates only the part of surface and mesh that it covers; contact surface and
-    findings are those of `build_insole`, bit for bit. A change of the rim's stations updates the
-    whole top at once; until the insole is built anew, its walls keep the widths of `bare`, and so
-    does a bottom that follows the surface: see `is_exact`.
+    findings are those of `build_insole`, bit for bit, and the body is that of `insole_solid`. A
+    change of the finish or of the share of the foot updates the whole at once; until the insole is
+    built anew, it is close to that: see `is_exact`.
 
     Parameters
     ----------
@@ -38,14 +43,15 @@ class EditedInsole:
     def __init__(self, bare: BareInsole, design: InsoleDesign) -> None:
         self.bare = bare
         self.base: ContactBase = bare.base
-        """The contact surface before pads: that of `bare`, or with another rim."""
+        """The contact surface before pads: that of `bare`, or with another finish."""
         self.design = design
         self._rimless_key = _rimless_key(bare.foot, design)
+        self._lasting_key = _lasting_key(bare.foot, design)
         self.contact: HeightField = apply_pads(bare.base, design)
         self.mesh = replace(bare.solid, vertices=bare.solid.vertices.copy())
-        """Its vertices are overwritten by the next change of a pad."""
+        """Its vertices are overwritten by the next change."""
         self.normals: FloatArray = bare.solid.vertex_normals.copy()
-        self._move_vertices(_whole(self.contact))
+        self._move_all()
         self.moved: IntArray | None = None
         """Indices of the vertices that the last change moved; None before the first."""
         self.problem = self._problem()
@@ -60,9 +66,9 @@ class EditedInsole:
         """Return whether a design is for the same foot and differs only in pads and strokes."""
         return self.bare.key == bare_key(foot, design)
 
-    def can_follow_rim(self, foot: Foot, design: InsoleDesign) -> bool:
-        """Return whether a design differs only in pads, strokes and the stations of the rim."""
-        return self.base.finished is not None and self._rimless_key == _rimless_key(foot, design)
+    def can_follow_finish(self, foot: Foot, design: InsoleDesign) -> bool:
+        """Return whether a design differs only in pads, strokes, finish and share of the foot."""
+        return self.bare.coarse is not None and self._lasting_key == _lasting_key(foot, design)
 
     def follow(self, design: InsoleDesign) -> None:
         """Update the insole to another design, for which one of the two above is true."""
@@ -71,22 +77,39 @@ class EditedInsole:
         except DesignError as error:
             self.problem = str(error)
             return
+        before, self.design = self.design, design
         if base is self.base:
-            change = moved_pad(base, self.contact, self.design, design)
-            self.contact, window = change.surface, change.window
+            change = moved_pad(base, self.contact, before, design)
+            self.contact = change.surface
+            self.moved = self._move_vertices(change.window)
         else:
-            self.contact = apply_pads(base, design)
-            window = _whole(self.contact)
-        self.base, self.design = base, design
-        self.moved = self._move_vertices(window)
+            self.base, self.contact = base, apply_pads(base, design)
+            self.moved = self._move_all()
         self.problem = self._problem()
 
     def _base_of(self, design: InsoleDesign) -> ContactBase:
-        if self.can_follow(self.bare.foot, design):
-            return self.bare.base
-        if design.finish == self.design.finish:
+        bare = self.bare
+        if self.can_follow(bare.foot, design):
+            return bare.base
+        if (design.finish, design.base) == (self.design.finish, self.design.base):
             return self.base
-        return with_rim(self.bare.base, self.bare.foot, design)
+        if _rimless_key(bare.foot, design) == self._rimless_key:
+            return with_rim(bare.base, bare.foot, design)
+        assert bare.coarse is not None, "asked for by can_follow_finish"
+        return followed_base(bare.base, bare.coarse, bare.foot, design)
+
+    @property
+    def skins(self) -> tuple[TriangleMesh, TriangleMesh]:
+        """Top (without pads) and bottom as meshes of all vertices, without the walls.
+
+        The vertices of a bottom that follows the surface are those of `mesh`, and move with them.
+        """
+        return self._skins
+
+    @cached_property
+    def _skins(self) -> tuple[TriangleMesh, TriangleMesh]:
+        top, bottom = self.bare.skins
+        return top, replace(bottom, vertices=self.mesh.vertices)
 
     @property
     def bottom_heights_mm(self) -> FloatArray:
@@ -150,17 +173,88 @@ class EditedInsole:
         problem = material_problem(self.contact, self.design, self.bare.foot.length_mm)
         return "" if problem is None else str(problem)
 
-    def _move_vertices(self, window: Window) -> IntArray:
+    def _window_of_pads(self) -> Window:
+        """Return the smallest window outside which the surface is that of the bare insole."""
+        differs = self.contact.heights_mm != self.bare.base.surface.heights_mm
+        rows, columns = (np.flatnonzero(differs.any(axis=axis)) for axis in (1, 0))
+        if len(rows) == 0:
+            return Window(0, 0, 0, 0)
+        window = Window(int(rows[0]), int(rows[-1]) + 1, int(columns[0]), int(columns[-1]) + 1)
+        return window.widened(differs.shape)
+
+    def _move_all(self) -> IntArray:
+        """Move all vertices, those of a body only where pads make it another one."""
         bare = self.bare
-        moved = bare.vertices_in(window)
-        xy = bare.solid.vertices[moved, :2]
-        vertices = self.mesh.vertices
-        vertices[moved, 2] = self.contact.height_at(xy) - bare.below_contact_mm[moved]
-        self.normals[moved] = _normals_at(self.contact, window, xy)
-        walls = 2 * bare.top_count + np.arange(len(bare.rim))
-        vertices[walls, 2] = vertices[bare.rim, 2]
+        if bare.plan.is_plain or not self.is_exact:
+            return self._move_vertices(_whole(self.contact))
+        self.mesh.vertices[:] = bare.solid.vertices
+        self.normals[:] = bare.solid.vertex_normals
+        self._move_vertices(self._window_of_pads())
+        return np.arange(len(bare.solid.vertices))
+
+    def _move_vertices(self, window: Window) -> IntArray:
+        """Move the vertices that depend on a window of the nodes; return their indices."""
+        bare, vertices = self.bare, self.mesh.vertices
+        if bare.plan.is_plain:
+            moved = bare.vertices_in(window)
+            xy = bare.solid.vertices[moved, :2]
+            vertices[moved, 2] = self.contact.height_at(xy)
+            self.normals[moved] = _normals_at(self.contact, window, xy)
+        else:
+            moved = self._move_body(window)
+        below = bare.rim + bare.top_count
+        walls = 2 * bare.top_count + np.arange(2 * len(bare.rim))
+        vertices[walls, 2] = vertices[np.concatenate([bare.rim, below]), 2]
         self.mesh = TriangleMesh(vertices, self.mesh.triangles)
         return np.concatenate([moved, walls])
+
+    def _move_body(self, window: Window) -> IntArray:
+        """Move top and bottom by what the body differs from that of the bare insole."""
+        bare, shape = self.bare, self.contact.heights_mm.shape
+        reach = int(np.ceil(bare.plan.reach_mm / self.contact.step_mm)) + 1
+        if window.is_empty:
+            return np.zeros(0, dtype=np.int64)
+        window = window.widened(shape, reach)
+        read = window.widened(shape, reach)
+        pitch_mm = PITCH_MM if self.is_exact else _QUICK_PITCH_MM
+        contact = _part(self.contact, self.contact.heights_mm, read)
+        body = bare.plan.within(read.rows, read.columns).body(contact, pitch_mm)
+        inner = window.relative_to(read)
+        top = bare.vertices_in(window)
+        self._move_face(top, window, body.top_mm[inner], bare.body.top_mm, up=1.0)
+        bottom = top + bare.top_count
+        self._move_face(bottom, window, body.bottom_mm[inner], bare.body.bottom_mm, up=-1.0)
+        return np.concatenate([top, bottom])
+
+    def _move_face(
+        self, moved: IntArray, window: Window, heights: FloatArray, bare: FloatArray, up: float
+    ) -> None:
+        """Move vertices of a face by what its heights in a window differ from the bare insole's."""
+        solid, field = self.bare.solid, _part(self.contact, heights, window)
+        xy = solid.vertices[moved, :2]
+        rise = replace(field, heights_mm=heights - bare[window.rows, window.columns])
+        risen = np.nan_to_num(rise.height_at(xy))
+        self.mesh.vertices[moved, 2] = solid.vertices[moved, 2] + risen
+        whole = Window(0, heights.shape[0], 0, heights.shape[1])
+        normals = np.where(
+            risen[:, None] != 0, up * _normals_at(field, whole, xy), solid.vertex_normals[moved]
+        )
+        self.normals[moved] = normals
+
+
+def _part(field: HeightField, heights_mm: FloatArray, window: Window) -> HeightField:
+    """Return a field on a window of the nodes of another one.
+
+    Parameters
+    ----------
+    heights_mm
+        At the nodes of the window, or at all of them.
+    """
+    if heights_mm.shape == field.heights_mm.shape:
+        heights_mm = heights_mm[window.rows, window.columns]
+    x0_mm = field.x0_mm + window.first_column * field.step_mm
+    y0_mm = field.y0_mm + window.first_row * field.step_mm
+    return HeightField(x0_mm, y0_mm, field.step_mm, heights_mm)
 
 
 def _whole(field: HeightField) -> Window:
@@ -172,6 +266,13 @@ def _rimless_key(foot: Foot, design: InsoleDesign) -> BareKey:
     """Return the `bare_key` of a design whose rim has no stations."""
     finish = None if design.finish is None else replace(design.finish, rim=())
     return bare_key(foot, replace(design, finish=finish))
+
+
+def _lasting_key(foot: Foot, design: InsoleDesign) -> BareKey:
+    """Return the `bare_key` of a design whose finish and share of the foot are the usual ones."""
+    finish = None if design.finish is None else Finish()
+    base = None if design.base is None else replace(design.base, contact_share=0.0)
+    return bare_key(foot, replace(design, finish=finish, base=base))
 
 
 def _normals_at(field: HeightField, window: Window, xy: FloatArray) -> FloatArray:

@@ -14,13 +14,16 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, build_insole, check_design_for
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, base_key, contact_base
+from insole_core.insole.surface.followed_base import coarse_base
 from insole_core.insole.surface.pads_on_surface import Window, added_corrections
 from insole_core.insole.surface.rocker import rockers
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
-from insole_core.solids.solid import insole_solid
+from insole_core.solids.shell_body import Body, BodyPlan
+from insole_core.solids.solid import ClosedInsole, closed_insole, insole_solid
 
-_KEPT = 4  # enough for the other foot, another variant and an undo to be immediate
+_KEPT, _LEAST_KEPT, _MOST_BYTES = 8, 4, 128_000_000
+"""Enough to change between devices at once; on fine grids for the other foot and an undo."""
 
 BareKey: TypeAlias = tuple[Any, ...]
 
@@ -40,9 +43,10 @@ class BareInsole:
         Number of vertices on the top; as many are below them on the bottom.
     rim : (k,) int64
         Indices of the top's vertices at which the walls begin.
-    below_contact_mm : (n,) float64
-        How far the top's vertices lie below the contact surface: by a cover that is taken off, a
-        taper, a rounded edge; negative where the top was raised to the least thickness.
+    plan, body
+        The body between top and bottom at the nodes of the contact surface, and its plan.
+    coarse
+        The base on a coarse grid, by which it follows the finish; None of a design without one.
     """
 
     key: BareKey
@@ -51,7 +55,9 @@ class BareInsole:
     solid: TriangleMesh
     top_count: int
     rim: IntArray
-    below_contact_mm: FloatArray
+    plan: BodyPlan
+    body: Body
+    coarse: ContactBase | None = None
 
     @classmethod
     def of(
@@ -59,19 +65,11 @@ class BareInsole:
         key: BareKey,
         foot: Foot,
         base: ContactBase,
-        solid: TriangleMesh,
-        *,
-        is_shaped: bool = False,
+        closed: ClosedInsole,
+        coarse: ContactBase | None,
     ) -> BareInsole:
-        """Return the bare insole of a closed solid.
-
-        Parameters
-        ----------
-        is_shaped
-            Whether its top is another surface than the contact surface.
-        solid : mm, insole frame
-            The first half of its vertices is the top, the second half the bottom in the same order.
-        """
+        """Return the bare insole of a closed one, with a second copy of the walls' vertices."""
+        solid = closed.solid
         count = len(solid.vertices) // 2
         on_top = solid.triangles < count
         is_wall = on_top.any(axis=1) & ~on_top.all(axis=1)
@@ -83,12 +81,8 @@ class BareInsole:
         vertices = np.concatenate([solid.vertices, solid.vertices[used]])
         mesh = TriangleMesh(vertices, triangles)
         _ = mesh.vertex_normals  # kept by the mesh: computed here, not in the window
-        below = np.zeros(count)
-        if is_shaped:
-            top = solid.vertices[:count]
-            below = base.surface.height_at(top[:, :2]) - top[:, 2]
         rim = used[used < count].astype(np.int64)
-        return cls(key, foot, base, mesh, count, rim, below)
+        return cls(key, foot, base, mesh, count, rim, closed.plan, closed.body, coarse)
 
     @cached_property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh]:
@@ -126,7 +120,7 @@ class InsoleBuilder:
     """
 
     def __init__(self) -> None:
-        self._memo = Memo(_KEPT)
+        self._memo = _cache()
 
     def base(self, foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
         """Return the contact surface before pads.
@@ -197,7 +191,11 @@ class InsoleBuilder:
 
     def forget(self) -> None:
         """Clear the cache; results that are still being computed are not cached either."""
-        self._memo = Memo(_KEPT)
+        self._memo = _cache()
+
+
+def _cache() -> Memo:
+    return Memo(_KEPT, most_bytes=_MOST_BYTES, least=_LEAST_KEPT)
 
 
 def _base(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> ContactBase:
@@ -209,9 +207,9 @@ def _bare(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> B
     base = _base(memo, foot, design, progress.part(0.0, 0.7))
     progress.step(0.7, "Trimming the insole")
     insole = Insole(without_added(design), foot, base.surface, base.measured, base.finished)
-    is_shaped = design.shell is not None or design.taken_off_mm > 0
-    solid = insole_solid(insole)
-    return BareInsole.of(bare_key(foot, design), foot, base, solid, is_shaped=is_shaped)
+    closed = closed_insole(insole)
+    coarse = None if design.finish is None else coarse_base(foot, design)
+    return BareInsole.of(bare_key(foot, design), foot, base, closed, coarse)
 
 
 def bare_key(foot: Foot, design: InsoleDesign) -> BareKey:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob, ExportPaths, opened, run_export_job
@@ -53,6 +54,10 @@ class OrderChoice:
     pseudonym, text
         Or order number, in place of the patient's name; text on the solid, by default pseudonym,
         side and date.
+    material
+        Of feet whose prescription names none.
+    own_materials
+        Of a foot, in place of the one that its prescription names.
     block
         None for parts that stay where they were designed.
     job_sheet, prescription, checks
@@ -72,6 +77,7 @@ class OrderChoice:
     pseudonym: str = ""
     text: str = ""
     material: str = ""
+    own_materials: Mapping[Side, str] = field(default_factory=dict)
     block: Block | None = None
     job_sheet: bool = True
     prescription: bool = False
@@ -85,9 +91,9 @@ class OrderChoice:
     def _of_the_solid(self) -> OrderChoice:
         relief = self.relief
         return replace(
-            self, suffix="", ascii_stl=False, layered=False, material="", job_sheet=False,
-            prescription=False, checks=False, pseudonym=self.pseudonym if relief else "",
-            text=self.text if relief else "",
+            self, suffix="", ascii_stl=False, layered=False, material="", own_materials={},
+            job_sheet=False, prescription=False, checks=False,
+            pseudonym=self.pseudonym if relief else "", text=self.text if relief else "",
         )  # fmt: skip
 
 
@@ -96,6 +102,12 @@ def feet_of(record: CaseRecord, choice: OrderChoice) -> tuple[FootRecord, ...]:
     if choice.both and len(record.feet) == 2:
         return record.feet
     return () if record.current is None else (record.current,)
+
+
+def ordered_material(choice: OrderChoice, design: InsoleDesign) -> str:
+    """Return the material that a foot's insole is ordered in; empty if nobody has named one."""
+    prescribed = choice.material if design.shell is None else design.shell.material
+    return choice.own_materials.get(design.side, prescribed)
 
 
 def both_prescribed(record: CaseRecord) -> bool:
@@ -204,31 +216,55 @@ def write_order(
     OutputError
         When a place cannot be written.
     """
-    _require_nameless(choice, path, patient, override)
+    materials = ", ".join(ordered_material(choice, part.insole.design) for part in parts)
+    _require_nameless(choice, materials, path, patient, override)
     if choice.prescription:
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
-    layered = choice.layered and choice.suffix == ".3mf"
-    parts = [replace(part, order=replace(part.order, layered=layered)) for part in parts]
-    groups = _groups(parts, choice)
+    groups = _groups(_laid_out(parts, choice), choice)
     with Transaction() as transaction:
         beside = [opened(place, transaction) for place in places]
-        for group, place, temporary, part in zip(
-            groups, places, beside, progress.parts(len(groups)), strict=True
-        ):
-            job = ExportJob(
-                tuple(group),
-                shop,
-                identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
-                patient=_patient_facts(patient),
+        steps = progress.parts(len(groups))
+        for group, place, temporary, step in zip(groups, places, beside, steps, strict=True):
+            job = _export_job(
+                group,
+                choice,
+                shop=shop,
+                patient=patient,
                 responsible=responsible,
-                material=choice.material,
-                block=choice.block if len(group) > 1 else None,
                 override=override,
-                ascii_stl=choice.ascii_stl,
             )
-            run_export_job(job, place, temporary, part)
+            run_export_job(job, place, temporary, step)
     return tuple(place.solid for place in places)
+
+
+def _laid_out(parts: Sequence[Part], choice: OrderChoice) -> list[Part]:
+    """Return the parts with layers of their own, or in one piece, as the choice says now."""
+    layered = choice.layered and choice.suffix == ".3mf"
+    return [replace(part, order=replace(part.order, layered=layered)) for part in parts]
+
+
+def _export_job(
+    group: Sequence[Part],
+    choice: OrderChoice,
+    *,
+    shop: Shop,
+    patient: Patient,
+    responsible: Responsible,
+    override: Override | None,
+) -> ExportJob:
+    """Return the job that writes the parts of one file with their papers."""
+    return ExportJob(
+        tuple(group),
+        shop,
+        identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
+        patient=_patient_facts(patient),
+        responsible=responsible,
+        materials={part.side: ordered_material(choice, part.insole.design) for part in group},
+        block=choice.block if len(group) > 1 else None,
+        override=override,
+        ascii_stl=choice.ascii_stl,
+    )
 
 
 def require_prescription(choice: OrderChoice, patient: Patient, responsible: Responsible) -> None:
@@ -249,13 +285,17 @@ def require_prescription(choice: OrderChoice, patient: Patient, responsible: Res
 
 
 def _require_nameless(
-    choice: OrderChoice, path: Path, patient: Patient, override: Override | None
+    choice: OrderChoice,
+    materials: str,
+    path: Path,
+    patient: Patient,
+    override: Override | None,
 ) -> None:
     texts = {
         "file name": path.stem,
         "pseudonym": choice.pseudonym,
         "text on the bottom": choice.text,
-        "name of the material": choice.material,
+        "name of the material": materials,
         "reason for the export": "" if override is None else override.reason,
     }
     require_nameless(patient, texts)

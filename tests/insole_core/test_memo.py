@@ -4,14 +4,17 @@ import gc
 import weakref
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from threading import Barrier
+
+import numpy as np
+from scipy.sparse import csr_matrix
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import sole_surface
-from insole_core.memo import Memo
+from insole_core.memo import Memo, array_bytes
 
 
 def counted(made: list[str], name: str) -> Callable[[], str]:
@@ -39,6 +42,22 @@ def test_what_was_not_asked_for_longest_goes_first_and_each_kind_has_its_own_roo
     memo.get("sole", "d", counted(made, "d"))
     assert [memo.known("outline", key) is not None for key in "abc"] == [True, False, True]
     assert memo.known("sole", "d") is not None
+
+
+@dataclass
+class Result:
+    parts: tuple[np.ndarray, ...]
+    matrix: csr_matrix
+
+
+def test_large_results_leave_room_for_fewer_but_never_for_less_than_the_least() -> None:
+    memo, zeros = Memo(8, most_bytes=3000, least=2), np.zeros(100)
+    assert array_bytes(Result((zeros, zeros), csr_matrix(np.eye(10)))) == 800 + 80 + 4 * 21
+    for key in range(6):
+        memo.get("small", key, lambda: np.zeros(100))
+        memo.get("large", key, lambda: {"grid": [np.zeros(1000)]})
+    assert [memo.known("small", key) is not None for key in range(6)] == [False] * 3 + [True] * 3
+    assert [memo.known("large", key) is not None for key in range(6)] == [False] * 4 + [True] * 2
 
 
 def test_threads_that_ask_at_once_get_the_same_object() -> None:

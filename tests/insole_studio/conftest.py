@@ -229,7 +229,7 @@ def settle(qtbot: QtBot, app: Application) -> Callable[[], None]:
     """Wait until all background work is done and delivered."""
 
     def wait() -> None:
-        qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=20_000)
+        qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=60_000)
 
     return wait
 

@@ -22,9 +22,10 @@ from kinect_v1.usb_bus import UsbBus
 AS_IN_A_TERMINAL = """
 import runpy, signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
 runpy.run_module("kinect_v1", run_name="__main__", alter_sys=True)
 """
-"""Tests may run in the background, where Ctrl+C is ignored."""
+"""Tests may run in the background or by nohup, where Ctrl+C or a hang-up is ignored."""
 
 Output = pytest.CaptureFixture[str]
 

@@ -15,12 +15,14 @@ from insole_studio.features.case_files.actions import CASE_FILE_ACTIONS
 from insole_studio.features.compare.actions import COMPARE_ACTIONS
 from insole_studio.features.design.actions import DESIGN_ACTIONS
 from insole_studio.features.export.actions import EXPORT_ACTIONS
+from insole_studio.features.records.actions import RECORD_ACTIONS
 from insole_studio.services.action_record import ActionRecord
 
 Feature = TypeVar("Feature")
 Run = Callable[[bool], object]
 
 ACTIONS: tuple[ActionRecord[Any], ...] = (
+    *RECORD_ACTIONS,
     *CASE_FILE_ACTIONS,
     *CAPTURE_ACTIONS,
     *DESIGN_ACTIONS,
@@ -34,6 +36,7 @@ ACTIONS: tuple[ActionRecord[Any], ...] = (
 def bind_actions(features: Features, window: WindowFeature) -> dict[str, Run]:
     """Return the callable that runs each action, by the action's key."""
     return {
+        **_bound(RECORD_ACTIONS, features.records),
         **_bound(CASE_FILE_ACTIONS, features.case_files),
         **_bound(CAPTURE_ACTIONS, features.capture),
         **_bound(DESIGN_ACTIONS, features.design),

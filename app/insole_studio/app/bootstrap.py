@@ -31,6 +31,9 @@ from insole_studio.app.theme import apply_theme
 from insole_studio.app.window_feature import WindowFeature
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.document.hand_over import HandOver
+from insole_studio.document.record_keeper import RecordKeeper
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
@@ -61,6 +64,7 @@ class Application:
     main: WindowFeature
     controller: MainController
     autosave: Autosave
+    hand_over: HandOver
     complaints: list[Message]
     """What was set aside at the start because it could not be read, to be told to the user."""
     events: ApplicationEvents
@@ -90,12 +94,20 @@ class Application:
         """The panels of the main window."""
         return self.features.design.stage
 
+    def recover(self) -> None:
+        """Take up the work that programs which no longer run have left unsaved."""
+        found = find_recovered(self.services.paths.autosave_folder, self.complaints.append)
+        self.hand_over.take([left for left in found if left.visit is not None])
+        self.features.case_files.recovery.offer([left for left in found if left.visit is None])
+
     def close(self) -> None:
         """Keep unsaved work, stop the threads, free the renderers, save the settings."""
         commit_typed_text()
         self.autosave.keep_now()  # sensors and threads may take longer than a shutdown waits
         self.events.close()
         self.features.close_windows()
+        self.hand_over.close()
+        self.services.clinic.close()
         self.jobs.close()
         self.autosave.close()
         self.features.case_files.close()
@@ -130,8 +142,12 @@ def build_application(
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
     stage = make_design_stage(case, jobs, dark)
     window = _make_window(stage, jobs)
+    clinic = ClinicRecord(paths.records_folder, Jobs(window), window)
+    autosave = Autosave(case, jobs, paths.autosave_folder)
     services = AppServices(
         case=case,
+        clinic=clinic,
+        keeper=RecordKeeper(case, clinic, autosave.set_aside, window),
         jobs=jobs,
         window=window,
         messages=UserMessages(window, LastFolders(settings)),
@@ -140,7 +156,6 @@ def build_application(
         settings=settings,
         paths=paths,
     )
-    autosave = Autosave(case, jobs, paths.autosave_folder)
     # The end of the session, of which systems without signals tell in this way.
     application.commitDataRequest.connect(autosave.keep_now, Qt.ConnectionType.DirectConnection)
     source = SensorSource(SensorStore(paths.sensors_folder), emulate)
@@ -156,7 +171,11 @@ def build_application(
             Message("The arrangement of the window is damaged, so it has its usual one.")
         )
     events = ApplicationEvents(application)
-    return Application(services, features, main, controller, autosave, complaints, events)
+    hand_over = HandOver(clinic, paths.autosave_folder, window)
+    controller.connect_hand_over(hand_over)
+    return Application(
+        services, features, main, controller, autosave, hand_over, complaints, events
+    )
 
 
 def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
@@ -213,11 +232,12 @@ def run_application(
     opener = app.features.case_files.opener
     sys.excepthook = _show_unexpected(app.services.messages)
     app.controller.closed.connect(qt.quit)
+    app.features.records.show_start()
     app.window.show()
     GarbageCollection(app.window)
     Preload(app.window)
-    folder = app.services.paths.autosave_folder
-    app.features.case_files.recovery.offer(find_recovered(folder, app.complaints.append))
+    app.recover()
+    QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
     if not app.settings.tour_seen:

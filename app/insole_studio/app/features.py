@@ -14,6 +14,7 @@ from insole_studio.features.design.design import Design, make_design
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.export.export_actions import ExportActions
 from insole_studio.features.foot.foot_window import FootWindow
+from insole_studio.features.records.patient_records import PatientRecords
 from insole_studio.services.app_services import AppServices
 
 
@@ -21,6 +22,7 @@ from insole_studio.services.app_services import AppServices
 class Features:
     """One object per feature; features are independent, the main controller connects them."""
 
+    records: PatientRecords
     case_files: CaseFiles
     capture: CaptureWindow
     foot: FootWindow
@@ -40,8 +42,10 @@ def make_features(
 ) -> Features:
     """Construct every feature; the windows of stages are created when they are opened."""
     foot = FootWindow(services)
+    case_files = make_case_files(services, autosave, foot.open_session)
     return Features(
-        case_files=make_case_files(services, autosave, foot.open_session),
+        records=PatientRecords(services, case_files.saver.after_unsaved),
+        case_files=case_files,
         capture=CaptureWindow(services, source),
         foot=foot,
         design=make_design(services, stage),

@@ -5,16 +5,20 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QWidget
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
-from insole_studio.app.actions import ACTIONS, bind_actions
+from insole_studio.app.actions import ACTIONS, Run, bind_actions
 from insole_studio.app.features import Features
 from insole_studio.app.window_feature import WindowFeature
 from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
+from insole_studio.document.hand_over import HandOver
+from insole_studio.document.record_keeper import KeepState
 from insole_studio.services.app_services import AppServices
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.typed_text import commit_typed_text
 
 _STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
@@ -45,6 +49,7 @@ class MainController(QObject):
         self._run = bind_actions(features, main)
         self._connect_window()
         self._connect_features()
+        self._connect_records()
         self._connect_case()
         self._show_state()
         self._show_tool()
@@ -66,10 +71,16 @@ class MainController(QObject):
         commit_typed_text()
         self._stage.end_keys()
         try:
-            self._run[key](checked)
+            self._run_of(key)(checked)
         except InsoleError as error:
             self._services.messages.show_error(error)
         self._show_choices()
+
+    def connect_hand_over(self, hand_over: HandOver) -> None:
+        """Tell of work that was handed over to the record, and offer what it cannot take."""
+        hand_over.refused.connect(self._features.case_files.recovery.offer)
+        hand_over.handed_over.connect(self._tell_handed_over)
+        hand_over.failed.connect(self._services.messages.show_error)
 
     def quit(self) -> None:
         """Close the window after unsaved work has been dealt with."""
@@ -100,6 +111,66 @@ class MainController(QObject):
         features.export.changed.connect(self._show_state)
         self._stage.counterpart.changed.connect(self._show_choices)
 
+    def _connect_records(self) -> None:
+        """Connect the pages of the record, which take the place of the panels."""
+        records, keeper = self._features.records, self._services.keeper
+        records.page_requested.connect(self._show_page)
+        records.action_requested.connect(self._run_requested)
+        records.recent_file_chosen.connect(self._open_recent)
+        self._case.opened.connect(self._show_panels)
+        keeper.failed.connect(self._services.messages.show_error)
+        keeper.state_changed.connect(self._show_kept)
+
+    def _show_kept(self) -> None:
+        """Say whether the open visit is in the record."""
+        keeper = self._services.keeper
+        text, warns = {
+            KeepState.NOTHING: ("", False),
+            KeepState.SAVED: (tr("Saved in the record"), False),
+            KeepState.CHANGED: (tr("Saving…"), False),
+            KeepState.WAITING: (
+                tr("Not saved yet: the database does not answer; your work is kept here"),
+                True,
+            ),
+            KeepState.CONFLICT: (tr("Not saved yet: two versions, decide"), True),
+            KeepState.REFUSED: (tr("Not saved in the record; your work is kept here"), True),
+        }[keeper.state]
+        tip = translate_core_message(keeper.trouble)
+        self._window.status.show_kept(text, tip, warns=warns)
+
+    def _show_page(self, page: QWidget) -> None:
+        self._window.show_page(page)
+        self._show_state()
+
+    def _show_panels(self) -> None:
+        if self._window.page is not None:
+            self._window.show_panels()
+            self._stage.focus_view()
+            self._show_state()
+
+    def _run_of(self, key: str) -> Run:
+        """Return what an action does on the page that is shown."""
+        on_person = {"undo": self._features.records.undo, "redo": self._features.records.redo}
+        if key in on_person and self._is_on_person:
+            return lambda _on: on_person[key]()
+        return self._run[key]
+
+    @property
+    def _is_on_person(self) -> bool:
+        page = self._window.page
+        return page is not None and page is self._features.records.person
+
+    def _tell_handed_over(self, name: str, conflicted: bool) -> None:
+        if conflicted:
+            sentence = tr(
+                "{name}: somebody else changed the same foot while the record did not answer. "
+                "Theirs is the newest version; what was changed here is kept beside it, see "
+                "“Versions…” on the patient's page."
+            )
+        else:
+            sentence = tr("{name}: what was not saved yet is now in the record.")
+        self._services.notices.put(f"handed-{name}", sentence.format(name=name), stays=True)
+
     def _connect_case(self) -> None:
         case = self._case
         for signal in (case.opened, case.changed, case.saved_changed, case.selection_changed):
@@ -127,8 +198,12 @@ class MainController(QObject):
 
     def _go_to_step(self, key: str) -> None:
         if key == "patient":
-            self._stage.patient.setFocus()
-        elif key == "capture":
+            if not self._features.records.show_patient_of_case():
+                self._show_panels()
+                self._stage.patient.setFocus()
+            return
+        self._show_panels()
+        if key == "capture":
             self.run_action("capture", False)
         elif key == "foot" and (session := session_of(self._case.record)) is not None:
             self._features.foot.open_session(session, hand_over=False)
@@ -163,11 +238,12 @@ class MainController(QObject):
         ):
             verb = self._records[key].text()
             window.show_action(key, bool(sentence), f"{verb}: {sentence}" if sentence else verb)
+        on_panels = window.page is None
         for record in ACTIONS:
             if record.needs_foot:
-                window.show_action(record.key, case.foot is not None)
+                window.show_action(record.key, on_panels and case.foot is not None)
             if record.needs_both:
-                window.show_action(record.key, len(case.record.feet) == 2)
+                window.show_action(record.key, on_panels and len(case.record.feet) == 2)
         window.show_action("remove", case.selection is not None)
         is_exported = case.record is self._features.export.exported
         self._stage.steps.show_steps(steps_of(case.record, is_exported))

@@ -21,6 +21,8 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
     QMenu,
+    QSizePolicy,
+    QStackedWidget,
     QToolBar,
     QToolButton,
     QWidget,
@@ -75,6 +77,7 @@ class MainWindow(QMainWindow):
         self._sharing.setSingleShot(True)
         self._sharing.timeout.connect(self._share_width)
         self._panels = stage.panels
+        self.status = status
         self.setStatusBar(status)
         self._records = records
         self.actions_by_key = {record.key: self._make_action(record) for record in records}
@@ -87,7 +90,12 @@ class MainWindow(QMainWindow):
         self._make_toolbar()
         self._make_notices(stage)
         self._insole = stage.insole
-        self.setCentralWidget(stage.insole)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(stage.insole)
+        self._of_stage: QByteArray | None = None
+        """How the panels stand, while a page has taken their place."""
+        self._wanted_charts: set[QDockWidget] = set()
+        self.setCentralWidget(self._pages)
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
         self._parameters = self._dock("parameters", tr("Parameters"), stage.parameters)
@@ -101,6 +109,46 @@ class MainWindow(QMainWindow):
         stage.rim_wanted.connect(self._show_rim)
         self._section.hide()
         self._rim.hide()
+
+    @property
+    def page(self) -> QWidget | None:
+        """The page that has taken the place of the panels; None while they are shown."""
+        return None if self._of_stage is None else self._pages.currentWidget()
+
+    def show_page(self, page: QWidget) -> None:
+        """Show a page of the record in place of the panels and their toolbar."""
+        if self._pages.indexOf(page) < 0:
+            self._pages.addWidget(page)
+        if self._of_stage is None:
+            self._of_stage = self.saveState()
+            for dock in self._docks:
+                dock.hide()
+                dock.toggleViewAction().setEnabled(False)
+            self._toolbar.hide()
+        self._bring(page)
+
+    def show_panels(self) -> None:
+        """Show the panels again as they stood before a page took their place."""
+        if self._of_stage is None:
+            return
+        before, self._of_stage = self._of_stage, None
+        self._bring(self._insole)
+        has_notices = not self._notices.isHidden()
+        self.restoreState(before)
+        self._notices.setVisible(has_notices)
+        for dock in self._docks:
+            dock.toggleViewAction().setEnabled(True)
+        for chart in (self._section, self._rim):
+            chart.setVisible(chart in self._wanted_charts)
+
+    def _bring(self, page: QWidget) -> None:
+        """Show a page; the others ask for no space meanwhile."""
+        ignored, preferred = QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred
+        before = self._pages.currentWidget()
+        if before is not None:
+            before.setSizePolicy(ignored, ignored)
+        page.setSizePolicy(preferred, preferred)
+        self._pages.setCurrentWidget(page)
 
     def show_title(self, name: str, unsaved: bool) -> None:
         """Show which case is open."""
@@ -158,7 +206,8 @@ class MainWindow(QMainWindow):
 
     def layout_state(self) -> tuple[str, str]:
         """Return geometry and dock state, encoded as text."""
-        return _sealed(self.saveGeometry()), _sealed(self.saveState())
+        docks = self.saveState() if self._of_stage is None else self._of_stage
+        return _sealed(self.saveGeometry()), _sealed(docks)
 
     def restore_layout(self, geometry: str, docks: str) -> bool:
         """Restore a saved geometry and dock state; return whether they were intact, or empty."""
@@ -193,7 +242,9 @@ class MainWindow(QMainWindow):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Move the focus through the panels in reading order."""
-        return go_on(self._panels, forward)
+        page = self.page
+        # On a page of the record, only the steps and the notices stay of the panels.
+        return go_on(self._panels if page is None else (*self._panels[:2], page), forward)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Leave the decision to the controller."""
@@ -350,6 +401,9 @@ class MainWindow(QMainWindow):
 
     def _show_beside(self, dock: QDockWidget, wanted: bool, share: float) -> None:
         """Give a chart its share of the width when it is shown beside the parameters."""
+        (self._wanted_charts.add if wanted else self._wanted_charts.discard)(dock)
+        if self.page is not None:
+            return
         comes = wanted and dock.isHidden()
         dock.setVisible(wanted)
         if comes:

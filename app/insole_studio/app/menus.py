@@ -34,6 +34,11 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     (
         lambda: tr("&Case"),
         (
+            "patients",
+            "new_patient",
+            "new_visit",
+            "new_visit_same",
+            SEPARATOR,
             "new_case",
             "capture",
             "open",

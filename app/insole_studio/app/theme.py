@@ -53,7 +53,7 @@ DARK = Colors(
 
 
 def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> None:
-    """Set palette, style and icon colours of the whole application.
+    """Set palette, style and icon colours of the whole application, unless it has them.
 
     Parameters
     ----------
@@ -65,10 +65,13 @@ def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> N
         Whether to enlarge the controls for touch.
     """
     colors = DARK if dark else LIGHT
-    application.setStyle("Fusion")
+    sheet = _style_sheet(colors) + _box_sheet(colors) + (_touch_sheet(colors) if touch else "")
+    if application.styleSheet() == sheet:  # Qt would polish every widget anew
+        return
+    if not application.styleSheet():
+        application.setStyle("Fusion")
     application.setPalette(_palette(colors))
-    sheet = _style_sheet(colors) + _box_sheet(colors)
-    application.setStyleSheet(sheet + (_touch_sheet(colors) if touch else ""))
+    application.setStyleSheet(sheet)
 
 
 def _palette(colors: Colors) -> QPalette:
@@ -102,9 +105,26 @@ def _style_sheet(colors: Colors) -> str:
     QLabel#panel-strip {{ background: {colors.raised}; padding: 4px 8px; }}
     QLabel#heading {{ font-weight: 600; color: {colors.quiet}; padding-top: 4px; }}
     QLabel#numbers {{ font-weight: 600; }}
+    QLabel#title {{ font-weight: 600; font-size: 15pt; }}
+    QLineEdit#search {{ font-size: 12pt; padding: 4px 6px; }}
+    QFrame#card {{ background: {colors.base}; border: 1px solid {colors.line};
+                   border-radius: 8px; }}
+    QLabel#picture {{ background: {colors.window}; border-radius: 4px; }}
+    QTableView#rows {{ border: 1px solid {colors.line}; background: {colors.base};
+                  selection-background-color: {colors.accent};
+                  selection-color: {colors.on_accent}; }}
+    QTableView#rows QHeaderView {{ background: {colors.base}; }}
+    QTableView#rows QHeaderView::section {{ background: {colors.base}; color: {colors.quiet};
+                            border: none; border-bottom: 1px solid {colors.line};
+                            padding: 4px 11px; }}
+    QTableView#rows::item {{ padding: 4px 8px; }}
+    QTableView#rows:focus {{ border: 2px solid {colors.accent}; }}
     QLabel#quiet {{ color: {colors.quiet}; }}
     QLabel#warning {{ background: {colors.warning}; color: {colors.on_warning};
                       border-radius: 4px; padding: 4px 8px; }}
+    QPushButton#warning_count {{ background: {colors.warning}; color: {colors.on_warning};
+                                 border: none; border-radius: 4px; padding: 2px 8px; }}
+    QPushButton#warning_count:focus {{ border: 2px solid {colors.accent}; }}
     QToolBar {{ border: none; border-bottom: 1px solid {colors.line};
                 spacing: 1px; padding: 2px; }}
     QToolBar QToolButton {{ padding: 4px; border-radius: 4px; }}

@@ -42,7 +42,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--layers", action="store_true", help="cover, shell and base as objects of a 3MF file"
     )
     shape.add_argument("--ascii", action="store_true", help="STL as text")
-    shape.add_argument("--material", default="", metavar="TEXT", help="for the papers")
+    shape.add_argument(
+        "--material",
+        default="",
+        metavar="TEXT",
+        help="for the papers (default: that of the prescription)",
+    )
     shape.add_argument("--block", metavar="NAME", help="of the shop's list; checked, or nested in")
     shape.add_argument(
         "--cutter", type=number, metavar="MM", help="diameter of the ball-nose cutter"
@@ -120,7 +125,7 @@ def deliver(
             shop,
             identification={"pseudonym": _pseudonym(arguments)},
             responsible=responsible,
-            material=arguments.material,
+            materials={insole.design.side: _material(insole, arguments) for insole in insoles},
             block=block if len(insoles) > 1 else None,
             override=_override(arguments),
             ascii_stl=arguments.ascii,
@@ -129,6 +134,12 @@ def deliver(
         beside,
         progress.part(0.8, 1.0),
     )
+
+
+def _material(insole: Insole, arguments: argparse.Namespace) -> str:
+    """Return the material that was named, else that of the prescription."""
+    shell = insole.design.shell
+    return arguments.material or ("" if shell is None else shell.material)
 
 
 def _rules(arguments: argparse.Namespace, block: Block | None) -> ExportRules:

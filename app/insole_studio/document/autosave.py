@@ -13,7 +13,7 @@ import threading
 import uuid
 from collections.abc import Iterable
 from contextlib import ExitStack
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
@@ -28,6 +28,7 @@ from insole_core.messages import Message
 from insole_core.progress import Cancelled, Progress
 from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case import Case
+from insole_studio.document.unkept_visit import UnkeptVisit
 from insole_studio.jobs import Jobs
 
 log = logging.getLogger(__name__)
@@ -50,6 +51,8 @@ class Recovered:
         Keeps other windows from the copies until it is released.
     digest
         SHA-256 of that file when it was last read or written; empty where that is unknown.
+    visit
+        The visit of the clinic's record that it is; None for a case of a file.
     """
 
     record: CaseRecord
@@ -57,6 +60,7 @@ class Recovered:
     copies: tuple[Path, ...]
     lock: QLockFile
     digest: str = ""
+    visit: UnkeptVisit | None = None
 
     def discard(self) -> None:
         """Remove the copies."""
@@ -74,6 +78,14 @@ class _Origin:
 
     path: str = ""
     digest: str = ""
+    visit: UnkeptVisit | None = None
+
+    def to_json(self) -> dict[str, object]:
+        """Return it as values for `json.dumps`."""
+        content: dict[str, object] = {"path": self.path, "digest": self.digest}
+        if self.visit is not None:
+            content["visit"] = self.visit.to_json()
+        return content
 
 
 @dataclass(frozen=True)
@@ -119,7 +131,7 @@ class _CopyOnDisk:
             until_in_place.enter_context(self._places)
             if snapshot.number < self._number_on_disk:
                 raise Cancelled
-            write_text(json.dumps(asdict(snapshot.origin)), origin_copy)
+            write_text(json.dumps(snapshot.origin.to_json()), origin_copy)
             self._number_on_disk = snapshot.number
 
     def remove(self) -> None:
@@ -138,6 +150,7 @@ class Autosave(QObject):
         super().__init__(parent)
         self._case = case
         self._jobs = jobs
+        self._folder = folder
         try:
             make_private_folder(folder)
         except OSError as error:  # told at the first attempt to write there
@@ -168,6 +181,17 @@ class Autosave(QObject):
         self._jobs.cancel(CHANNEL)
         if self._case.has_unsaved_changes:
             self._copy.write(self._snapshot())
+
+    def set_aside(self) -> None:
+        """Leave the case on the disk as it is, for this or another window to take up later.
+
+        Raises
+        ------
+        OutputError
+            When it cannot be written.
+        """
+        copy = _CopyOnDisk(self._folder / uuid.uuid4().hex)
+        copy.write(_Snapshot(copy.next_number(), self._case.record, self._origin()))
 
     def keep_now(self) -> None:
         """Write at once what may be lost, because the program may be ended at any moment."""
@@ -220,6 +244,8 @@ class Autosave(QObject):
 
     def _origin(self) -> _Origin:
         case = self._case
+        if case.kept is not None:
+            return _Origin(visit=UnkeptVisit.of(case.kept, case.saved_record, case.record))
         is_ours = case.path is not None and not case.is_read_only
         return _Origin(str(case.path), case.digest) if is_ours else _Origin()
 
@@ -282,7 +308,8 @@ def _recover(stem: Path, lock: QLockFile) -> Recovered:
     record = read_case(record_copy)
     origin = _read_origin(origin_copy)
     path = Path(origin.path) if origin.path else None
-    return Recovered(record, path, (record_copy, origin_copy), lock, origin.digest)
+    copies = record_copy, origin_copy
+    return Recovered(record, path, copies, lock, origin.digest, origin.visit)
 
 
 def _read_origin(path: Path) -> _Origin:
@@ -290,6 +317,8 @@ def _read_origin(path: Path) -> _Origin:
     try:
         stored = JsonObject.read(path)
         place, digest = (stored.text(key, empty=True) for key in ("path", "digest"))
+        if stored.has("visit"):
+            return _Origin(visit=UnkeptVisit.from_json(stored.object("visit")))
     except InsoleError as error:
         log.warning("the file of a recovered case is not known: %s", error)
         return _Origin()

@@ -15,6 +15,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.history import History
+from insole_studio.document.kept_visit import KeptVisit
 
 Changeable = InsoleDesign | Annotations | Patient | FootRecord | CaseRecord
 Prescribed = TypeVar("Prescribed", bound=CorrectionBase)
@@ -54,6 +55,8 @@ class Case(QObject):
         """SHA-256 of the file when it was last read or written; empty where that is unknown."""
         self.is_read_only = False
         """Whether the file must not be written, because another window has it open."""
+        self.kept: KeptVisit | None = None
+        """The visit of the record that the case is; None for a case of a file."""
         self.author = ""
         """The prescriber."""
 
@@ -61,6 +64,11 @@ class Case(QObject):
     def record(self) -> CaseRecord:
         """Return the record as it would be saved now."""
         return self._record
+
+    @property
+    def saved_record(self) -> CaseRecord:
+        """Return the record as it was saved last."""
+        return self._saved_record
 
     @property
     def shown(self) -> CaseRecord:
@@ -169,6 +177,7 @@ class Case(QObject):
         *,
         digest: str = "",
         read_only: bool = False,
+        kept: KeptVisit | None = None,
     ) -> None:
         """Replace the case by another one, with an empty history.
 
@@ -182,10 +191,13 @@ class Case(QObject):
             SHA-256 of the file as it was read; without it a change of the file is not noticed.
         read_only
             Whether the file must not be written.
+        kept
+            The visit of the record that it is.
         """
         self.leaving.emit()
         self.closing.emit(record)
         self.path, self.digest, self.is_read_only = path, digest, read_only
+        self.kept = kept
         self._begin(record, unsaved)
 
     def open_foot(self, foot: Foot, source: ScanSource, design: InsoleDesign | None = None) -> None:
@@ -224,6 +236,25 @@ class Case(QObject):
         self.path, self.digest, self.is_read_only = path, digest, False
         self._saved_record = record
         self.saved_changed.emit()
+
+    def mark_kept(self, record: CaseRecord, kept: KeptVisit) -> None:
+        """Note that the clinic's record contains `record`."""
+        self.kept = kept
+        self._saved_record = record
+        self.saved_changed.emit()
+
+    def keep_foot(self, foot: FootRecord, kept: KeptVisit) -> None:
+        """Show a foot that the clinic's record contains, in place of that of the same side.
+
+        The steps before it cannot be undone one by one any more, but their versions are kept.
+        """
+        self.leaving.emit()
+        self._history.clear()
+        self._shown = None
+        self.kept = kept
+        after = self._record.with_foot(foot).at(self._record.at_hand or foot.side)
+        self._saved_record = self._saved_record.with_foot(foot)
+        self._set(after)
 
     def _step_to(self, record: CaseRecord | None) -> None:
         if record is not None:

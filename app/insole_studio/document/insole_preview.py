@@ -26,9 +26,9 @@ CHANNEL = "insole"
 class InsolePreview(QObject):
     """The insole derived from the shown design, and the problem that prevents building it.
 
-    A change of a pad is applied at once, and so is one of the rim while it is dragged. The surface
-    below is computed in the background; while that runs, newer requests wait, and only the newest
-    is computed next.
+    A change of a pad is applied at once, and so is one of the finish while it is dragged. The
+    surface below is computed in the background; while that runs, newer requests wait, and only the
+    newest is computed next.
     """
 
     changed = Signal()
@@ -113,7 +113,7 @@ class InsolePreview(QObject):
     @property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh] | None:
         """Return top (without pads) and bottom of the trimmed insole."""
-        return None if self._insole is None else self._insole.bare.skins
+        return None if self._insole is None else self._insole.skins
 
     @property
     def standing_foot(self) -> TriangleMesh | None:
@@ -182,7 +182,7 @@ class InsolePreview(QObject):
             self._jobs.cancel(CHANNEL)
             self._show(bare, design)
             return
-        if insole is not None and insole.can_follow_rim(foot, design):
+        if insole is not None and insole.can_follow_finish(foot, design):
             self._follow(insole, design)
             if self._case.shown is not self._case.record:
                 return  # exactly only once the drag is over: meanwhile its hand has all the time

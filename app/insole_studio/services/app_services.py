@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QMainWindow
 
 from insole_core.errors import OutputError
 from insole_studio.document.case import Case
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.document.record_keeper import RecordKeeper
 from insole_studio.jobs import Jobs, Result, Task
 from insole_studio.services.color_scheme import is_dark
 from insole_studio.services.notices import Notices
@@ -23,9 +25,11 @@ log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, eq=False)
 class AppServices:
-    """The open case, background jobs, messages to the user, and settings."""
+    """The open case, the clinic's record, background jobs, messages to the user, and settings."""
 
     case: Case
+    clinic: ClinicRecord
+    keeper: RecordKeeper
     jobs: Jobs
     window: QMainWindow
     messages: UserMessages

@@ -30,6 +30,8 @@ class NumberField(QDoubleSpinBox):
     edited = Signal(float)
     """Emitted when the user, not the program, entered another value."""
 
+    _least_known = 0.0  # of the class, since Qt validates before the constructor is done
+
     def __init__(
         self,
         unit: str,
@@ -58,6 +60,10 @@ class NumberField(QDoubleSpinBox):
         """Whether the field is styled for touch."""
         self.ensurePolished()
         return self.sizeHint().height() > TOUCH_HEIGHT_PX
+
+    def allow_unknown(self, least_known: float) -> None:
+        """Let 0 mean that the number is unknown; the least that can be known is larger."""
+        self._least_known = least_known
 
     def set_room(self, width_px: int) -> None:
         """Fix the width of the field, to which touch mode, now or later, adds its buttons."""
@@ -116,6 +122,12 @@ class NumberField(QDoubleSpinBox):
             sentence = tr(
                 "{typed} cannot be taken; put in {least} to {greatest}. It stays {before}."
             )
+            if self._least_known > 0:
+                least = self.textFromValue(self._least_known)
+                sentence = tr(
+                    "{typed} cannot be taken; put in {least} to {greatest}, or 0 if it is not "
+                    "known. It stays {before}."
+                )
             self.refusal.say(
                 sentence.format(
                     typed=self._bare(text) + self.suffix(),
@@ -164,11 +176,16 @@ class NumberField(QDoubleSpinBox):
             factor = FINE
         self.interpretText()
         smallest = 10.0 ** -self.decimals()
-        self.setValue(self.value() + steps * max(factor * self.singleStep(), smallest))
+        value = self.value() + steps * max(factor * self.singleStep(), smallest)
+        if 0 < value < self._least_known:
+            value = self._least_known if steps > 0 else 0.0
+        self.setValue(value)
 
     def _is_beyond(self, text: str) -> bool:
         value, is_number = self.locale().toDouble(self._localised(self._bare(text)))
-        return is_number and not self.minimum() <= value <= self.maximum()
+        if not is_number:
+            return False
+        return 0 < value < self._least_known or not self.minimum() <= value <= self.maximum()
 
     def _bare(self, text: str) -> str:
         return text.removesuffix(self.suffix()).strip()

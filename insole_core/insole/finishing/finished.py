@@ -179,7 +179,9 @@ def _factorised(foot: Foot, outline: Outline, place: EdgeDistance, zones: Zones)
     """Return the plate on the springs of its zones; cached with the foot."""
     stiffness = zones.stiffness()
     key = outline, place.grid, stiffness.tobytes()
-    return foot.derived.get("finishing plate", key, partial(place.plate.on_springs, stiffness))
+    # Each step of a drag has a plate of its own, on a coarse grid: it evicts no finer one.
+    kind = f"finishing plate, {place.plate.step_mm:g} mm"
+    return foot.derived.get(kind, key, partial(place.plate.on_springs, stiffness))
 
 
 def _joined(

@@ -15,29 +15,28 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.insole_outline import full_outline
 from insole_core.insole.outline.outline_curve import smoothed_along
 from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Outline
+from insole_core.insole.surface.shoe_last import ground_heights_mm, last_heights_mm
 
 _BALL_MM, _HEEL_MM = 4.0, 3.0
 """Room of a usual shoe beside the ball and the heel of the foot."""
 _WALL_MM, _EVENING_MM = 6.0, 6.0
 """Upper and edge of the sole, by which it is wider than the shoe's inside."""
-_BALL_SHARE = 0.68
-"""Place of the ball on the shoe's length: from there on the sole lies on the ground."""
 
 
 @dataclass(frozen=True, eq=False)
 class ShoeOutline:
-    """The outline of a shoe, mm, insole frame; z = 0 is the floor on which the insole lies.
+    """The outline of a shoe, mm, insole frame; its inside lies on the last that carries the insole.
 
     Parameters
     ----------
     size_eu, inside_mm
         Size in Paris points, and the inside's length.
     inside : (n, 3) float64
-        Closed curve around the floor.
+        Closed curve around the surface of the last, on which the underside of the insole rests.
     ground : (n, 3) float64
-        Closed curve around the sole; below the heel as far down as the heel is high.
+        Closed curve around the sole, on the ground.
     heel : (2, 3) float64
-        From the rearmost point of the inside to the ground below.
+        From the rearmost point of the inside to the ground below: as long as the heel is high.
     pitch_mm
         Height of the shoe's heel over its forefoot.
     lift_mm
@@ -68,16 +67,20 @@ def shoe_outline(foot: Foot, design: InsoleDesign) -> ShoeOutline:
     inside = full_outline(foot, room)
     sole = smoothed_along(inside + _WALL_MM * _outward(inside), _EVENING_MM)
     pitch_mm = 0.0 if design.shell is None else design.shell.heel_pitch_mm
-    back = inside[inside[:, 1].argmin()]
-    length_mm = float(np.ptp(inside[:, 1]))
-    ahead = (sole[:, 1] - back[1]) / (_BALL_SHARE * length_mm)
-    drop = pitch_mm * np.clip(1.0 - ahead, 0.0, 1.0)
+    back = inside[[inside[:, 1].argmin()]]
+
+    def on_last(points: FloatArray) -> FloatArray:
+        return np.column_stack([points, last_heights_mm(design, points[:, 1], foot.length_mm)])
+
+    def on_ground(points: FloatArray) -> FloatArray:
+        return np.column_stack([points, ground_heights_mm(design, points[:, 1], foot.length_mm)])
+
     return ShoeOutline(
         size,
         PARIS_MM * size,
-        np.column_stack([inside, np.zeros(len(inside))]),
-        np.column_stack([sole, -drop]),
-        np.array([[*back, 0.0], [*back, -pitch_mm]]),
+        on_last(inside),
+        on_ground(sole),
+        np.concatenate([on_last(back), on_ground(back)]),
         pitch_mm,
         heel_lift_mm(design),
     )

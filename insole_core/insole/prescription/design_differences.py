@@ -40,7 +40,7 @@ LABELS: dict[str, str] = {
     "points_mm": "Drawn outline",
     "cover_mm": "Cover",
     "cover_is_taken_off": "Cover glued on later",
-    "shell_mm": "Shell layer",
+    "shell_mm": "Middle layer",
     "base_mm": "Base layer",
     "cup_mm": "Heel cup",
     "medial_flange_mm": "Medial flange",
@@ -158,24 +158,34 @@ def design_differences(old: InsoleDesign, new: InsoleDesign) -> tuple[Message, .
 
 def _values(design: InsoleDesign) -> dict[str, Any]:
     """Return every value that is neither a part nor a correction; none of a part that is None."""
-    values = {
-        field.name: getattr(design, field.name)
-        for field in fields(design)
-        if field.name not in (*_PARTS, "side", "corrections")
+    shell = design.shell
+    return {
+        **_fields(design, but=(*_PARTS, "side", "corrections")),
+        **_fields(design.outline),
+        **_fields(design.layers),
+        **_finish_values(design),
+        **({} if shell is None else _fields(shell, but=("posts",))),
+        **({} if shell is None else {post.region: post for post in shell.posts}),
     }
-    for name in _PARTS:
-        part = getattr(design, name)
-        if part is not None:
-            values |= {field.name: getattr(part, field.name) for field in fields(part)}
-    if design.finish is not None:
-        stations = sorted(values.pop("rim"), key=lambda station: station.along)
-        for border in ("medial", "lateral"):
-            values[f"{border}_rim"] = tuple(s for s in stations if s.border == border)
-        values["cup_mm"] = cup_depth_mm(finish_with_cups(design.finish, design.active))
-        values["medial_flange_mm"] = medial_flange_mm(design.finish)
-    for post in values.pop("posts", ()):
-        values[post.region] = post
-    return values
+
+
+def _fields(part: Any, but: tuple[str, ...] = ()) -> dict[str, Any]:
+    return {f.name: getattr(part, f.name) for f in fields(part) if f.name not in but}
+
+
+def _finish_values(design: InsoleDesign) -> dict[str, Any]:
+    """Return the values of the finish, its rim as that of each border and as cup and flange."""
+    finish = design.finish
+    if finish is None:
+        return {}
+    stations = sorted(finish.rim, key=lambda station: station.along)
+    return {
+        **_fields(finish, but=("rim",)),
+        "medial_rim": tuple(s for s in stations if s.border == "medial"),
+        "lateral_rim": tuple(s for s in stations if s.border == "lateral"),
+        "cup_mm": cup_depth_mm(finish_with_cups(finish, design.active)),
+        "medial_flange_mm": medial_flange_mm(finish),
+    }
 
 
 def _is_nothing(key: str, *designs: dict[str, Any]) -> bool:

@@ -54,7 +54,7 @@ def make_facts(design: InsoleDesign) -> dict[str, str]:
         facts["width"] = f"{width} mm from the bisection of the 1st metatarsal"
     if layers.total_mm > 0:
         thicknesses = (layers.cover_mm, layers.shell_mm, layers.base_mm)
-        facts["cover / shell / base"] = f"{' / '.join(map(plain_number, thicknesses))} mm"
+        facts["cover / middle layer / base"] = f"{' / '.join(map(plain_number, thicknesses))} mm"
     if design.taken_off_mm > 0:
         facts["cover, glued on later"] = f"{plain_number(design.taken_off_mm)} mm"
     if design.finish is not None:

@@ -74,13 +74,13 @@ class Window:
             min(self.end_column, other.end_column),
         )
 
-    def widened(self, shape: tuple[int, ...]) -> Window:
-        """Return the window with one more node on each side, within a grid of this shape."""
+    def widened(self, shape: tuple[int, ...], by: int = 1) -> Window:
+        """Return the window with more nodes on each side, within a grid of this shape."""
         return Window(
-            max(self.first_row - 1, 0),
-            min(self.end_row + 1, shape[0]),
-            max(self.first_column - 1, 0),
-            min(self.end_column + 1, shape[1]),
+            max(self.first_row - by, 0),
+            min(self.end_row + by, shape[0]),
+            max(self.first_column - by, 0),
+            min(self.end_column + by, shape[1]),
         )
 
     def joined(self, other: Window) -> Window:

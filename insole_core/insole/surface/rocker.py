@@ -45,8 +45,23 @@ def eased(bottom_mm: FloatArray, top_mm: FloatArray, rise_mm: FloatArray) -> Flo
 
 def ahead_of_heads_mm(foot: Foot, field: HeightField) -> FloatArray:
     """Return how far the nodes of a field lie ahead of the line of heads 1 and 5, (ny, nx), mm."""
-    marks = find_landmarks(foot)
-    medial, lateral = (marks[name].point[:2] for name in (HEADS[0], HEADS[-1]))
-    along = (medial - lateral) / np.hypot(*(medial - lateral))
-    ahead = np.array([-along[1], along[0]]) * foot.side.medial_sign
+    ahead, (medial, _) = heads_ahead(foot), _heads(foot)
     return np.asarray(ahead[0] * field.x_mm + ahead[1] * field.y_mm[:, None] - ahead @ medial)
+
+
+def heads_ahead(foot: Foot) -> FloatArray:
+    """Return the unit vector (2,) that points ahead, normal to the line of heads 1 and 5."""
+    medial, lateral = _heads(foot)
+    along = (medial - lateral) / np.hypot(*(medial - lateral))
+    return np.array([-along[1], along[0]]) * foot.side.medial_sign
+
+
+def rocker_line(foot: Foot, rocker: Rocker) -> FloatArray:
+    """Return the ends (2, 2), mm, insole frame, of a rocker's line: behind heads 1 and 5."""
+    return _heads(foot) - rocker.behind_heads_mm * heads_ahead(foot)
+
+
+def _heads(foot: Foot) -> FloatArray:
+    """Return the places (2, 2) of heads 1 and 5, mm, insole frame."""
+    marks = find_landmarks(foot)
+    return np.array([marks[name].point[:2] for name in (HEADS[0], HEADS[-1])])

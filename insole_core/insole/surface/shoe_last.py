@@ -38,11 +38,37 @@ def last_heights_mm(design: InsoleDesign, y_mm: FloatArray, length_mm: float) ->
     return pitch_mm * (_over_chord(y_mm / length_mm) - _LOWEST)
 
 
+def ground_heights_mm(design: InsoleDesign, y_mm: FloatArray, length_mm: float) -> FloatArray:
+    """Return the height of the ground below a shoe's last in each cross section.
+
+    Under heel and ball it lies as far below the last as the shoe carries them. The insole is
+    designed level, so that in its frame the ground falls from the ball to the heel.
+
+    Parameters
+    ----------
+    y_mm : (n,) float64, mm, insole frame
+    length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (n,) float64, mm, insole frame
+        Zeros for a shoe without heel.
+    """
+    pitch_mm = 0.0 if design.shell is None else design.shell.heel_pitch_mm
+    share = np.maximum(y_mm / length_mm, 0.0)
+    return np.asarray(-pitch_mm * (_chord(share) + _LOWEST)) if pitch_mm else np.zeros_like(y_mm)
+
+
 def _over_chord(share: FloatArray) -> FloatArray:
     """Return the last's bottom line over its chord, for a heel of unit height."""
     share = np.maximum(share, 0.0)
-    chord = _SLOPE * smooth_hinge(_BALL - share, _BEND)
-    return np.asarray(1 - smooth_step(share, 0.0, _BALL) - chord)
+    return np.asarray(1 - smooth_step(share, 0.0, _BALL) - _chord(share))
+
+
+def _chord(share: FloatArray) -> FloatArray:
+    """Return the height over the ground of the line through heel and ball, level ahead of it."""
+    return _SLOPE * smooth_hinge(_BALL - share, _BEND)
 
 
 _SLOPE = float(1 - smooth_step(np.array(_HEEL), 0.0, _BALL)) / (_BALL - _HEEL)

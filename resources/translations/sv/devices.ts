@@ -164,6 +164,10 @@
             <translation>Dra för att flytta linjen där tåzonen börjar</translation>
         </message>
         <message>
+            <source>Drag to move the line from which the underside rises</source>
+            <translation>Dra för att flytta linjen där undersidan börjar stiga</translation>
+        </message>
+        <message>
             <source>Drag to raise the rim here, or to move the station along the edge</source>
             <translation>Dra för att höja kanten här, eller för att flytta kantpunkten längs kanten</translation>
         </message>
@@ -317,7 +321,7 @@
         </message>
         <message>
             <source>Keep this design as a finding…</source>
-            <translation>Behåll designen som fynd…</translation>
+            <translation>Behåll ordinationen som fynd…</translation>
         </message>
         <message>
             <source>Keep this insole's form as a base</source>
@@ -370,6 +374,10 @@
         <message>
             <source>Move a station of the rim</source>
             <translation>Flytta en kantpunkt</translation>
+        </message>
+        <message>
+            <source>Move the rocker line</source>
+            <translation>Flytta rullsulans linje</translation>
         </message>
         <message>
             <source>Move the toe line</source>
@@ -496,6 +504,10 @@
             <translation>Fotens andel</translation>
         </message>
         <message>
+            <source>Shell</source>
+            <translation>Skal</translation>
+        </message>
+        <message>
             <source>Show the imprint of the foot, without a designed rim; once more brings it back</source>
             <translation>Visa fotens avtryck utan utformad kant; en gång till tar den tillbaka</translation>
         </message>
@@ -617,7 +629,7 @@
         </message>
         <message>
             <source>What the finding proposes stays. To change that, keep a design under its name.</source>
-            <translation>Det som fyndet föreslår blir kvar. Behåll en design under dess namn för att ändra det.</translation>
+            <translation>Det som fyndet föreslår blir kvar. Behåll en ordination under dess namn för att ändra det.</translation>
         </message>
         <message>
             <source>Wide</source>

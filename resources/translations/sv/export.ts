@@ -76,6 +76,10 @@
             <translation>Släppning</translation>
         </message>
         <message>
+            <source>Draft and chamfer as the shell of the prescription has them</source>
+            <translation>Släppning och fas enligt ordinationens skal</translation>
+        </message>
+        <message>
             <source>Engraved</source>
             <translation>Graverat</translation>
         </message>
@@ -156,6 +160,10 @@
             <translation>Vänster</translation>
         </message>
         <message>
+            <source>Left: {text}</source>
+            <translation>Vänster: {text}</translation>
+        </message>
+        <message>
             <source>Look there</source>
             <translation>Titta där</translation>
         </message>
@@ -166,6 +174,14 @@
         <message>
             <source>Material</source>
             <translation>Material</translation>
+        </message>
+        <message>
+            <source>Material, left</source>
+            <translation>Material, vänster</translation>
+        </message>
+        <message>
+            <source>Material, right</source>
+            <translation>Material, höger</translation>
         </message>
         <message>
             <source>Name of the patient</source>
@@ -264,6 +280,10 @@
             <translation>Höger</translation>
         </message>
         <message>
+            <source>Right: {text}</source>
+            <translation>Höger: {text}</translation>
+        </message>
+        <message>
             <source>STL as text</source>
             <translation>STL som text</translation>
         </message>
@@ -316,6 +336,10 @@
             <translation>Använd dessa</translation>
         </message>
         <message>
+            <source>Walls</source>
+            <translation>Väggar</translation>
+        </message>
+        <message>
             <source>What the shop knows the patient by; without one, the order number {number}</source>
             <translation>Det som verkstaden känner patienten under; utan en sådan ordernumret {number}</translation>
         </message>
@@ -336,12 +360,24 @@
             <translation>född {date}</translation>
         </message>
         <message>
+            <source>chamfer {mm:g} mm</source>
+            <translation>fas {mm:g} mm</translation>
+        </message>
+        <message>
             <source>closed</source>
             <translation>sluten</translation>
         </message>
         <message>
             <source>does not apply to this piece</source>
             <translation>gäller inte detta arbetsstycke</translation>
+        </message>
+        <message>
+            <source>draft {degrees:g}°</source>
+            <translation>släppning {degrees:g}°</translation>
+        </message>
+        <message>
+            <source>draft {medial:g}° medial, {lateral:g}° lateral</source>
+            <translation>släppning {medial:g}° medialt, {lateral:g}° lateralt</translation>
         </message>
         <message>
             <source>is being checked</source>

@@ -4,8 +4,364 @@
     <context>
         <name>studio</name>
         <message>
+            <source>A copy was written: {name}</source>
+            <translation>En kopia skrevs: {name}</translation>
+        </message>
+        <message>
+            <source>Add a patient to the clinic's record</source>
+            <translation>Lägg till en patient i klinikens journal</translation>
+        </message>
+        <message>
+            <source>Add a visit of today for the patient on the page, and open it</source>
+            <translation>Lägg till ett besök i dag för patienten på sidan, och öppna det</translation>
+        </message>
+        <message>
+            <source>Add a visit of today, to be prescribed as the last one on a new scan</source>
+            <translation>Lägg till ett besök i dag som ordineras som det förra på en ny skanning</translation>
+        </message>
+        <message>
+            <source>Add patient</source>
+            <translation>Lägg till patient</translation>
+        </message>
+        <message>
+            <source>Adjusted</source>
+            <translation>Justerad</translation>
+        </message>
+        <message>
+            <source>All patients</source>
+            <translation>Alla patienter</translation>
+        </message>
+        <message>
+            <source>Another scan</source>
+            <translation>En annan skanning</translation>
+        </message>
+        <message>
+            <source>Arch height (mm)</source>
+            <translation>Valvhöjd (mm)</translation>
+        </message>
+        <message>
+            <source>Ball width (mm)</source>
+            <translation>Trampdynans bredd (mm)</translation>
+        </message>
+        <message>
+            <source>Capture: {state}</source>
+            <translation>Avbildning: {state}</translation>
+        </message>
+        <message>
+            <source>Captured</source>
+            <translation>Avbildad</translation>
+        </message>
+        <message>
+            <source>Cases in files can be opened as before.</source>
+            <translation>Fall i filer kan öppnas som förut.</translation>
+        </message>
+        <message>
+            <source>Checked</source>
+            <translation>Kontrollerad</translation>
+        </message>
+        <message>
             <source>Choose in the calendar (F4)</source>
             <translation>Välj i kalendern (F4)</translation>
+        </message>
+        <message>
+            <source>Choose two visits to compare them</source>
+            <translation>Välj två besök för att jämföra dem</translation>
+        </message>
+        <message>
+            <source>Choose what goes on; the other version stays in the history.</source>
+            <translation>Välj vad som gäller; den andra versionen finns kvar i historiken.</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Jämför</translation>
+        </message>
+        <message>
+            <source>Compare two visits…</source>
+            <translation>Jämför två besök…</translation>
+        </message>
+        <message>
+            <source>Consent on</source>
+            <translation>Samtycke den</translation>
+        </message>
+        <message>
+            <source>Decide later</source>
+            <translation>Bestäm senare</translation>
+        </message>
+        <message>
+            <source>Decide…</source>
+            <translation>Bestäm…</translation>
+        </message>
+        <message>
+            <source>Delivered</source>
+            <translation>Levererad</translation>
+        </message>
+        <message>
+            <source>Designed</source>
+            <translation>Utformad</translation>
+        </message>
+        <message>
+            <source>Due</source>
+            <translation>Klar senast</translation>
+        </message>
+        <message>
+            <source>Follow-up…</source>
+            <translation>Uppföljning…</translation>
+        </message>
+        <message>
+            <source>Foot length (mm)</source>
+            <translation>Fotlängd (mm)</translation>
+        </message>
+        <message>
+            <source>Found patients</source>
+            <translation>Funna patienter</translation>
+        </message>
+        <message>
+            <source>From theirs to mine</source>
+            <translation>Från deras till min</translation>
+        </message>
+        <message>
+            <source>Go on with mine</source>
+            <translation>Fortsätt med min</translation>
+        </message>
+        <message>
+            <source>Go on with theirs</source>
+            <translation>Fortsätt med deras</translation>
+        </message>
+        <message>
+            <source>Heel width (mm)</source>
+            <translation>Hälbredd (mm)</translation>
+        </message>
+        <message>
+            <source>Import a scan…</source>
+            <translation>Importera en skanning…</translation>
+        </message>
+        <message>
+            <source>In production</source>
+            <translation>I produktion</translation>
+        </message>
+        <message>
+            <source>Keep both as variants</source>
+            <translation>Behåll båda som varianter</translation>
+        </message>
+        <message>
+            <source>Keep this version</source>
+            <translation>Behåll denna version</translation>
+        </message>
+        <message>
+            <source>Kept</source>
+            <translation>Behållen</translation>
+        </message>
+        <message>
+            <source>Kind of personal number</source>
+            <translation>Slag av personnummer</translation>
+        </message>
+        <message>
+            <source>Last visit</source>
+            <translation>Senaste besök</translation>
+        </message>
+        <message>
+            <source>Measure over time</source>
+            <translation>Mått över tid</translation>
+        </message>
+        <message>
+            <source>Mine</source>
+            <translation>Min</translation>
+        </message>
+        <message>
+            <source>Name, birth date, personal number or order</source>
+            <translation>Namn, födelsedatum, personnummer eller beställning</translation>
+        </message>
+        <message>
+            <source>Navicular height (mm)</source>
+            <translation>Naviculares höjd (mm)</translation>
+        </message>
+        <message>
+            <source>New patient</source>
+            <translation>Ny patient</translation>
+        </message>
+        <message>
+            <source>New patient…</source>
+            <translation>Ny patient…</translation>
+        </message>
+        <message>
+            <source>New visit</source>
+            <translation>Nytt besök</translation>
+        </message>
+        <message>
+            <source>New visit, same prescription</source>
+            <translation>Nytt besök, samma ordination</translation>
+        </message>
+        <message>
+            <source>No difference that can be seen</source>
+            <translation>Ingen skillnad som syns</translation>
+        </message>
+        <message>
+            <source>No patient yet. Begin with “New patient”, or open a file.</source>
+            <translation>Ingen patient än. Börja med ”Ny patient”, eller öppna en fil.</translation>
+        </message>
+        <message>
+            <source>No visit yet. Begin with “New visit”.</source>
+            <translation>Inget besök än. Börja med ”Nytt besök”.</translation>
+        </message>
+        <message>
+            <source>Nobody is found. Check the spelling, or add a new patient.</source>
+            <translation>Ingen hittas. Kontrollera stavningen, eller lägg till en ny patient.</translation>
+        </message>
+        <message>
+            <source>Not saved in the record; your work is kept here</source>
+            <translation>Inte sparat i journalen; ditt arbete finns kvar här</translation>
+        </message>
+        <message>
+            <source>Not saved yet: the database does not answer; your work is kept here</source>
+            <translation>Inte sparat än: databasen svarar inte; ditt arbete finns kvar här</translation>
+        </message>
+        <message>
+            <source>Not saved yet: two versions, decide</source>
+            <translation>Inte sparat än: två versioner, bestäm</translation>
+        </message>
+        <message>
+            <source>Number</source>
+            <translation>Nummer</translation>
+        </message>
+        <message>
+            <source>Open orders</source>
+            <translation>Öppna beställningar</translation>
+        </message>
+        <message>
+            <source>Orders</source>
+            <translation>Beställningar</translation>
+        </message>
+        <message>
+            <source>Other marks on the foot</source>
+            <translation>Andra märken på foten</translation>
+        </message>
+        <message>
+            <source>Other variants</source>
+            <translation>Andra varianter</translation>
+        </message>
+        <message>
+            <source>Patients</source>
+            <translation>Patienter</translation>
+        </message>
+        <message>
+            <source>Personal number</source>
+            <translation>Personnummer</translation>
+        </message>
+        <message>
+            <source>Read only: nothing can be changed.</source>
+            <translation>Skrivskyddad: inget kan ändras.</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>Orsak</translation>
+        </message>
+        <message>
+            <source>Recent patients</source>
+            <translation>Senaste patienter</translation>
+        </message>
+        <message>
+            <source>Returned</source>
+            <translation>Returnerad</translation>
+        </message>
+        <message>
+            <source>Running</source>
+            <translation>Pågår</translation>
+        </message>
+        <message>
+            <source>Saved in the record</source>
+            <translation>Sparat i journalen</translation>
+        </message>
+        <message>
+            <source>Saving…</source>
+            <translation>Sparar…</translation>
+        </message>
+        <message>
+            <source>Search for a patient; today's visits and open orders</source>
+            <translation>Sök en patient; dagens besök och öppna beställningar</translation>
+        </message>
+        <message>
+            <source>Search patients</source>
+            <translation>Sök patienter</translation>
+        </message>
+        <message>
+            <source>Sent</source>
+            <translation>Skickad</translation>
+        </message>
+        <message>
+            <source>Sign…</source>
+            <translation>Signera…</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the left foot of this visit while you worked on it.</source>
+            <translation>Någon annan har ändrat besökets vänstra fot medan du arbetade med den.</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the right foot of this visit while you worked on it.</source>
+            <translation>Någon annan har ändrat besökets högra fot medan du arbetade med den.</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Läge</translation>
+        </message>
+        <message>
+            <source>The patient agrees that these data are kept (today)</source>
+            <translation>Patienten samtycker till att uppgifterna sparas (i dag)</translation>
+        </message>
+        <message>
+            <source>Theirs</source>
+            <translation>Deras</translation>
+        </message>
+        <message>
+            <source>Today's visits</source>
+            <translation>Dagens besök</translation>
+        </message>
+        <message>
+            <source>Two versions of the same foot</source>
+            <translation>Två versioner av samma fot</translation>
+        </message>
+        <message>
+            <source>Two versions of this foot wait for a decision; yours is kept on this computer.</source>
+            <translation>Två versioner av foten väntar på ett beslut; din finns kvar på den här datorn.</translation>
+        </message>
+        <message>
+            <source>Versions…</source>
+            <translation>Versioner…</translation>
+        </message>
+        <message>
+            <source>Waiting</source>
+            <translation>Väntar</translation>
+        </message>
+        <message>
+            <source>Weight (kg)</source>
+            <translation>Vikt (kg)</translation>
+        </message>
+        <message>
+            <source>Why is it kept? The next change begins a new version.</source>
+            <translation>Varför behålls den? Nästa ändring börjar en ny version.</translation>
+        </message>
+        <message>
+            <source>Without a patient, or from files</source>
+            <translation>Utan patient, eller från filer</translation>
+        </message>
+        <message>
+            <source>signed by {name}</source>
+            <translation>signerad av {name}</translation>
+        </message>
+        <message>
+            <source>{day}, overdue</source>
+            <translation>{day}, försenad</translation>
+        </message>
+        <message>
+            <source>{name} has this personal number already.</source>
+            <translation>{name} har redan detta personnummer.</translation>
+        </message>
+        <message>
+            <source>{name}: somebody else changed the same foot while the record did not answer. Theirs is the newest version; what was changed here is kept beside it, see “Versions…” on the patient's page.</source>
+            <translation>{name}: någon annan ändrade samma fot medan journalen inte svarade. Deras är den nyaste versionen; det som ändrades här finns kvar bredvid den, se ”Versioner…” på patientens sida.</translation>
+        </message>
+        <message>
+            <source>{name}: what was not saved yet is now in the record.</source>
+            <translation>{name}: det som inte var sparat än finns nu i journalen.</translation>
         </message>
     </context>
 </TS>

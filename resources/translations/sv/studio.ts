@@ -1064,6 +1064,10 @@
             <translation>Meter</translation>
         </message>
         <message>
+            <source>Middle layer</source>
+            <translation>Mellanlager</translation>
+        </message>
+        <message>
             <source>Millimetres</source>
             <translation>Millimeter</translation>
         </message>
@@ -1572,10 +1576,6 @@
             <translation>Andel av fotens längd upp till vilken bakfotens vinkel gäller</translation>
         </message>
         <message>
-            <source>Shell</source>
-            <translation>Skal</translation>
-        </message>
-        <message>
             <source>Shoe outline</source>
             <translation>Skokontur</translation>
         </message>
@@ -1780,16 +1780,16 @@
             <translation>Tjocklekskarta</translation>
         </message>
         <message>
+            <source>Thickness of the layer between cover and base; 0 for none</source>
+            <translation>Tjocklek på lagret mellan överdrag och bas; 0 för inget</translation>
+        </message>
+        <message>
             <source>Thickness of the layer next to the foot; 0 for none</source>
             <translation>Tjocklek på lagret närmast foten; 0 för inget</translation>
         </message>
         <message>
             <source>Thickness of the layer next to the shoe; 0 for none</source>
             <translation>Tjocklek på lagret närmast skon; 0 för inget</translation>
-        </message>
-        <message>
-            <source>Thickness of the layer that supports the foot; 0 for none</source>
-            <translation>Tjocklek på lagret som stöder foten; 0 för inget</translation>
         </message>
         <message>
             <source>This line is 100 mm long. If not, print without scaling.</source>

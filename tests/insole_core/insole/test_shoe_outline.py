@@ -10,11 +10,13 @@ import pytest
 from insole_core.cases.case_file import read_case
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.outline.shoe_outline import shoe_outline
 from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Outline, Shell
 from insole_core.resources import resource_path
+from insole_core.solids.solid import insole_solid
 
 
 @pytest.fixture(scope="module")
@@ -47,10 +49,23 @@ def test_the_heel_stands_as_high_as_it_is_prescribed(foot: Foot) -> None:
     design = InsoleDesign(foot.side, lifts, shell=Shell(heel_pitch_mm=12.0))
     shoe = shoe_outline(foot, design)
     assert (shoe.pitch_mm, shoe.lift_mm) == (12.0, 3.0)
-    assert shoe.heel[0, 2] - shoe.heel[1, 2] == 12.0
-    back, front = shoe.ground[:, 1].argmin(), shoe.ground[:, 1].argmax()
-    assert shoe.ground[back, 2] == -12.0
-    assert shoe.ground[front, 2] == 0.0
+    assert shoe.heel[0, 2] - shoe.heel[1, 2] == pytest.approx(12.0)
+    behind = shoe.ground[:, 1] < 0.15 * foot.length_mm
+    ahead = shoe.ground[:, 1] > 0.75 * foot.length_mm
+    assert np.ptp(shoe.ground[ahead, 2]) < 0.01, "level from the ball on"
+    assert shoe.ground[ahead, 2].mean() - shoe.ground[behind, 2].max() > 8.0
+
+
+def test_the_insole_rests_on_the_inside_of_the_shoe(foot: Foot) -> None:
+    design = InsoleDesign(foot.side, shell=Shell(heel_pitch_mm=20.0))
+    solid = insole_solid(build_insole(foot, design))
+    shoe = shoe_outline(foot, design)
+    _, y, z = shoe.inside.T
+    for share in (0.05, 0.15, 0.3, 0.5, 0.7, 0.9):
+        here = np.abs(solid.vertices[:, 1] - share * foot.length_mm) < 1.0
+        underside_mm = solid.vertices[here, 2].min()
+        beside_mm = np.interp(share * foot.length_mm, *np.array(sorted(zip(y, z, strict=True))).T)
+        assert beside_mm == pytest.approx(underside_mm, abs=0.15)
 
 
 def test_the_other_side_is_its_mirror_image(foot: Foot) -> None:

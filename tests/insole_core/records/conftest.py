@@ -1,4 +1,4 @@
-"""An empty record for each test; its tables are made once, since that takes half a second."""
+"""A record in both databases; each test gets a copy of one whose tables are made already."""
 
 from __future__ import annotations
 
@@ -7,30 +7,100 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from postgres_server import PostgresServer, binaries, running_server
+from stations import Stations
 
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.foot.foot import Foot
 from insole_core.records.database import Database
 from insole_core.records.migrate import SCHEMA, migrate
-from insole_core.records.place import RecordsPlace
+from insole_core.records.place import DATABASE_FILE, RecordsPlace
+from insole_core.records.records import Records
+from insole_core.records.schema import FIRST_HASH, metadata
+
+_EMPTY = "; ".join(
+    (
+        "SET session_replication_role = replica",  # neither triggers nor keys object
+        *(f"DELETE FROM {table}" for table in metadata.tables if table != "audit_head"),
+        f"UPDATE audit_head SET seq = 0, hash = '{FIRST_HASH}'",
+        f"UPDATE alembic_version SET version_num = '{SCHEMA}'",
+    )
+)
 
 
 @pytest.fixture(scope="session")
-def empty_database_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An SQLite database with all tables, to be copied."""
-    place = RecordsPlace.local(tmp_path_factory.mktemp("empty record"))
+def postgres() -> Iterator[PostgresServer]:
+    """A server for the whole session, as fast as a power failure does not matter."""
+    if binaries() is None:
+        pytest.skip("PostgreSQL is not installed")
+    with running_server() as server:
+        server.execute("CREATE DATABASE migrated")
+        _make_tables(RecordsPlace.of_url(server.url("migrated"), server.folder))
+        yield server
+
+
+@pytest.fixture(scope="session")
+def migrated_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An SQLite database with tables and nothing in them."""
+    place = RecordsPlace.local(tmp_path_factory.mktemp("migrated"))
     place.database_file.touch()
-    database = Database(place)
-    migrate(database)
-    database.close()
+    _make_tables(place)
     return place.database_file
 
 
-@pytest.fixture
-def database(empty_database_file: Path, tmp_path: Path) -> Iterator[Database]:
-    """The database of an empty record of one computer."""
-    place = RecordsPlace.local(tmp_path / "record")
-    place.database_file.parent.mkdir()
-    shutil.copy(empty_database_file, place.database_file)
+def _make_tables(place: RecordsPlace) -> None:
     database = Database(place)
+    migrate(database)
+    database.close()
+
+
+@pytest.fixture
+def local_place(tmp_path: Path, migrated_file: Path) -> RecordsPlace:
+    folder = tmp_path / "record"
+    folder.mkdir()
+    shutil.copyfile(migrated_file, folder / DATABASE_FILE)
+    return RecordsPlace.local(folder)
+
+
+@pytest.fixture
+def database(local_place: RecordsPlace) -> Iterator[Database]:
+    """The database of an empty record of one computer."""
+    database = Database(local_place)
     database.schema = SCHEMA
     yield database
     database.close()
+
+
+@pytest.fixture
+def server_place(tmp_path: Path, postgres: PostgresServer) -> RecordsPlace:
+    """The one database of the server, emptied: another one would take a third of a second."""
+    postgres.execute(_EMPTY, database="migrated")
+    return RecordsPlace.of_url(postgres.url("migrated"), tmp_path / "contents")
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def stations(request: pytest.FixtureRequest) -> Iterator[Stations]:
+    """A place in each database."""
+    name = "local_place" if request.param == "sqlite" else "server_place"
+    stations = Stations(request.getfixturevalue(name), [])
+    yield stations
+    for records in stations.opened:
+        records.close()
+
+
+@pytest.fixture
+def records(stations: Stations) -> Records:
+    """An open record in each database."""
+    return stations.open()
+
+
+@pytest.fixture
+def foot_record(left_foot: Foot) -> FootRecord:
+    """A left foot with a prescription without corrections."""
+    return FootRecord.begun(left_foot, ScanSource("mesh", "left.stl", "a" * 64))
+
+
+@pytest.fixture
+def right_record(right_foot: Foot) -> FootRecord:
+    """A right foot with a prescription without corrections."""
+    return FootRecord.begun(right_foot, ScanSource("mesh", "right.stl", "b" * 64))

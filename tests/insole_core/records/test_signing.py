@@ -7,7 +7,8 @@ from datetime import date
 from typing import Any
 
 import pytest
-from sqlalchemy import delete, insert, select, text, update
+from sqlalchemy import Connection, delete, insert, select, text, update
+from stations import Stations
 
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records import schema
@@ -26,6 +27,12 @@ from insole_core.records.signing import (
 
 ANNA = Author("anna", "desk")
 MESH = "ab" * 32
+
+
+@pytest.fixture
+def database(stations: Stations) -> Database:
+    """Of an empty record, in each kind of database."""
+    return stations.open().context.database
 
 
 @pytest.fixture
@@ -100,6 +107,15 @@ def test_only_who_may_sign_signs(database: Database, version_id: str) -> None:
     assert report_of(database).checked == 0
 
 
+def remove_triggers(database: Database, connection: Connection) -> None:
+    """Do what somebody with the database's password could do."""
+    if database.is_sqlite:
+        connection.execute(text("DROP TRIGGER version_update"))
+        connection.execute(text("DROP TRIGGER version_delete"))
+    else:
+        connection.execute(text("ALTER TABLE prescription_versions DISABLE TRIGGER USER"))
+
+
 CHANGES = {
     "document": "x", "mesh_sha256": "cd" * 32, "side": "right", "author": "eva", "number": 2,
     "signed_by": "eva", "signed_at": "1970", "signature": "x", "is_closed": False,
@@ -124,7 +140,7 @@ def test_a_change_behind_the_back_of_the_database_is_found(
 ) -> None:
     signed(database, version_id)
     with database.writing() as connection:
-        connection.execute(text("DROP TRIGGER version_update"))
+        remove_triggers(database, connection)
         new_mesh = {"sha256": "cd" * 32, "size": 1, "kind": "mesh", "created_at": "2026"}
         connection.execute(insert(schema.contents).values(new_mesh))
         change = update(schema.prescription_versions).values({column: CHANGES[column]})
@@ -137,7 +153,7 @@ def test_a_signature_that_was_made_anew_is_not_in_the_audit_log(
 ) -> None:
     signed(database, version_id)
     with database.writing() as connection:
-        connection.execute(text("DROP TRIGGER version_update"))
+        remove_triggers(database, connection)
         versions = schema.prescription_versions
         row = connection.execute(select(versions)).one()._asdict()
         row["document"] = "forged"
@@ -148,7 +164,7 @@ def test_a_signature_that_was_made_anew_is_not_in_the_audit_log(
 def test_a_signed_version_that_is_gone_is_missed(database: Database, version_id: str) -> None:
     signed(database, version_id)
     with database.writing() as connection:
-        connection.execute(text("DROP TRIGGER version_delete"))
+        remove_triggers(database, connection)
         connection.execute(delete(schema.prescription_versions))
     assert report_of(database) == SignatureReport(checked=0, missing=(version_id,))
     with database.writing() as connection:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import manifold3d
 import numpy as np
 import trimesh
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.solids.simplification import to_manifold
 
@@ -17,13 +19,13 @@ def faults(solid: TriangleMesh) -> list[str]:
     """Complaints of trimesh, manifold3d, and of vertical lines through the solid."""
     found = []
     mesh = trimesh.Trimesh(solid.vertices, solid.triangles, process=False)
-    if not (mesh.is_watertight and mesh.is_winding_consistent and mesh.volume > 0):
+    if not (mesh.is_watertight and mesh.is_winding_consistent and solid.volume_mm3 > 0):
         found.append("trimesh: not watertight")
     body = to_manifold(solid)
     if body.status() != manifold3d.Error.NoError:
         found.append(f"manifold3d: {body.status()}")
-    if len(body.decompose()) != 1:
-        found.append(f"{len(body.decompose())} bodies")
+    if (count := len(body.decompose())) != 1:
+        found.append(f"{count} bodies")
     if abs(body.volume() / solid.volume_mm3 - 1) > 1e-3:
         found.append("manifold3d: another volume")
     twice = _entered_twice(solid)
@@ -33,12 +35,34 @@ def faults(solid: TriangleMesh) -> list[str]:
 def _entered_twice(solid: TriangleMesh) -> int:
     """Count vertical lines that enter the solid again before they have left it."""
     corners = solid.vertices[solid.triangles]
-    low, high = corners[..., :2].min(axis=1), corners[..., :2].max(axis=1)
+    across, along = (Extents.of(corners[..., axis]) for axis in (0, 1))
     rng = np.random.default_rng(0)
-    return sum(
-        _is_entered_twice(corners[((low <= place) & (place <= high)).all(axis=1)], place)
-        for place in rng.uniform(low.min(axis=0), high.max(axis=0), (_LINES, 2))
-    )
+    low = (across.low.min(), along.low.min())
+    high = (across.high.max(), along.high.max())
+    count = 0
+    for place in rng.uniform(low, high, (_LINES, 2)):
+        near = np.flatnonzero(across.contain(place[0]))
+        near = near[along.take(near).contain(place[1])]
+        count += _is_entered_twice(corners[near], place)
+    return count
+
+
+class Extents(NamedTuple):
+    """From where to where triangles reach along an axis."""
+
+    low: FloatArray
+    high: FloatArray
+
+    @classmethod
+    def of(cls, corners: FloatArray) -> Extents:
+        """Take the coordinates (n, 3) of the corners."""
+        return cls(corners.min(axis=1), corners.max(axis=1))
+
+    def take(self, index: IntArray) -> Extents:
+        return Extents(self.low[index], self.high[index])
+
+    def contain(self, place: float) -> BoolArray:
+        return (self.low <= place) & (place <= self.high)
 
 
 def _is_entered_twice(corners: FloatArray, place: FloatArray) -> bool:

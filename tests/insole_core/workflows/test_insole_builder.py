@@ -9,13 +9,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.finishing.thin_plate import Plate
 from insole_core.insole.prescription.design import (
+    BaseForm,
     Finish,
+    Form,
     InsoleDesign,
     Layers,
     Outline,
@@ -23,6 +27,7 @@ from insole_core.insole.prescription.design import (
     Post,
     Posting,
     RimStation,
+    Rocker,
     Shell,
 )
 from insole_core.progress import Cancelled, Progress
@@ -79,6 +84,22 @@ def test_steps_are_kept_for_designs_that_share_them(
     assert builder.base(left_foot, other_pad) is bare.base
     assert builder.known_bare(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0))) is None
     assert builder.known_bare(replace(left_foot), PLAIN) is None
+
+
+def test_devices_are_changed_to_and_fro_without_building_again(
+    builder: InsoleBuilder, left_foot: Foot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    designs = [with_arch(10.0 + 2 * number) for number in range(6)]
+    built = [builder.bare(left_foot, design) for design in designs]
+    factorised: list[object] = []
+    plain = Plate.on_springs
+    monkeypatch.setattr(
+        Plate, "on_springs", lambda plate, s: factorised.append(s) or plain(plate, s)
+    )
+    assert [builder.bare(left_foot, design) for design in designs] == built
+    builder.forget()  # the plates are kept with the foot
+    builder.bare(left_foot, designs[0])
+    assert factorised == []
 
 
 def test_a_shell_is_previewed_as_it_is_made(builder: InsoleBuilder, left_foot: Foot) -> None:
@@ -186,7 +207,7 @@ def test_a_dragged_rim_is_followed_closely_and_exact_again_at_its_old_place(
     for height_mm in (13.0, 15.0):
         dragged = with_arch(height_mm)
         assert not edited.can_follow(left_foot, dragged)
-        assert edited.can_follow_rim(left_foot, dragged)
+        assert edited.can_follow_finish(left_foot, dragged)
         edited.follow(dragged)
         assert not edited.is_exact
         exact = builder.insole(left_foot, dragged).contact
@@ -223,13 +244,106 @@ def test_a_rim_that_contradicts_itself_is_told_and_leaves_the_surface(
     assert edited.problem == ""
 
 
-def test_only_the_rim_of_a_finish_can_be_dragged(builder: InsoleBuilder, left_foot: Foot) -> None:
+FORM = Form(
+    name="Flat",
+    source="",
+    length_mm=250.0,
+    ball_width_mm=95.0,
+    along_shares=(0.0, 0.3, 0.7, 1.0),
+    across_shares=(0.0, 0.3, 0.7, 1.0),
+    heights_mm=((4.0, 2.0, 2.0, 3.0),) * 4,
+)
+ON_FORM = replace(FINISHED, base=BaseForm(form=FORM, contact_share=0.5))
+
+
+@pytest.mark.parametrize(
+    ("start", "changed"),
+    [
+        (FINISHED, replace(FINISHED, finish=replace(FINISHED.finish, arch_fill_mm=3.0))),
+        (FINISHED, replace(FINISHED, finish=replace(FINISHED.finish, toe_line_mm=12.0))),
+        (FINISHED, replace(FINISHED, finish=replace(FINISHED.finish, toe_zone="as_scanned"))),
+        (ON_FORM, replace(ON_FORM, base=BaseForm(form=FORM, contact_share=0.2))),
+    ],
+    ids=["fill", "toe line", "toe zone", "share of the foot"],
+)
+def test_the_finish_is_followed_closely_and_exact_again_at_its_old_values(
+    builder: InsoleBuilder, left_foot: Foot, start: InsoleDesign, changed: InsoleDesign
+) -> None:
+    edited = EditedInsole(builder.bare(left_foot, start), start)
+    vertices = edited.mesh.vertices.copy()
+    assert edited.can_follow_finish(left_foot, changed)
+    edited.follow(changed)
+    assert not edited.is_exact
+    exact = builder.bare(left_foot, changed)
+    xy = exact.solid.vertices[: exact.top_count, :2]
+    off = np.abs(
+        edited.contact.height_at(xy) - builder.insole(left_foot, changed).contact.height_at(xy)
+    )
+    moved = np.abs(edited.mesh.vertices[:, 2] - vertices[:, 2])
+    assert moved.max() > 1.0, "the change is seen"
+    assert off.max() < 1.0
+    assert np.quantile(off, 0.95) < 0.2
+    edited.follow(start)
+    assert edited.is_exact
+    assert np.array_equal(edited.mesh.vertices, vertices)
+
+
+def test_what_is_no_finish_is_not_followed(builder: InsoleBuilder, left_foot: Foot) -> None:
     edited = EditedInsole(builder.bare(left_foot, FINISHED), FINISHED)
-    filled = replace(FINISHED, finish=replace(Finish(rim=ROUND), arch_fill_mm=2.0))
-    assert not edited.can_follow_rim(left_foot, filled)
-    assert not edited.can_follow_rim(replace(left_foot), with_arch(14.0))
+    assert not edited.can_follow_finish(replace(left_foot), with_arch(14.0))
+    assert not edited.can_follow_finish(left_foot, replace(FINISHED, thickness_mm=4.0))
+    assert not edited.can_follow_finish(left_foot, PLAIN)
+    assert not edited.can_follow_finish(left_foot, ON_FORM)
     plain = EditedInsole(builder.bare(left_foot, PLAIN), PLAIN)
-    assert not plain.can_follow_rim(left_foot, FINISHED)
+    assert not plain.can_follow_finish(left_foot, FINISHED)
+
+
+CUPPED = replace(
+    FINISHED,
+    corrections=(),
+    bottom="following",
+    outline=Outline(extent="three_quarter"),
+    shell=Shell(posts=(Post(angle_deg=4.0),), edge_radius_mm=1.0),
+)
+
+
+@pytest.mark.parametrize(
+    "design",
+    [
+        CUPPED,
+        replace(CUPPED, shell=None, outline=Outline()),
+        replace(CUPPED, layers=Layers(cover_mm=2.0, cover_is_taken_off=True)),
+        replace(CUPPED, bottom="flat", corrections=(Rocker(behind_heads_mm=20.0),)),
+        replace(CUPPED, shell=Shell(heel_pitch_mm=12.0), outline=Outline()),
+    ],
+    ids=["cupped", "without shell", "cover taken off", "rocker", "heel pitch"],
+)
+def test_under_a_pad_the_preview_is_what_is_made(
+    builder: InsoleBuilder, left_foot: Foot, design: InsoleDesign
+) -> None:
+    pad = replace(PAD, centre_mm=(2.0, 110.0), height_mm=5.0)
+    padded, away = design.with_added(pad), design.with_added(replace(pad, centre_mm=(0.0, 60.0)))
+    bare = builder.bare(left_foot, design)
+    edited = EditedInsole(bare, away)
+    edited.follow(padded)
+    solid = insole_solid(build_insole(left_foot, padded)).vertices
+    half, count = len(solid) // 2, bare.top_count
+    faces = ((0, count, solid[:half]), (count, 2 * count, solid[half:]))
+    for start, end, made in faces:
+        shown = edited.mesh.vertices[start:end]
+        apart, nearest = KDTree(made[:, :2]).query(shown[:, :2])
+        same = apart < 1e-6  # the walls lean by as much as they are high
+        assert same.mean() > 0.93
+        off = np.abs(shown[same, 2] - made[nearest[same], 2])
+        assert off.max() < 0.02
+        assert np.quantile(off, 0.99) < 1e-6
+    risen = edited.bottom_heights_mm - bare.solid.vertices[count : 2 * count, 2]
+    assert (risen.max() > 3.0) == (design.bottom == "following")
+    again = EditedInsole(bare, padded)
+    assert np.allclose(edited.mesh.vertices, again.mesh.vertices, atol=1e-9)
+    assert np.allclose(edited.normals, again.normals, atol=1e-9)
+    skin = edited.skins[1]
+    assert np.array_equal(skin.vertices, edited.mesh.vertices), "the section shows it too"
 
 
 def test_what_is_too_thin_is_told_by_every_step_in_the_same_words(

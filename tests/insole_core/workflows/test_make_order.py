@@ -19,7 +19,13 @@ from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import ArchRaise, InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import (
+    ArchRaise,
+    InsoleDesign,
+    Pelott,
+    Posting,
+    Shell,
+)
 from insole_core.insole.prescription.prescription_lines import correction_lines, plain_number
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob
@@ -228,6 +234,24 @@ def test_what_counts_as_the_name(name: str, text: str, holds: bool) -> None:
         return
     with pytest.raises(InputError, match="must not get"):
         require_nameless(Patient(name), {"text": text})
+
+
+def test_each_foot_is_ordered_in_the_material_of_its_prescription(
+    record: CaseRecord, tmp_path: Path
+) -> None:
+    left = record.feet[0]
+    shelled = replace(left.design, shell=Shell(), bottom="following")
+    record = record.with_foot(left.with_design(shelled))
+    choice = OrderChoice(both=True, material="Felt", pseudonym="26-7KQ4M")
+    for ordered, words in (
+        (choice, ("polypropylene", "Felt")),
+        (replace(choice, own_materials={Side.LEFT: "Carbon"}), ("Carbon", "Felt")),
+    ):
+        parts = make_parts(record, ordered, RULES)
+        write_order(parts, ordered, tmp_path / "o.stl", shop=SHOP, patient=PATIENT)
+        for side, word in zip(("left", "right"), words, strict=True):
+            (sheet,) = tmp_path.glob(f"o-{side}*.pdf")
+            assert re.search(rf"Material\n{word}", text_of_pdf(sheet))
 
 
 @pytest.fixture

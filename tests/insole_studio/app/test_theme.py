@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QCheckBox
+from PySide6.QtWidgets import QApplication, QCheckBox, QLabel
 from pytestqt.qtbot import QtBot
 
 from insole_studio.app.theme import DARK, LIGHT, Colors, apply_theme
@@ -66,6 +67,29 @@ def test_a_box_to_tick_is_seen(qapp: QApplication, qtbot: QtBot, dark: bool, tic
     apply_theme(qapp, dark=False)
     ground = (DARK if dark else LIGHT).window
     assert max(contrast(color, ground) for color in seen) >= GRAPHICS
+
+
+class StyledLabel(QLabel):
+    """Counts how often it is given a style."""
+
+    times = 0
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+        self.times += event.type() == QEvent.Type.StyleChange
+
+
+def test_only_another_theme_styles_the_window_anew(qapp: QApplication, qtbot: QtBot) -> None:
+    apply_theme(qapp, dark=False)
+    label = StyledLabel()
+    qtbot.addWidget(label)
+    label.show()
+    label.times = 0
+    apply_theme(qapp, dark=False)
+    assert label.times == 0
+    apply_theme(qapp, dark=True)
+    assert label.times > 0
+    apply_theme(qapp, dark=False)
+    assert label.palette().window().color().name() == LIGHT.window
 
 
 @SCHEMES

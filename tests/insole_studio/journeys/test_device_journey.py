@@ -180,6 +180,8 @@ def test_the_form_of_an_insole_is_kept_as_a_base(
     questions.typed = "Anna's arch"  # type: ignore[attr-defined]
     entry = next(a for a in view.more.menu().actions() if a.data() == "form")
     entry.trigger()
+    assert opened.jobs.is_running("form"), "the window does not wait for it"
+    settle()
     stored = clinic_forms(opened.services.paths.settings_folder).load()
     assert "anna-s-arch" in stored.own
     assert view.chosen == "form:anna-s-arch"
@@ -218,6 +220,9 @@ def test_posts_weight_and_thickness_of_a_shell(
     QTest.mouseClick(take, LEFT)
     settle()
     assert design(opened).thickness_mm == 4.8
+    for wrong in ("3", "400"):
+        type_number(opened, "shell.body_weight_kg", wrong)
+        assert shell(opened).body_weight_kg == 100.0, "what was known is kept"
     type_number(opened, "shell.body_weight_kg", "0")
     assert shell(opened).body_weight_kg is None
     assert opened.stage.preview.problem == ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,12 +15,24 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord, ScanSource, Variant
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation, Shell
-from insole_core.workflows.clinic_devices import AS_SCANNED, DEFAULT_DEVICE, clinic_devices
+from insole_core.insole.prescription.design import (
+    BaseForm,
+    Finish,
+    InsoleDesign,
+    RimStation,
+    Shell,
+)
+from insole_core.workflows.clinic_devices import (
+    AS_SCANNED,
+    DEFAULT_DEVICE,
+    clinic_devices,
+    clinic_forms,
+)
 from insole_core.workflows.default_device import DefaultDevice
 from insole_studio.app.bootstrap import Application
+from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
@@ -295,6 +308,79 @@ def test_a_slider_is_followed_and_is_one_step(
     assert not designed.stage.tool_controller.is_busy
 
 
+def with_form(app: Application, settle: Callable[[], None]) -> None:
+    """Put the insole on a base form, half of which is the foot's own sole."""
+    form = next(iter(clinic_forms(Path("none")).load().items.values()))
+    base = BaseForm(form=form, contact_share=0.5)
+    app.case.apply(replace(design(app), base=base), "Take a form")
+    settle()
+
+
+def heights(app: Application) -> Any:
+    mesh = app.stage.preview.mesh
+    assert mesh is not None
+    return mesh.vertices[:, 2].copy()
+
+
+@pytest.mark.parametrize(
+    ("key", "place"),
+    [("device.cup", 41), ("device.flange", 50), ("device.fill", 9), ("base.contact_share", 4)],
+)
+def test_the_picture_follows_a_slider_without_waiting_for_a_rebuild(
+    designed: Application, settle: Callable[[], None], key: str, place: int
+) -> None:
+    act(designed, "tool_orbit")
+    with_form(designed, settle)
+    field, before = slider(designed, key), heights(designed)
+    field.slider.setSliderDown(True)
+    for number in range(place - 2, place + 1):
+        field.slider.setValue(number)
+        assert not designed.services.jobs.is_running("insole"), "the drag has all the time"
+    preview = designed.stage.preview
+    followed = heights(designed)
+    assert np.abs(followed - before).max() > 0.4
+    assert not preview.is_current
+    field.slider.setSliderDown(False)
+    settle()
+    assert preview.is_current
+    assert np.abs(preview.heights_mm(np.array([[0.0, 60.0], [5.0, 120.0]]))).min() > 0
+    act(designed, "undo")
+    settle()
+    assert np.array_equal(heights(designed), before)
+
+
+def test_steps_of_the_fill_by_key_are_seen_at_once(
+    designed: Application, settle: Callable[[], None]
+) -> None:
+    act(designed, "tool_orbit")
+    fill, before = slider(designed, "device.fill"), heights(designed)
+    fill.number.setFocus()
+    for _ in range(4):
+        QTest.keyClick(fill.number, Qt.Key.Key_Up)
+    first = heights(designed)
+    assert np.abs(first - before).max() > 0.4
+    settle()
+    exact = heights(designed)
+    assert len(exact) != len(first) or np.abs(exact - first).max() < 1.0
+
+
+def test_the_picture_follows_the_toe_line(
+    designed: Application, settle: Callable[[], None]
+) -> None:
+    view, before = designed.stage.insole.scene, heights(designed)
+    handle = next(h for h in view.handles if h.name == "toe_line")
+    x, y = view.look.pixels_of(np.array(handle.position_mm))[0]
+    start = QPoint(round(x), round(y))
+    QTest.mousePress(view.surface, LEFT, pos=start)
+    for way in (10, 20, 30):
+        QTest.mouseMove(view.surface, start - QPoint(0, way))
+        assert not designed.services.jobs.is_running("insole")
+    assert np.abs(heights(designed) - before).max() > 0.2
+    QTest.mouseRelease(view.surface, LEFT, pos=start - QPoint(0, 30))
+    settle()
+    assert designed.stage.preview.is_current
+
+
 def test_escape_takes_a_slider_back(designed: Application) -> None:
     act(designed, "tool_orbit")
     fill, before = slider(designed, "device.fill"), design(designed)
@@ -344,6 +430,27 @@ def test_as_scanned_and_back_is_one_click_each(
     press("Design the rim")
     assert design(designed).finish == before.finish
     assert design(designed).device == before.device
+
+
+def test_each_variant_gets_its_own_device_back(
+    designed: Application, settle: Callable[[], None]
+) -> None:
+    first, record = finish(designed), designed.case.record.current
+    assert record is not None
+    other = replace(design(designed), finish=replace(first, toe_line_mm=first.toe_line_mm + 6.0))
+    designed.case.apply(record.with_variant(Variant("B", other)), "Add a variant")
+    settle()
+    act(designed, "toggle_as_scanned")
+    choose_variant(designed.case, record.chosen)
+    act(designed, "toggle_as_scanned")
+    settle()
+    assert design(designed).finish is None
+    act(designed, "toggle_as_scanned")
+    assert finish(designed) == first
+    choose_variant(designed.case, "B")
+    act(designed, "toggle_as_scanned")
+    assert finish(designed) == other.finish
+    settle()
 
 
 def entry(devices: DeviceActions, key: str) -> QAction:

@@ -132,3 +132,21 @@ def test_undo_and_export_are_the_windows_own(qtbot):
     QTest.keyClick(field, Qt.Key.Key_Z, control | shift)
     QTest.keyClick(field, Qt.Key.Key_E, control)
     assert asked == ["Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+E"]
+
+
+@pytest.mark.parametrize("text", ["3", "4,9", "0.5"])
+def test_a_number_too_small_to_be_known_is_refused_in_words(field: NumberField, text: str) -> None:
+    field.allow_unknown(5.0)
+    assert typed(field, text) == 6.0
+    said = field.refusal.text().replace(",", ".").replace("100.0 mm. or", "100.0 mm, or")
+    assert "put in 5.0 to 100.0 mm, or 0 if it is not known. It stays 6.0 mm." in said
+    assert typed(field, "5") == 5.0
+    assert typed(field, "0") == 0.0
+
+
+def test_steps_leap_from_unknown_to_the_least(field: NumberField) -> None:
+    field.allow_unknown(5.0)
+    field.show_value(5.0)
+    for key, value in ((Qt.Key.Key_Down, 0.0), (Qt.Key.Key_Up, 5.0), (Qt.Key.Key_Up, 5.5)):
+        QTest.keyClick(field, key)
+        assert field.value() == value

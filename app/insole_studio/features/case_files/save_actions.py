@@ -37,8 +37,21 @@ class SaveActions:
         self._recent = services.recent
 
     def save(self) -> None:
-        """Save to the file of the case; let the user choose one if there is none to write to."""
-        self._save()
+        """Save to the file of the case; let the user choose one if there is none to write to.
+
+        A visit of the clinic's record saves itself: it is kept as a version, for a reason.
+        """
+        if self._services.keeper.is_keeping:
+            self._ask_reason()
+        else:
+            self._save()
+
+    def _ask_reason(self) -> None:
+        reason = self._messages.questions.text(
+            tr("Keep this version"), tr("Why is it kept? The next change begins a new version."), ""
+        )
+        if reason is not None:
+            self._services.keeper.keep_version(reason.strip() or tr("Kept"))
 
     def ask_save(self, then: Then = _nothing) -> None:
         """Let the user choose a file, save, and then call `then`."""
@@ -64,6 +77,11 @@ class SaveActions:
             return self._guard.write(record, path, known)
 
         def saved(state: FileState) -> None:
+            if self._services.keeper.is_keeping:
+                state.lock.release()  # a copy to send: the case stays the visit of the record
+                self._messages.say(tr("A copy was written: {name}").format(name=path.name))
+                then()
+                return
             self._guard.hold(state.lock)
             self._case.mark_saved(record, path, state.digest)
             self._recent.remember(path)
@@ -98,6 +116,9 @@ class SaveActions:
 
     def after_unsaved(self, then: Then) -> None:
         """Call `then` once no unsaved work can be lost."""
+        if self._services.keeper.is_keeping:
+            self._services.keeper.leave(then)
+            return
         if not self._case.has_unsaved_changes or self._case.is_empty:
             then()
             return

@@ -46,7 +46,8 @@ class CorrectionRow:
 class FieldSpec:
     """One editable number; `tip` says what it does.
 
-    With a `slider`, the value can also be dragged, from `least` to `greatest`.
+    With a `slider`, the value can also be dragged, from `least` to `greatest`. With `least_known`,
+    it is 0 if it is unknown, and otherwise at least that.
     """
 
     key: str
@@ -59,6 +60,7 @@ class FieldSpec:
     decimals: int = 1
     tip: str = ""
     slider: bool = False
+    least_known: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from insole_studio.features.design.models.model_presenter import (
     FootPresenter,
     InsolePresenter,
     ModelPresenter,
+    ShownModels,
 )
 from insole_studio.features.design.models.rear_lines import rear_lines
 from insole_studio.features.design.models.rim_presenter import RimPresenter
@@ -75,17 +76,42 @@ class DesignStage(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
+        shown = ShownModels(case, surface, section, tool_controller, counterpart)
         self._case = case
         self.preview = surface
         self.tool_controller = self._tool_controller = tool_controller
+        self.counterpart = self._counterpart = counterpart
         self.pads = pads
         self.rules = rules
+        self.rim_model = rim
+        self.materials = MaterialModel()
         self._cut = section
         self._was_asked = False, False
         """Whether the section followed the pointer, and whether its tool was taken."""
-        self.rim_model = rim
-        self.materials = MaterialModel()
+        self._shown_beside = Beside.NOTHING
         self.linked = True
+        self._before_posting: dict[Subject, ViewCamera] = {}
+        self._fit_when_shown = False
+        self._keeps_focus = False
+        """Whether the focus stays where the user is typing when a foot arrives."""
+        self._fitted: dict[Subject, ViewCamera] = {}
+        """The cameras set by `look` until the user moves one: they adapt to the views' size."""
+        self._make_panels(dark)
+        self.foot_presenter = FootPresenter(self.foot, shown, foot_display)
+        self.insole_presenter = InsolePresenter(self.insole, shown)
+        self._presenters: dict[Subject, tuple[ModelView, ModelPresenter]] = {
+            Subject.FOOT: (self.foot, self.foot_presenter),
+            Subject.INSOLE: (self.insole, self.insole_presenter),
+        }
+        self._present_panels(shown)
+        self.section_follower = SectionFollower(section, tool_controller, self)
+        for view, presenter in self._presenters.values():
+            self._connect(view, presenter)
+            rim.selection_changed.connect(presenter.show_marks)
+        self._follow_changes(surface, section, rim)
+
+    def _make_panels(self, dark: bool) -> None:
+        """Construct the panels, and pass on what they ask for."""
         self.steps = StepStrip()
         self.patient = PatientView()
         self.patient.action_requested.connect(self.action_requested)
@@ -96,44 +122,28 @@ class DesignStage(QObject):
         self.rim = RimChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
-        self.foot_presenter = FootPresenter(
-            self.foot,
-            case=case,
-            surface=surface,
-            section=section,
-            tool_controller=tool_controller,
-            counterpart=counterpart,
-            display=foot_display,
-        )
-        self.insole_presenter = InsolePresenter(
-            self.insole,
-            case=case,
-            surface=surface,
-            section=section,
-            tool_controller=tool_controller,
-            counterpart=counterpart,
-        )
-        self._presenters: dict[Subject, tuple[ModelView, ModelPresenter]] = {
-            Subject.FOOT: (self.foot, self.foot_presenter),
-            Subject.INSOLE: (self.insole, self.insole_presenter),
-        }
+        self.insole.listed_chosen.connect(self.recent_chosen)
+
+    def _present_panels(self, shown: ShownModels) -> None:
+        """Construct the presenters of the panels beside the views."""
+        case, surface, tools = shown.case, shown.surface, shown.tool_controller
         self._patient_presenter = PatientPresenter(self.patient, case)
         self._warnings_presenter = WarningsPresenter(
             self.patient,
             case=case,
             surface=surface,
-            tool_controller=tool_controller,
-            rules=rules,
+            tool_controller=tools,
+            rules=self.rules,
             materials=self.materials,
             look_at=self.look_at,
         )
         self._parameters_presenter = ParametersPresenter(
             self.parameters,
             case,
-            tool_controller,
-            pads,
-            rules,
-            rim=rim,
+            tools,
+            self.pads,
+            self.rules,
+            rim=self.rim_model,
             materials=self.materials,
             request_action=self.action_requested.emit,
         )
@@ -141,28 +151,12 @@ class DesignStage(QObject):
             self.section,
             case=case,
             surface=surface,
-            section=section,
-            tool_controller=tool_controller,
+            section=shown.section,
+            tool_controller=tools,
         )
         self._rim_presenter = RimPresenter(
-            self.rim, case=case, rim=rim, tool_controller=tool_controller
+            self.rim, case=case, rim=self.rim_model, tool_controller=tools
         )
-        for view, presenter in self._presenters.values():
-            self._connect(view, presenter)
-            rim.selection_changed.connect(presenter.show_marks)
-        self.insole.listed_chosen.connect(self.recent_chosen)
-        self.section_follower = SectionFollower(section, tool_controller, self)
-        self._before_posting: dict[Subject, ViewCamera] = {}
-        self._fit_when_shown = False
-        self._keeps_focus = False
-        """Whether the focus stays where the user is typing when a foot arrives."""
-        self._fitted: dict[Subject, ViewCamera] = {}
-        """The cameras set by `look` until the user moves one: they adapt to the views' size."""
-        self.counterpart = self._counterpart = counterpart
-        self._shown_beside = Beside.NOTHING
-        counterpart.changed.connect(self._fit_counterpart)
-        counterpart.failed.connect(self.insole.show_warning)
-        self._follow_changes(surface, section, rim)
 
     def _follow_changes(self, surface: InsolePreview, section: SectionModel, rim: RimModel) -> None:
         """Update what the stage itself shows, besides its panels."""
@@ -170,6 +164,8 @@ class DesignStage(QObject):
         case.leaving.connect(self._note_typing)
         case.opened.connect(self._fit_later)
         surface.changed.connect(self._fit_insole_once)
+        self._counterpart.changed.connect(self._fit_counterpart)
+        self._counterpart.failed.connect(self.insole.show_warning)
         for signal in (case.selection_changed, case.preview_changed, rim.selection_changed):
             signal.connect(self._show_hint)
         for signal in (tool_changed, case.changed):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import cast
 
 from PySide6.QtCore import QSignalBlocker, Signal
@@ -19,10 +20,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.geometry.side import Side
 from insole_core.solids.marking import Relief
 from insole_core.solids.shop import Block
 from insole_core.solids.solid import Kind
 from insole_core.workflows.make_order import OrderChoice
+from insole_studio.features.export.rows import OrderedFoot
 from insole_studio.texts import localised, tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
@@ -40,10 +43,42 @@ class Stock:
     materials: Sequence[str]
 
 
+class MaterialField(QComboBox):
+    """A material: one that the shop has, in the language of the window, or what is typed."""
+
+    edited = Signal(str)
+
+    def __init__(self, materials: Sequence[str]) -> None:
+        super().__init__()
+        self.setEditable(True)
+        for material in ("", *materials):
+            self.addItem(_capitalised(translate_core_message(material)), material)
+        self.currentTextChanged.connect(self._pass_on)
+
+    def show_material(self, material: str) -> None:
+        """Show a material; what is being typed is kept."""
+        if material != self.material():
+            with QSignalBlocker(self):
+                if self.findData(material) < 0:
+                    self.addItem(_capitalised(translate_core_message(material)), material)
+                self.setCurrentText(self.itemText(self.findData(material)))
+
+    def material(self) -> str:
+        """Return the material: the shop's own word for one that it has, or what is typed."""
+        text = self.currentText().strip()
+        index = self.findText(text)
+        return text if index < 0 else str(self.itemData(index))
+
+    def _pass_on(self) -> None:
+        self.edited.emit(self.material())
+
+
 class OrderForm(QWidget):
     """Shows an `OrderChoice`, and emits a new one when a field is edited."""
 
     edited = Signal(object)
+    material_edited = Signal(object, str)
+    """Emitted with a side, and the material that its insole is to be made of."""
     blocks_requested = Signal()
     responsible_requested = Signal()
 
@@ -65,10 +100,11 @@ class OrderForm(QWidget):
         self.draft = NumberField("°", least=-15, greatest=30, step=0.5)
         self.chamfer = NumberField("mm", least=0, greatest=10, step=0.5)
         self.cutter = NumberField("mm", least=1, greatest=40, step=0.5)
-        self.material = QComboBox()
-        self.material.setEditable(True)
-        for material in ("", *stock.materials):
-            self.material.addItem(translate_core_message(material), material)
+        self.walls = QLabel()
+        self.walls.setObjectName("quiet")
+        self.walls.setWordWrap(True)
+        self.walls.setToolTip(tr("Draft and chamfer as the shell of the prescription has them"))
+        self.materials = {side: MaterialField(stock.materials) for side in Side}
         self.format = ComboBox(
             [
                 (".stl", "STL"), (_TEXT, tr("STL as text")), (".3mf", "3MF"), (".obj", "OBJ"),
@@ -132,14 +168,33 @@ class OrderForm(QWidget):
                     line.setText(text)
             if self.text.toPlainText() != choice.text:
                 self.text.setPlainText(choice.text)
-            self._show_material(choice.material)
         self.both.setVisible(has_pair)
         self.layered.setVisible(choice.suffix == ".3mf" and choice.kind == "insole")
         self._form.setRowVisible(self.text, choice.relief is not None)
         for field in (self.triangles, self.deviation):
             self._form.setRowVisible(field, choice.most_triangles is not None)
-        self._form.setRowVisible(self.draft, choice.kind != "block")
-        self._form.setRowVisible(self.chamfer, choice.kind == "insole")
+
+    def show_feet(self, feet: Sequence[OrderedFoot]) -> None:
+        """Show the material of each foot that is made, and whose shell sets the walls."""
+        by_side = {foot.side: foot for foot in feet}
+        for side, field in self.materials.items():
+            self._form.setRowVisible(field, side in by_side)
+            if side in by_side:
+                field.show_material(by_side[side].material)
+            label = self._form.labelForField(field)
+            assert isinstance(label, QLabel)
+            label.setText(_MATERIAL_OF[side]() if len(feet) > 1 else tr("Material"))
+        shells = [foot for foot in feet if foot.walls]
+        self.walls.setText(
+            "\n".join(_of_side(foot.walls, foot.side) for foot in shells)
+            if len(feet) > 1
+            else "".join(foot.walls for foot in shells)
+        )
+        own = not feet or len(shells) < len(feet)  # else nothing is left that the order sets
+        kind = self._choice.kind
+        self._form.setRowVisible(self.walls, bool(shells))
+        self._form.setRowVisible(self.draft, own and kind != "block")
+        self._form.setRowVisible(self.chamfer, own and kind == "insole")
 
     def show_cutter(self, diameter_mm: float) -> None:
         """Show the diameter of the cutter whose reach into hollows is checked."""
@@ -161,7 +216,8 @@ class OrderForm(QWidget):
             relief=cast("Relief | None", self.relief.currentData() or None),
             pseudonym=self.pseudonym.text().strip(),
             text=self.text.toPlainText(),
-            material=self._material(),
+            material=self._choice.material,
+            own_materials=self._choice.own_materials,
             block=self._blocks.get(self.block.currentData()),
             job_sheet=self.job_sheet.isChecked(),
             prescription=self.prescription.isChecked(),
@@ -195,7 +251,8 @@ class OrderForm(QWidget):
             (tr("Piece"), self.kind), ("", self.both), (tr("Block"), self.block),
             ("", self.own_blocks),
             (tr("Cutter ⌀"), self.cutter), (tr("Draft"), self.draft),
-            (tr("Chamfer"), self.chamfer), (tr("Material"), self.material),
+            (tr("Chamfer"), self.chamfer), (tr("Walls"), self.walls),
+            *((tr("Material"), field) for field in self.materials.values()),
             (tr("Format"), self.format), ("", self.layered), ("", self.limited),
             (tr("At most"), self.triangles), (tr("Deviation"), self.deviation),
             (tr("Pseudonym"), self.pseudonym), (tr("On the bottom"), self.relief),
@@ -220,19 +277,10 @@ class OrderForm(QWidget):
             field.edited.connect(self._pass_on)
         for box, _ in self._boxes(self._choice):
             box.toggled.connect(self._pass_on)
-        self.material.currentTextChanged.connect(self._pass_on)
+        for side, material in self.materials.items():
+            material.edited.connect(partial(self.material_edited.emit, side))
         self.pseudonym.textEdited.connect(self._pass_on)
         self.text.textChanged.connect(self._pass_on)
-
-    def _show_material(self, material: str) -> None:
-        index = self.material.findData(material)
-        self.material.setCurrentText(material if index < 0 else self.material.itemText(index))
-
-    def _material(self) -> str:
-        """Return the material: the shop's own word for one that it has, or what is typed."""
-        text = self.material.currentText().strip()
-        index = self.material.findText(text)
-        return text if index < 0 else str(self.material.itemData(index))
 
     def _pass_on(self) -> None:
         if self.signalsBlocked():
@@ -246,3 +294,17 @@ class OrderForm(QWidget):
 def _text(block: Block) -> str:
     name = translate_core_message(block.name)
     return f"{name}, " + " × ".join(localised(length, "g") for length in block.size_mm)
+
+
+_MATERIAL_OF = {
+    Side.LEFT: lambda: tr("Material, left"),
+    Side.RIGHT: lambda: tr("Material, right"),
+}
+
+
+def _of_side(text: str, side: Side) -> str:
+    return (tr("Left: {text}") if side is Side.LEFT else tr("Right: {text}")).format(text=text)
+
+
+def _capitalised(text: str) -> str:
+    return text[:1].upper() + text[1:]

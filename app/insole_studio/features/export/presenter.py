@@ -13,6 +13,7 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.solid_file import merged
+from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override, worst_findings
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
@@ -28,6 +29,7 @@ from insole_core.workflows.make_order import (
     OrderChoice,
     block_edges,
     both_prescribed,
+    feet_of,
     files_of,
     make_parts,
     word_of,
@@ -40,6 +42,7 @@ from insole_studio.features.export.rows import (
     Buttons,
     check_row,
     notes_of,
+    ordered_foot,
     patient_text,
     sentence_of,
     side_text,
@@ -142,6 +145,7 @@ class ExportPresenter:
         self._complaint = ""
         """Why the clinic's rules could not be read."""
         panel.choice_edited.connect(self.edit_choice)
+        panel.material_edited.connect(self.edit_material)
         panel.blocks_requested.connect(self.edit_blocks)
         panel.responsible_requested.connect(asker.ask_responsible)
         panel.cutter_edited.connect(self.edit_cutter)
@@ -178,9 +182,18 @@ class ExportPresenter:
         alike = choice.makes_alike(self._choice)
         self._choice = choice
         if alike and not self._problem:
-            self._panel.show_choice(choice, self._has_pair)
+            self._show_order()
         else:
             self.remake()
+
+    def edit_material(self, side: Side, material: str) -> None:
+        """Set what a foot's insole is made of; another foot without a material gets it too."""
+        foot = self._record.of_side(side)
+        own = {**self._choice.own_materials, side: material}
+        choice = replace(self._choice, own_materials=own)
+        if foot is not None and foot.design.shell is None:
+            choice = replace(choice, material=material)
+        self.edit_choice(choice)
 
     def edit_blocks(self) -> None:
         """Let the user edit the clinic's own blocks; one that is new is chosen."""
@@ -225,7 +238,7 @@ class ExportPresenter:
         """Make and check the order in the background."""
         self._record, self._problem = self._case.record, ""
         self._panel.show_patient(patient_text(self._record.patient))
-        self._panel.show_choice(self._choice, self._has_pair)
+        self._show_order()
         self._panel.show_cutter(self._rules.cutter_diameter_mm)
         if self._record.current is None:
             self._take(())
@@ -314,7 +327,7 @@ class ExportPresenter:
         if patient != self._case.record.patient:
             self._case.apply(patient, tr("Note the order number"))
             self._choice = replace(self._choice, pseudonym=pseudonym)
-            self._panel.show_choice(self._choice, self._has_pair)
+            self._show_order()
         return self._case.record if is_current else record
 
     def _remember(self, choice: OrderChoice) -> None:
@@ -361,6 +374,7 @@ class ExportPresenter:
             both=both_prescribed(record),
             pseudonym=record.patient.pseudonym,
             text="",
+            own_materials={},
         )
 
     def _follow(self) -> None:
@@ -369,8 +383,19 @@ class ExportPresenter:
         if record.feet is before.feet and record.at_hand is before.at_hand:
             self._record = record
             self._panel.show_patient(patient_text(record.patient))
-        else:
-            self.remake()
+            return
+        own = {
+            side: material
+            for side, material in self._choice.own_materials.items()
+            if _prescribed_material(record, side) == _prescribed_material(before, side)
+        }
+        self._choice = replace(self._choice, own_materials=own)
+        self.remake()
+
+    def _show_order(self) -> None:
+        self._panel.show_choice(self._choice, self._has_pair)
+        feet = feet_of(self._record, self._choice)
+        self._panel.show_feet([ordered_foot(self._choice, foot.design) for foot in feet])
 
     @property
     def _has_pair(self) -> bool:
@@ -514,3 +539,9 @@ class ExportPresenter:
                 reason=self._blocked,
             )
         )
+
+
+def _prescribed_material(record: CaseRecord, side: Side) -> str:
+    foot = record.of_side(side)
+    shell = None if foot is None else foot.design.shell
+    return "" if shell is None else shell.material

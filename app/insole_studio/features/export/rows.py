@@ -9,11 +9,13 @@ from enum import StrEnum
 from insole_core.cases.case_record import Patient
 from insole_core.export.lettering import missing_letters
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.checks import Finding
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 from insole_core.solids.nesting import Nest
 from insole_core.solids.order import CHECKS_OF, Part
 from insole_core.solids.solid import Kind
+from insole_core.workflows.make_order import OrderChoice, ordered_material
 from insole_studio.texts import fill, tr
 
 
@@ -56,6 +58,24 @@ class Buttons:
     export: bool = False
     cancel: bool = False
     reason: bool = False
+
+
+@dataclass(frozen=True)
+class OrderedFoot:
+    """What an order makes of one foot.
+
+    Parameters
+    ----------
+    material
+        As the shop calls it; empty if nobody has named one.
+    walls
+        Draft and chamfer in words where the prescription's shell sets them; empty where the order
+        does.
+    """
+
+    side: Side
+    material: str
+    walls: str = ""
 
 
 TITLES: dict[CheckName, Callable[[], str]] = {
@@ -184,3 +204,17 @@ def patient_text(patient: Patient) -> str:
         tr("visit {date}").format(date=patient.visit) if patient.visit else "",
     )
     return "  ·  ".join(word for word in words if word)
+
+
+def ordered_foot(choice: OrderChoice, design: InsoleDesign) -> OrderedFoot:
+    """Return what an order makes of the foot of a design."""
+    material, shell = ordered_material(choice, design), design.shell
+    if shell is None or choice.kind != "insole":
+        return OrderedFoot(design.side, material)
+    medial, lateral = shell.draft_medial_deg, shell.draft_lateral_deg
+    both = tr("draft {medial:g}° medial, {lateral:g}° lateral")
+    draft = fill(both, medial=medial, lateral=lateral)
+    if medial == lateral:
+        draft = fill(tr("draft {degrees:g}°"), degrees=medial)
+    chamfer = fill(tr("chamfer {mm:g} mm"), mm=shell.chamfer_mm)
+    return OrderedFoot(design.side, material, f"{draft}, {chamfer}")

@@ -25,7 +25,7 @@ from insole_core.solids.shop import Block
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.features.export.check_list import CheckList
 from insole_studio.features.export.order_form import OrderForm, Stock
-from insole_studio.features.export.rows import Buttons, CheckRow
+from insole_studio.features.export.rows import Buttons, CheckRow, OrderedFoot
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
@@ -39,6 +39,7 @@ class ExportView(QWidget):
     """The export panel; emits the user's intents."""
 
     choice_edited = Signal(object)
+    material_edited = Signal(object, str)
     blocks_requested = Signal()
     responsible_requested = Signal()
     cutter_edited = Signal(float)
@@ -53,6 +54,7 @@ class ExportView(QWidget):
         super().__init__(parent)
         self.form = OrderForm(stock)
         self.form.edited.connect(self.choice_edited)
+        self.form.material_edited.connect(self.material_edited)
         self.form.blocks_requested.connect(self.blocks_requested)
         self.form.responsible_requested.connect(self.responsible_requested)
         self.form.cutter.edited.connect(self.cutter_edited)
@@ -95,6 +97,10 @@ class ExportView(QWidget):
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
         """Show an order; `has_pair` tells whether both feet can be made."""
         self.form.show_choice(choice, has_pair)
+
+    def show_feet(self, feet: Sequence[OrderedFoot]) -> None:
+        """Show the material of each foot that is made, and whose shell sets the walls."""
+        self.form.show_feet(feet)
 
     def show_blocks(self, blocks: Sequence[Block]) -> None:
         """Offer blocks."""

@@ -8,10 +8,11 @@ down_revision = None
 
 _FIXED = (
     "id", "visit_id", "side", "number", "document", "mesh_sha256", "capture_id", "author",
-    "station", "reason", "program_version", "created_at", "changed_at", "revision", "is_closed",
+    "station", "reason", "program_version", "created_at", "changed_at", "is_closed",
 )  # fmt: skip
 """What a closed version keeps for good; a signature may still be added, once."""
 _CHANGED = "a closed or signed prescription cannot be changed"
+_CHANNEL = "insole_studio_records"
 _APPENDED = "the audit log is only appended to"
 
 
@@ -65,12 +66,17 @@ def _make_triggers_of_sqlite() -> None:
 
 def _make_triggers_of_postgresql() -> None:
     distinct = "IS DISTINCT FROM"
+    op.execute(
+        "CREATE FUNCTION tell_audit_line() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN "
+        f"PERFORM pg_notify('{_CHANNEL}', NEW.seq::text); RETURN NULL; END $$"
+    )
     _make_function("refuse_audit_change", "true", _APPENDED)
     _make_function("check_audit_head", "NEW.id <> OLD.id OR NEW.seq <= OLD.seq", _APPENDED)
     _make_function("check_version_update", _is_changed(distinct), _CHANGED)
     _make_function("check_version_delete", _is_kept(), _CHANGED, "OLD")
     for name, when, function in (
         ("audit_change", "BEFORE UPDATE OR DELETE ON audit FOR EACH ROW", "refuse_audit_change"),
+        ("audit_line", "AFTER INSERT ON audit FOR EACH ROW", "tell_audit_line"),
         ("audit_truncate", "BEFORE TRUNCATE ON audit", "refuse_audit_change"),
         ("audit_head_delete", "BEFORE DELETE ON audit_head FOR EACH ROW", "refuse_audit_change"),
         ("audit_head_update", "BEFORE UPDATE ON audit_head FOR EACH ROW", "check_audit_head"),
@@ -219,9 +225,11 @@ def _make_tables() -> None:
         "captures",
         sa.Column("id", sa.Text(), nullable=False),
         sa.Column("visit_id", sa.Text(), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=False),
         sa.Column("kind", sa.Text(), nullable=False),
         sa.Column("file_name", sa.Text(), nullable=False),
         sa.Column("content_sha256", sa.Text(), nullable=False),
+        sa.Column("source_sha256", sa.Text(), server_default="", nullable=False),
         sa.Column("recorded_at", sa.Text(), server_default="", nullable=False),
         sa.Column("sensor_serials", sa.Text(), server_default="[]", nullable=False),
         sa.Column("calibrated_on", sa.Text(), server_default="", nullable=False),
@@ -235,11 +243,11 @@ def _make_tables() -> None:
         ),
         sa.ForeignKeyConstraint(["visit_id"], ["visits.id"], name=op.f("fk_captures_visit_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_captures")),
+        sa.UniqueConstraint("visit_id", "number", name=op.f("uq_captures_visit_id_number")),
     )
     op.create_index(
         op.f("ix_captures_content_sha256"), "captures", ["content_sha256"], unique=False
     )
-    op.create_index(op.f("ix_captures_visit_id"), "captures", ["visit_id"], unique=False)
     op.create_table(
         "orders",
         sa.Column("id", sa.Text(), nullable=False),
@@ -278,7 +286,7 @@ def _make_tables() -> None:
         sa.Column("order_id", sa.Text(), nullable=True),
         sa.Column("visit_id", sa.Text(), nullable=True),
         sa.Column("on_date", sa.Date(), nullable=False),
-        sa.Column("outcome", sa.Text(), nullable=False),
+        sa.Column("outcome", sa.Text(), server_default="", nullable=False),
         sa.Column("notes", sa.Text(), server_default="", nullable=False),
         sa.Column("author", sa.Text(), nullable=False),
         sa.Column("created_at", sa.Text(), nullable=False),

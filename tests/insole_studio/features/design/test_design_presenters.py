@@ -32,7 +32,11 @@ from insole_studio.document.material_model import MaterialModel
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.document.side_by_side import SideBySide
-from insole_studio.features.design.models.model_presenter import FootPresenter, InsolePresenter
+from insole_studio.features.design.models.model_presenter import (
+    FootPresenter,
+    InsolePresenter,
+    ShownModels,
+)
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.warnings_presenter import WarningsPresenter
@@ -390,7 +394,7 @@ class TestModels:
     def test_no_foot_offers_what_comes_next(
         self, view: Any, facts: dict[str, Any], display: FootDisplay
     ) -> None:
-        FootPresenter(view, display=display, **facts).show_all()
+        FootPresenter(view, ShownModels(**facts), display).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
         assert list(offers) == ["capture", "open_session", "open_mesh", "open_example"]
@@ -407,7 +411,7 @@ class TestModels:
         qtbot: QtBot,
         side: Side,
     ) -> None:
-        presenter = FootPresenter(view, display=display, **facts)
+        presenter = FootPresenter(view, ShownModels(**facts), display)
         foot = replace(make_foot(side))  # whose surface for display is not known yet
         case.open_foot(foot, NOWHERE)
         assert view.shown["show_mesh"] == (foot.mesh, None)
@@ -426,7 +430,7 @@ class TestModels:
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        presenter = InsolePresenter(view, **facts)
+        presenter = InsolePresenter(view, ShownModels(**facts))
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         before = surface.height_mm(0.0, 150.0)

@@ -6,16 +6,18 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 import trimesh
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from read_pdf import text_of_pdf
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign, Shell
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
@@ -24,7 +26,7 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import OrderForm, Stock
-from insole_studio.features.export.rows import CheckState
+from insole_studio.features.export.rows import CheckState, OrderedFoot
 from insole_studio.features.export.stage import ExportStage
 from insole_studio.texts import load_language
 
@@ -363,9 +365,51 @@ def test_the_order_names_a_material_as_the_shop_does_in_every_language(
         blocks = [form.block.itemText(index) for index in range(form.block.count())]
         assert "EVA par, 340 × 260 × 40" in blocks
         for typed, ordered in (("Kork och EVA", "Cork and EVA"), ("Filt", "Filt"), ("", "")):
-            form.material.setEditText(typed)
-            assert form.choice().material == ordered
-        form.show_choice(OrderChoice(material="Cork and EVA"), has_pair=False)
-        assert form.material.currentText() == "Kork och EVA"
+            form.materials[Side.LEFT].setEditText(typed)
+            assert form.materials[Side.LEFT].material() == ordered
+        form.show_choice(OrderChoice(), has_pair=False)
+        form.show_feet([OrderedFoot(Side.LEFT, "polypropylene")])
+        assert form.materials[Side.LEFT].currentText() == "Polypropen"
+        assert form.materials[Side.LEFT].material() == "polypropylene"
     finally:
         load_language(qapp, "en")
+
+
+def shelled(design: InsoleDesign, **values: Any) -> InsoleDesign:
+    return replace(design, shell=Shell(**values), bottom="following")
+
+
+def test_the_material_is_that_of_the_design_until_it_is_changed(
+    stage: ExportStage, case: Case, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    assert case.record.design is not None
+    field = stage.view.form.materials[case.record.design.side]
+    field.setEditText("Felt")
+    assert field.currentText() == "Felt"
+    case.apply(shelled(case.record.design), "Shell")
+    settle()
+    assert field.currentText() == "Polypropylene"
+    field.setEditText("Carbon")
+    order(stage, job_sheet=True)
+    stage.presenter.export_to(tmp_path / "insole.stl")
+    settle()
+    (sheet,) = tmp_path.glob("*.pdf")
+    assert "Carbon" in text_of_pdf(sheet)
+
+
+def test_walls_are_shown_where_they_are_set(
+    stage: ExportStage, case: Case, settle: Callable[[], None]
+) -> None:
+    form = stage.view.form
+    assert case.record.design is not None
+    assert form.draft.isVisible()
+    assert not form.walls.isVisible()
+    case.apply(shelled(case.record.design, draft_lateral_deg=5.0, chamfer_mm=1.0), "Shell")
+    settle()
+    assert not form.draft.isVisible()
+    assert not form.chamfer.isVisible()
+    assert form.walls.text() == "draft 0° medial, 5° lateral, chamfer 1 mm"
+    order(stage, kind="positive")
+    settle()
+    assert form.draft.isVisible(), "a mould has the walls of the order"
+    assert not form.walls.isVisible()

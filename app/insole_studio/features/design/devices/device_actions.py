@@ -44,6 +44,7 @@ from insole_studio.services.file_kinds import DEVICE_SUFFIX, device_kinds
 from insole_studio.services.last_folders import Kept
 from insole_studio.texts import tr, translate_core_message
 
+CHANNEL = "form"
 _UNREADABLE = "unreadable devices"
 
 
@@ -86,8 +87,8 @@ class DeviceActions:
         self.table = MaterialActions(services, materials)
         self._view: DevicesView | None = None
         self._presenter: DevicesPresenter | None = None
-        self._designed: dict[Side, InsoleDesign] = {}
-        """The design of each foot before it was last shown as scanned."""
+        self._designed: dict[tuple[Side, str], InsoleDesign] = {}
+        """The design of each foot's variants before it was last shown as scanned."""
         services.case.closing.connect(self._forget)
 
     @property
@@ -110,19 +111,20 @@ class DeviceActions:
 
     def toggle_as_scanned(self) -> None:
         """Change between the imprint of the foot and the device that was designed last."""
-        design = self._case.record.design
-        if design is None:
+        foot = self._case.record.current
+        if foot is None:
             return
+        design, variant = foot.design, (foot.side, foot.chosen)
         devices = self._devices.load().items
         if design.finish is None:
-            before = self._designed.get(design.side)
+            before = self._designed.get(variant)
             device = devices[key_of(self._default)]
             if device.values.finish is None:
                 device = find_device(devices, DEFAULT_DEVICE)
             changed = apply_device(device, design) if before is None else _again(before, design)
             self._case.apply(self._with_table(changed), tr("Design the rim"))
         else:
-            self._designed[design.side] = design
+            self._designed[variant] = design
             changed = apply_device(find_device(devices, AS_SCANNED), design)
             self._case.apply(changed, tr("As scanned"))
 
@@ -173,7 +175,11 @@ class DeviceActions:
             tr("Keep this insole's form as a base"), tr("Name of the form"), design.device
         )
         if asked is not None:
-            self._store(self._forms, form_of(insole, asked), "form")
+            self._services.run(
+                CHANNEL,
+                lambda _progress: form_of(insole, asked),
+                lambda form: self._store(self._forms, form, "form"),
+            )
 
     def _store(self, files: NamedFiles[Item], item: Item, kind: str) -> None:
         """Store a device or form of the clinic, unless one of its name is to be kept."""

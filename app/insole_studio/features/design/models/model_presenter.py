@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +18,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.outline.shoe_outline import heel_lift_mm, shoe_outline
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.surface.rocker import rocker_line
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
@@ -45,6 +46,7 @@ from insole_studio.features.design.tools.editable_pads import selected_pelott, s
 from insole_studio.features.design.tools.key_point_tool import confidence, point_text, shown_points
 from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearance
 from insole_studio.features.design.tools.outline_tool import curve_of
+from insole_studio.features.design.tools.rocker_line import selected_rocker
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring, on_display
@@ -60,38 +62,44 @@ SECTION_POINTS = 192
 _NOTHING = (object(),) * 8
 
 
+@dataclass(frozen=True, eq=False)
+class ShownModels:
+    """What the 3-D panels show, and what a pointer in them acts on."""
+
+    case: Case
+    surface: InsolePreview
+    section: SectionModel
+    tool_controller: ToolController
+    counterpart: SideBySide
+
+
 class ModelPresenter:
     """Keeps one panel in step with case, preview and tool; passes pointer events to the tool."""
 
     subject: Subject
 
-    def __init__(
-        self,
-        panel: ModelPanel,
-        *,
-        case: Case,
-        surface: InsolePreview,
-        section: SectionModel,
-        tool_controller: ToolController,
-        counterpart: SideBySide,
-    ) -> None:
+    def __init__(self, panel: ModelPanel, shown: ShownModels) -> None:
         self.panel = panel
-        self._counterpart = counterpart
-        self._case = case
-        self._surface = surface
-        self._section = section
-        self._tool_controller = tool_controller
+        self._counterpart = shown.counterpart
+        self._case = shown.case
+        self._surface = shown.surface
+        self._section = shown.section
+        self._tool_controller = shown.tool_controller
         self._marked: tuple[object, ...] = _NOTHING
         """State for which the marks were last drawn; several signals may report one change."""
+        self._follow(shown)
+
+    def _follow(self, shown: ShownModels) -> None:
+        """Show what changes, when it changes."""
+        case, tools = shown.case, shown.tool_controller
         case.foot_changed.connect(self.show_all)
-        case.changed.connect(self.show_marks)
-        case.preview_changed.connect(self.show_marks)
-        case.selection_changed.connect(self.show_marks)
-        tool_controller.tool_changed.connect(self.show_marks)
-        surface.changed.connect(self.show_surface)
-        section.changed.connect(self._show_section)
-        tool_controller.gesture_ended.connect(self.rest)
-        counterpart.changed.connect(self.show_counterpart)
+        for signal in (case.changed, case.preview_changed, case.selection_changed):
+            signal.connect(self.show_marks)
+        tools.tool_changed.connect(self.show_marks)
+        shown.surface.changed.connect(self.show_surface)
+        shown.section.changed.connect(self._show_section)
+        tools.gesture_ended.connect(self.rest)
+        shown.counterpart.changed.connect(self.show_counterpart)
 
     @property
     def side(self) -> Side:
@@ -323,6 +331,9 @@ class ModelPresenter:
                 lines[False].append(self._outline(pad))
         if selected is not None and selected.enabled:
             lines[True].append(self._outline(selected))
+        rocker, foot = selected_rocker(self._case), self._case.foot
+        if rocker is not None and foot is not None and self._tool_controller.tool.key == "orbit":
+            lines[True].append(self.places(_between(*rocker_line(foot, rocker))))
         if self._tool_controller.tool.key in ("outline", "rim"):
             lines[True] = [self._insole_outline()]
         return lines[False], lines[True]
@@ -348,25 +359,8 @@ class FootPresenter(ModelPresenter):
     _ghost = False
     """Whether the insole is shown translucently below the foot."""
 
-    def __init__(
-        self,
-        panel: ModelPanel,
-        *,
-        case: Case,
-        surface: InsolePreview,
-        section: SectionModel,
-        tool_controller: ToolController,
-        counterpart: SideBySide,
-        display: FootDisplay,
-    ) -> None:
-        super().__init__(
-            panel,
-            case=case,
-            surface=surface,
-            section=section,
-            tool_controller=tool_controller,
-            counterpart=counterpart,
-        )
+    def __init__(self, panel: ModelPanel, shown: ShownModels, display: FootDisplay) -> None:
+        super().__init__(panel, shown)
         self._display = display
         display.changed.connect(self._show_evened)
 
@@ -466,24 +460,8 @@ class InsolePresenter(ModelPresenter):
 
     subject = Subject.INSOLE
 
-    def __init__(
-        self,
-        panel: ModelPanel,
-        *,
-        case: Case,
-        surface: InsolePreview,
-        section: SectionModel,
-        tool_controller: ToolController,
-        counterpart: SideBySide,
-    ) -> None:
-        super().__init__(
-            panel,
-            case=case,
-            surface=surface,
-            section=section,
-            tool_controller=tool_controller,
-            counterpart=counterpart,
-        )
+    def __init__(self, panel: ModelPanel, shown: ShownModels) -> None:
+        super().__init__(panel, shown)
         self._map = MapKind.NONE
         self._contours = True
         self._shoe = False
@@ -491,7 +469,7 @@ class InsolePresenter(ModelPresenter):
         """What the shown outline of a shoe was made of."""
         self._recent: list[ListedRow] = []
         self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
-        surface.failed.connect(self.panel.show_warning)
+        shown.surface.failed.connect(self.panel.show_warning)
 
     @property
     def mesh(self) -> TriangleMesh | None:
@@ -620,6 +598,11 @@ class InsolePresenter(ModelPresenter):
         else:
             self.panel.show_empty(tr("The insole is being built…"), {})
         self.panel.show_list(tr("Go on with"), self._recent if is_start else ())
+
+
+def _between(start: FloatArray, end: FloatArray) -> FloatArray:
+    """Return points (n, 2) on the way from one to the other."""
+    return np.asarray(np.linspace(start, end, OUTLINE_POINTS // OUTLINE_STRIDE))
 
 
 def _listed(path: Path) -> ListedRow:

@@ -9,7 +9,8 @@ from insole_core.insole.outline.shoe_outline import ShoeOutline
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.texts import fill, tr
 
-_TEXT_AHEAD_MM, _TEXT_BESIDE_MM, _TEXT_BELOW_MM = 70.0, 6.0, 18.0
+_TEXT_AHEAD_MM, _TEXT_BESIDE_MM, _TEXT_ABOVE_MM = 70.0, 6.0, 60.0
+"""So that the text lies beside the shoe from below, and above the insole from the sides."""
 
 
 def shoe_lines(shoe: ShoeOutline) -> GuideLines:
@@ -17,7 +18,7 @@ def shoe_lines(shoe: ShoeOutline) -> GuideLines:
     ahead_mm = np.abs(shoe.ground[:, 1] - shoe.heel[0, 1] - _TEXT_AHEAD_MM)
     level = shoe.ground[ahead_mm.argsort()[:12]]  # on both sides of the foot
     x_mm, y_mm, _ = level[level[:, 0].argmax()]
-    place = np.array([x_mm + _TEXT_BESIDE_MM, y_mm, shoe.heel[1, 2] - _TEXT_BELOW_MM])
+    place = np.array([x_mm + _TEXT_BESIDE_MM, y_mm, _TEXT_ABOVE_MM])
     lines = [_closed(shoe.inside), _closed(shoe.ground)]
     if shoe.pitch_mm > 0:
         lines.append(shoe.heel)

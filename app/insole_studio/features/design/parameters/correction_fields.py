@@ -323,8 +323,8 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
         ),
         Editable(
             "shell_mm",
-            lambda: tr("Shell"),
-            lambda: tr("Thickness of the layer that supports the foot; 0 for none"),
+            lambda: tr("Middle layer"),
+            lambda: tr("Thickness of the layer between cover and base; 0 for none"),
         ),
         Editable(
             "base_mm",

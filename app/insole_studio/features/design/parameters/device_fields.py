@@ -8,7 +8,12 @@ from dataclasses import dataclass, replace
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Finish, InsoleDesign, Post
-from insole_core.insole.prescription.design_limits import SHELL_RANGES
+from insole_core.insole.prescription.design_limits import (
+    FINISH_RANGES,
+    RIM_RANGES,
+    SHELL_RANGES,
+    Range,
+)
 from insole_core.insole.prescription.materials import (
     MaterialTable,
     proposed_thickness,
@@ -38,15 +43,15 @@ class _Slider:
         Returns it; None where the finish has none.
     changed
         Returns the finish with another value.
-    greatest
-        End of the slider, mm; it begins at 0.
+    allowed
+        Of what it sets; the slider begins at 0.
     """
 
     label: Callable[[], str]
     tip: Callable[[], str]
     value: Callable[[Finish], float | None]
     changed: Callable[[Finish, float], Finish]
-    greatest: float
+    allowed: Range
 
 
 SLIDERS: dict[str, _Slider] = {
@@ -55,21 +60,21 @@ SLIDERS: dict[str, _Slider] = {
         lambda: tr("Height of the rim behind the heel over the heel's floor"),
         cup_depth_mm,
         with_cup_depth,
-        30.0,
+        RIM_RANGES["height_mm"],
     ),
     "flange": _Slider(
         lambda: tr("Medial flange"),
         lambda: tr("Height of the medial rim at its peak, over the heel's floor"),
         medial_flange_mm,
         with_medial_flange,
-        40.0,
+        RIM_RANGES["height_mm"],
     ),
     "fill": _Slider(
         lambda: tr("Arch fill"),
         lambda: tr("How far the medial arch is lowered below the scan"),
         lambda finish: finish.arch_fill_mm,
         lambda finish, value: replace(finish, arch_fill_mm=value),
-        15.0,
+        FINISH_RANGES["arch_fill_mm"],
     ),
 }
 
@@ -120,7 +125,11 @@ def _base_fields(design: InsoleDesign) -> Fields:
     )
     share = 100 * design.base.contact_share
     label = tr("Share of the foot")
-    return (FieldSpec("base.contact_share", label, "%", share, 0.0, 100.0, step=5.0, tip=tip),)
+    return (
+        FieldSpec(
+            "base.contact_share", label, "%", share, 0.0, 100.0, step=5.0, tip=tip, slider=True
+        ),
+    )
 
 
 def with_foot_share(design: InsoleDesign, percent: float) -> InsoleDesign:
@@ -135,7 +144,7 @@ def device_fields(finish: Finish, side: Side) -> Fields:
     values = ((key, slider, slider.value(finish)) for key, slider in SLIDERS.items())
     sliders = (
         FieldSpec(
-            f"device.{key}", slider.label(), "mm", value, 0.0, slider.greatest, step=0.5,
+            f"device.{key}", slider.label(), "mm", value, 0.0, slider.allowed.greatest, step=0.5,
             tip=slider.tip(), slider=True,
         )
         for key, slider, value in values
@@ -166,6 +175,7 @@ def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
         tip=tr("From {least} kg on, a thickness is proposed; 0 if unknown").format(
             least=localised(least, "g")
         ),
+        least_known=least,
     )
     known = table.names
     names = known if shell.material in known else (*known, shell.material)
@@ -235,9 +245,7 @@ def with_shell_value(
         other = replace(shell, material=str(value), least_mm=None, least_edge_mm=None)
         return with_least_thickness(replace(design, shell=other), table)
     if name == "body_weight_kg":
-        least = SHELL_RANGES["body_weight_kg"].least
-        weight = float(value) if float(value) >= least else None
-        return replace(design, shell=replace(shell, body_weight_kg=weight))
+        return replace(design, shell=replace(shell, body_weight_kg=float(value) or None))
     return replace(design, shell=with_value(shell, name, value, design.side))
 
 
@@ -267,8 +275,16 @@ def with_usual_thickness(design: InsoleDesign, table: MaterialTable) -> InsoleDe
     return replace(design, thickness_mm=usual_mm)
 
 
+def with_slid_value(design: InsoleDesign, key: str, value: float) -> InsoleDesign:
+    """Return the design with the value of a slider, by the key of its field."""
+    group, name = key.split(".", 1)
+    if group == "base":
+        return with_foot_share(design, value)
+    return with_device_value(design, name, value)
+
+
 def with_device_value(design: InsoleDesign, key: str, value: float) -> InsoleDesign:
-    """Return the design with the value of a slider."""
+    """Return the design with another cup, medial flange or fill."""
     if design.finish is None:
         return design
     return replace(design, finish=SLIDERS[key].changed(design.finish, value))

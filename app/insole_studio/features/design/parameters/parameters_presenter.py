@@ -31,6 +31,7 @@ from insole_studio.features.design.parameters.device_fields import (
     with_foot_share,
     with_post_value,
     with_shell_value,
+    with_slid_value,
     with_usual_thickness,
 )
 from insole_studio.features.design.parameters.foot_proposals import FootProposals
@@ -130,7 +131,7 @@ class ParametersPresenter:
             return
         if not self._tool_controller.is_busy:
             self._tool_controller.begin(self._follow_slider())
-        self._tool_controller.drag(with_device_value(design, key.split(".", 1)[1], value))
+        self._tool_controller.drag(with_slid_value(design, key, value))
 
     def _follow_slider(self) -> AnyGesture:
         """Preview each design that comes; the last one comes as an edit of its own."""

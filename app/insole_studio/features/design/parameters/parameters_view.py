@@ -231,10 +231,13 @@ def _make_field(spec: FieldSpec | ChoiceSpec) -> ValueField:
     if isinstance(spec, ChoiceSpec):
         return ComboBox(spec.options)
     make = SliderField if spec.slider else NumberField
-    return make(
+    field = make(
         spec.unit,
         least=spec.least,
         greatest=spec.greatest,
         step=spec.step,
         decimals=spec.decimals,
     )
+    if isinstance(field, NumberField):
+        field.allow_unknown(spec.least_known)
+    return field

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSignalBlocker, QSize, Signal
-from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPlainTextEdit,
     QPushButton,
     QToolButton,
     QVBoxLayout,
@@ -27,6 +25,7 @@ from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.link_label import LinkLabel
+from insole_studio.widgets.notes_field import NotesField
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
 from insole_studio.widgets.validation_bubble import ValidationBubble
@@ -58,7 +57,7 @@ class PatientView(VerticalScroll):
             field.setProperty("key", key)
             field.editingFinished.connect(self._line_edited)
         self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
-        self._notes = _Notes()
+        self._notes = NotesField()
         self._notes.left.connect(self._notes_edited)
         self.sides = SideSwitch()
         self.sides.chosen.connect(self.side_chosen)
@@ -86,6 +85,11 @@ class PatientView(VerticalScroll):
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
         self._warned: list[WarningRow] = []
+        self._count = QPushButton()
+        self._count.setObjectName("warning_count")
+        self._count.setToolTip(tr("Show all warnings"))
+        self._count.clicked.connect(self._show_all_warnings)
+        self._count.hide()
         self._warnings = QVBoxLayout()
         self._warnings.setSpacing(4)
         self.setWidget(self._content())
@@ -165,6 +169,11 @@ class PatientView(VerticalScroll):
         if list(rows) == self._warned:
             return
         self._warned = list(rows)
+        one = len(rows) == 1
+        self._count.setText(
+            tr("1 warning") if one else tr("{count} warnings").format(count=len(rows))
+        )
+        self._count.setVisible(bool(rows))
         while (item := self._warnings.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -175,6 +184,13 @@ class PatientView(VerticalScroll):
             label.setWordWrap(True)
             label.linkActivated.connect(self._choose_warning)
             self._warnings.addWidget(label)
+
+    def _show_all_warnings(self) -> None:
+        """Scroll until all warnings are visible, or the first ones if not all have room."""
+        for place in (self._warnings.count() - 1, 0):
+            item = self._warnings.itemAt(place)
+            if item is not None and (warning := item.widget()) is not None:
+                self.ensureWidgetVisible(warning)
 
     def _choose_warning(self, number: str) -> None:
         self.warning_chosen.emit(int(number))
@@ -205,7 +221,11 @@ class PatientView(VerticalScroll):
         layout = QVBoxLayout(self._of_foot)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(8)
-        layout.addWidget(_heading(tr("Corrections")))
+        title = QHBoxLayout()
+        title.addWidget(_heading(tr("Corrections")))
+        title.addStretch(1)
+        title.addWidget(self._count)  # here, since the warnings themselves may be below the panel
+        layout.addLayout(title)
         layout.addWidget(self.variants)
         layout.addWidget(self._device)
         layout.addLayout(self._corrections)
@@ -290,22 +310,6 @@ class PatientView(VerticalScroll):
 
     def _remove(self) -> None:
         self.correction_removed.emit(self.sender().property("correction"))
-
-
-class _Notes(QPlainTextEdit):
-    """A text field of a few lines; Tab moves the focus."""
-
-    left = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setTabChangesFocus(True)
-        self.setFixedHeight(64)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Emit the text, which may have changed."""
-        super().focusOutEvent(event)
-        self.left.emit()
 
 
 def _heading(text: str) -> QLabel:

@@ -12,6 +12,12 @@ from insole_studio.features.design.tools.pelott_tool import (
     pelott_offers,
     raise_pelott,
 )
+from insole_studio.features.design.tools.rocker_line import (
+    ROCKER_LINE,
+    carry_rocker_line,
+    nudge_rocker,
+    rocker_handles,
+)
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, PointerEvent
@@ -35,8 +41,8 @@ class OrbitTool(Tool):
         return tr("Drag to turn, Shift and drag to move, wheel to zoom, double click to centre")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Return the handles of the selected pad."""
-        return pelott_handles(case, surface)
+        """Return the handles of the selected pad, or of the selected rocker."""
+        return pelott_handles(case, surface) + rocker_handles(case, surface)
 
     def offers(
         self, case: Case, event: PointerEvent, _surface: SurfaceContext
@@ -50,6 +56,8 @@ class OrbitTool(Tool):
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a handle, or update the selection and let the camera rotate."""
+        if event.handle == ROCKER_LINE:
+            return carry_rocker_line(case, event)
         if event.handle is not None:
             return grab_pelott(case, event, self._behind_heads_mm)
         design = case.record.design
@@ -58,5 +66,5 @@ class OrbitTool(Tool):
         return None
 
     def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
-        """Move the selected pad by one step."""
-        return nudge_pelott(case, event, right, up)
+        """Move the selected pad, or the line of the selected rocker, by one step."""
+        return nudge_rocker(case, event, right, up) or nudge_pelott(case, event, right, up)

@@ -1,0 +1,279 @@
+"""Keeps the open case in the clinic's record: nothing has to be saved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from enum import Enum, auto
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.errors import Conflict, InsoleError, Unreachable
+from insole_studio.document.case import Case
+from insole_studio.document.clinic_record import ClinicRecord, RecordState
+from insole_studio.document.kept_visit import KeptVisit
+
+if TYPE_CHECKING:
+    from insole_core.records.prescription import Base
+    from insole_core.records.records import Records
+    from insole_core.workflows.records.keep_case import CaseChange, KeptChange
+
+SAVE_AFTER_MS, RETRY_MS = 1000, 3000
+Then = Callable[[], None]
+
+
+class KeepState(Enum):
+    """Whether what is open is in the record."""
+
+    NOTHING = auto()
+    """The open case is not one of the record."""
+    SAVED = auto()
+    CHANGED = auto()
+    """It has changed, and will be saved in a moment."""
+    WAITING = auto()
+    """The database does not answer; the copy on this computer holds the work meanwhile."""
+    CONFLICT = auto()
+    """Somebody else has changed the same foot; the user decides."""
+    REFUSED = auto()
+    """The record does not take it as it is."""
+
+
+class RecordKeeper(QObject):
+    """Saves the open visit a moment after each change, and before it is left.
+
+    The autosaved copy on the disk (`Autosave`) is the journal: it holds what the record does not
+    hold yet, with the versions that it is based on.
+    """
+
+    state_changed = Signal()
+    conflicted = Signal(object)
+    """Emitted with the `Conflict` of a foot; `settle` ends it."""
+    failed = Signal(object)
+    """Emitted with an error that the user has to know of."""
+
+    def __init__(
+        self,
+        case: Case,
+        clinic: ClinicRecord,
+        set_aside: Callable[[], None],
+        parent: QObject | None = None,
+    ) -> None:
+        """Begin to keep what is opened.
+
+        Parameters
+        ----------
+        set_aside
+            Leaves the journal of the open case on the disk, for when the database is back.
+        """
+        super().__init__(parent)
+        self._case = case
+        self._clinic = clinic
+        self._set_aside = set_aside
+        self._is_saving = False
+        self._conflict: Conflict | None = None
+        self._then: Then | None = None
+        self._reason = ""
+        self.state = KeepState.NOTHING
+        self.trouble = ""
+        """Why the case is not in the record yet; empty if it is, or about to be."""
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._save)
+        case.opened.connect(self._begin)
+        case.changed.connect(self._note_change)
+        clinic.state_changed.connect(self._save_if_back)
+
+    @property
+    def is_keeping(self) -> bool:
+        """Whether the open case is a visit of the record."""
+        return self._case.kept is not None
+
+    @property
+    def visit_id(self) -> str:
+        """The visit that is open; empty for a case of a file."""
+        return "" if self._case.kept is None else self._case.kept.visit.id
+
+    def open_visit(self, visit_id: str, failed: Callable[[Exception], None]) -> None:
+        """Open a visit as the case of the window, after the case before has been left."""
+
+        def opened(found: object) -> None:
+            from insole_core.records.visit import OpenedCase
+
+            assert isinstance(found, OpenedCase)
+            kept = KeptVisit(found.person, found.visit, dict(found.bases))
+            self._case.open(found.record, None, kept=kept)
+
+        self._clinic.ask("records-open", lambda r: r.visits.open_case(visit_id), opened, failed)
+
+    def leave(self, then: Then) -> None:
+        """Save what is not in the record yet, and call `then`; at once if nothing is left to do.
+
+        While the database does not answer, the work stays in the journal and `then` is called too.
+        """
+        if self._conflict is not None:
+            self.conflicted.emit(self._conflict)
+        elif self._case.has_unsaved_changes or self._is_saving:
+            self._then = then
+            self._save()
+        else:
+            then()
+
+    def keep_version(self, reason: str) -> None:
+        """Keep the feet as they are as a version of their own, for a reason."""
+        self._reason = reason
+        self._save()
+
+    @property
+    def conflict(self) -> Conflict | None:
+        """What the user has to decide on; None for nothing."""
+        return self._conflict
+
+    def settle(self, conflict: Conflict, chosen: FootRecord) -> None:
+        """Settle a conflict: the chosen foot becomes the newest version, the other stays too.
+
+        Parameters
+        ----------
+        chosen
+            The foot of this window, theirs, or one that holds both as variants.
+        """
+        kept = self._case.kept
+        if kept is None:
+            return
+        visit_id, mine, theirs = kept.visit.id, conflict.mine, conflict.theirs
+
+        def settled(base: Base) -> None:
+            if self.visit_id != visit_id:
+                return
+            assert self._case.kept is not None
+            bases = {**self._case.kept.bases, chosen.side: base}
+            self._conflict = None
+            self._case.keep_foot(chosen, replace(self._case.kept, bases=bases))
+            self._set_state(KeepState.CHANGED)
+            self._save()
+
+        self._clinic.write(
+            lambda r: r.prescriptions.settle(visit_id, mine, theirs, chosen), settled, self._fail
+        )
+
+    def _begin(self) -> None:
+        self._timer.stop()
+        self._reason, self._conflict = "", None
+        is_changed = self._case.has_unsaved_changes
+        state = KeepState.CHANGED if is_changed else KeepState.SAVED
+        self._set_state(state if self.is_keeping else KeepState.NOTHING)
+        if self.is_keeping and is_changed:
+            self._timer.start(SAVE_AFTER_MS)
+
+    def _note_change(self) -> None:
+        if not self.is_keeping or not self._case.has_unsaved_changes:
+            return
+        if self.state in (KeepState.SAVED, KeepState.REFUSED):
+            self._set_state(KeepState.CHANGED)
+        if self.state is KeepState.CHANGED:
+            self._timer.start(SAVE_AFTER_MS)
+
+    def _save_if_back(self) -> None:
+        if self._clinic.state is RecordState.OPEN and self.state is KeepState.WAITING:
+            self._save()
+
+    def _save(self) -> None:
+        """Save the case as it is now, unless it is being saved: then once more afterwards."""
+        kept = self._case.kept
+        if kept is None or self._is_saving or self.state is KeepState.CONFLICT:
+            return
+        self._timer.stop()
+        self._is_saving = True
+        record, reason, self._reason = self._case.record, self._reason, ""
+        before = self._case.saved_record
+
+        def keep(records: Records) -> KeptChange:
+            from insole_core.workflows.records.keep_case import keep_case
+
+            return keep_case(records, _change(kept, before, record, all_feet=bool(reason)), reason)
+
+        self._clinic.write(
+            keep,
+            lambda change: self._note_saved(kept.visit.id, before, record, change),
+            self._fail,
+        )
+
+    def _note_saved(
+        self, visit_id: str, before: CaseRecord, record: CaseRecord, change: KeptChange
+    ) -> None:
+        self._is_saving = False
+        kept = self._case.kept
+        if kept is None or kept.visit.id != visit_id:
+            return
+        kept = replace(
+            kept,
+            person=change.person or kept.person,
+            visit=change.visit or kept.visit,
+            bases={**kept.bases, **change.bases},
+        )
+        is_whole = change.trouble is None and not change.conflicts
+        self._case.mark_kept(record if is_whole else before, kept)
+        if change.conflicts:
+            self._then = None
+            self._conflict = next(iter(change.conflicts.values()))
+            self._set_state(KeepState.CONFLICT)
+            self.conflicted.emit(self._conflict)
+        elif change.trouble is not None:
+            self._fail(change.trouble)
+        elif self._case.has_unsaved_changes or self._reason:
+            self._set_state(KeepState.CHANGED)
+            self._timer.start(0 if self._then is not None else SAVE_AFTER_MS)
+        else:
+            self._set_state(KeepState.SAVED)
+            self._go_on()
+
+    def _fail(self, error: Exception) -> None:
+        self._is_saving = False
+        if not isinstance(error, InsoleError):
+            self._then = None
+            raise error
+        self.trouble = str(error)
+        if isinstance(error, Unreachable):
+            self._clinic.note_failure(error)
+            self._set_state(KeepState.WAITING)
+            self._timer.start(RETRY_MS)
+            self._leave_unsaved()
+        else:
+            self._then = None
+            self._set_state(KeepState.REFUSED)
+            self.failed.emit(error)
+
+    def _leave_unsaved(self) -> None:
+        """Leave the case for another one, once its journal is safe."""
+        if self._then is None:
+            return
+        try:
+            self._set_aside()
+        except InsoleError as error:
+            self._then = None
+            self.failed.emit(error)
+        else:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        then, self._then = self._then, None
+        if then is not None:
+            then()
+
+    def _set_state(self, state: KeepState) -> None:
+        if state in (KeepState.SAVED, KeepState.CHANGED, KeepState.NOTHING):
+            self.trouble = ""
+        self.state = state
+        self.state_changed.emit()
+
+
+def _change(
+    kept: KeptVisit, before: CaseRecord, record: CaseRecord, *, all_feet: bool
+) -> CaseChange:
+    """Return what has changed in a case since it was stored last."""
+    from insole_core.workflows.records.keep_case import CaseChange
+
+    changed = (f for f in record.feet if all_feet or f is not before.of_side(f.side))
+    bases = {foot.side: kept.bases.get(foot.side) for foot in changed}
+    return CaseChange(kept.visit.id, before.patient, record, bases)

@@ -1,0 +1,76 @@
+"""What the journal holds beside the copy of a visit: what it has to be stored over."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.geometry.side import Side
+from insole_core.json_object import JsonObject
+from insole_core.records.prescription import Base
+from insole_studio.document.kept_visit import KeptVisit
+
+_FIELDS = ("name", "born", "visit", "notes", "pseudonym")
+_MOST_REVISIONS = 2**53
+
+
+@dataclass(frozen=True)
+class UnkeptVisit:
+    """A visit with changes that the clinic's record does not hold yet.
+
+    Parameters
+    ----------
+    before
+        The patient's fields as they were stored last.
+    bases
+        For each foot that has changed, the version it is based on; None for a new foot.
+    """
+
+    visit_id: str
+    before: Patient
+    bases: Mapping[Side, Base | None]
+
+    @classmethod
+    def of(cls, kept: KeptVisit, before: CaseRecord, now: CaseRecord) -> UnkeptVisit:
+        """Return what has changed between two states of a visit."""
+        changed = (foot.side for foot in now.feet if foot is not before.of_side(foot.side))
+        bases = {side: kept.bases.get(side) for side in changed}
+        return cls(kept.visit.id, before.patient, bases)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as values for `json.dumps`."""
+        return {
+            "id": self.visit_id,
+            "before": {key: getattr(self.before, key) for key in _FIELDS},
+            "bases": {
+                str(side): None
+                if base is None
+                else {"version": base.version_id, "revision": base.revision, "mine": base.is_mine}
+                for side, base in self.bases.items()
+            },
+        }
+
+    @classmethod
+    def from_json(cls, stored: JsonObject) -> UnkeptVisit:
+        """Return it from what `to_json` gave.
+
+        Raises
+        ------
+        InputError
+            When it is none.
+        """
+        before = stored.object("before")
+        patient = Patient(**{key: before.text(key, empty=True) for key in _FIELDS})
+        kept = stored.object("bases")
+        bases = {side: _base(kept, side) for side in Side if kept.has(str(side))}
+        return cls(stored.text("id"), patient, bases)
+
+
+def _base(bases: JsonObject, side: Side) -> Base | None:
+    if bases.value(str(side)) is None:
+        return None
+    base = bases.object(str(side))
+    revision = base.integer("revision", 0, _MOST_REVISIONS)
+    return Base(base.text("version"), revision, base.flag("mine"))

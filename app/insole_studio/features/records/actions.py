@@ -1,0 +1,45 @@
+"""Actions of the clinic's record: its pages, patients and visits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from insole_studio.services.action_record import ActionRecord
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_studio.features.records.patient_records import PatientRecords
+
+
+RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
+    ActionRecord(
+        "patients",
+        lambda: tr("Patients"),
+        lambda: tr("Search for a patient; today's visits and open orders"),
+        lambda records, _on: records.show_start(),
+        icon="patients",
+        shortcut="F3",
+    ),
+    ActionRecord(
+        "new_patient",
+        lambda: tr("New patient…"),
+        lambda: tr("Add a patient to the clinic's record"),
+        lambda records, _on: records.ask_new_patient(),
+        icon="new_patient",
+        shortcut="Ctrl+Shift+N",
+    ),
+    ActionRecord(
+        "new_visit",
+        lambda: tr("New visit"),
+        lambda: tr("Add a visit of today for the patient on the page, and open it"),
+        lambda records, _on: records.begin_visit(),
+        icon="visit",
+        shortcut="Ctrl+T",
+    ),
+    ActionRecord(
+        "new_visit_same",
+        lambda: tr("New visit, same prescription"),
+        lambda: tr("Add a visit of today, to be prescribed as the last one on a new scan"),
+        lambda records, _on: records.begin_visit(same_prescription=True),
+    ),
+)

@@ -1,0 +1,129 @@
+"""The dialog that adds a patient: name, birth date, personal number, consent."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import date
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.cases.days import read_day
+from insole_core.errors import InputError
+from insole_core.records.field_checks import MOST_NAME, check_name
+from insole_core.records.person import Person
+from insole_core.records.personal_numbers import KINDS, check_personal_number
+from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.message_label import MessageLabel
+
+_WIDTH_PX = 460
+_MOST_NUMBER = 40
+
+
+class NewPatientDialog(QDialog):
+    """A form; it is accepted once all that is typed can be right.
+
+    Parameters
+    ----------
+    name
+        What was searched for, to begin with.
+    number_kind
+        The kind of personal numbers used last.
+    """
+
+    def __init__(self, name: str, number_kind: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("New patient"))
+        self.setMinimumWidth(_WIDTH_PX)
+        self.name = QLineEdit(name)
+        self.name.setMaxLength(MOST_NAME + 1)
+        self.born = DateField()
+        self.number = QLineEdit()
+        self.number.setMaxLength(_MOST_NUMBER + 1)
+        self.kind = ComboBox(number_kinds())
+        self.kind.setAccessibleName(tr("Kind of personal number"))
+        self.kind.show_value(number_kind)
+        self.consent = QCheckBox(tr("The patient agrees that these data are kept (today)"))
+        self.refusal = MessageLabel("warning")
+        self.number.editingFinished.connect(self._take_birth_date)
+        self.buttons = QDialogButtonBox()
+        self.add_button = self.buttons.addButton(
+            tr("Add patient"), QDialogButtonBox.ButtonRole.AcceptRole
+        )
+        self.buttons.addButton(tr("Cancel"), QDialogButtonBox.ButtonRole.RejectRole)
+        self.buttons.accepted.connect(self._try)
+        self.buttons.rejected.connect(self.reject)
+        self.person: Person | None = None
+        """What was typed, once it is accepted."""
+        self._lay_out()
+        (self.born if name else self.name).setFocus()
+
+    def _lay_out(self) -> None:
+        number = QHBoxLayout()
+        number.addWidget(self.number, 1)
+        number.addWidget(self.kind)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(tr("Name"), self.name)
+        form.addRow(tr("Born"), self.born)
+        form.addRow(tr("Personal number"), number)
+        form.addRow("", self.consent)
+        mark_labels(form)
+        layout = QVBoxLayout(self)
+        layout.setSpacing(12)
+        layout.addLayout(form)
+        layout.addWidget(self.refusal)
+        layout.addWidget(self.buttons)
+
+    def _take_birth_date(self) -> None:
+        """Fill in the birth date that a personal number holds."""
+        kind = KINDS[self.kind.currentData()]
+        try:
+            day = kind.birth_date(kind.check(self.number.text().strip()))
+        except InputError:
+            return  # told when the dialog is accepted
+        if day is not None and not self.born.text().strip():
+            self.born.setText(day.isoformat())
+
+    def _try(self) -> None:
+        try:
+            self.person = self._read(date.today())
+        except InputError as error:
+            self.refusal.say(error.message)
+            return
+        self.accept()
+
+    def _read(self, today: date) -> Person:
+        """Return the person.
+
+        Raises
+        ------
+        InputError
+            Names the first field that cannot be right.
+        """
+        self._take_birth_date()
+        born = read_day("born", self.born.text(), today)
+        kind = self.kind.currentData()
+        person = Person(
+            name=check_name(self.name.text()),
+            birth_date=date.fromisoformat(born) if born else None,
+            personal_number=check_personal_number(self.number.text(), kind),
+            consent_on=today if self.consent.isChecked() else None,
+        )
+        return replace(person, number_kind=kind if person.personal_number else "")
+
+
+def number_kinds() -> list[tuple[str, str]]:
+    """Return key and name of the kinds of personal numbers."""
+    return [(kind.key, translate_core_message(kind.name)) for kind in KINDS.values()]

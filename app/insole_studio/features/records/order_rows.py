@@ -1,0 +1,42 @@
+"""Orders as rows of a list, and the names of their states."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import date
+
+from insole_core.records.order import OrderState, OrderSummary
+from insole_studio.features.records.record_texts import day_text
+from insole_studio.texts import tr
+from insole_studio.widgets.row_table import TableRow
+
+
+def state_text(state: OrderState) -> str:
+    """Return the name of a state."""
+    return {
+        OrderState.DESIGNED: tr("Designed"),
+        OrderState.CHECKED: tr("Checked"),
+        OrderState.SENT: tr("Sent"),
+        OrderState.IN_PRODUCTION: tr("In production"),
+        OrderState.DELIVERED: tr("Delivered"),
+        OrderState.ADJUSTED: tr("Adjusted"),
+        OrderState.RETURNED: tr("Returned"),
+    }[state]
+
+
+def order_rows(orders: Sequence[OrderSummary], today: date) -> list[TableRow]:
+    """Return the rows of orders: patient, number, state, due date; what is late is marked."""
+    return [
+        TableRow(
+            order.id,
+            (order.person_name, order.number, state_text(order.state), due_text(order, today)),
+            attention=order.is_overdue(today),
+        )
+        for order in orders
+    ]
+
+
+def due_text(order: OrderSummary, today: date) -> str:
+    """Return when an order is due, and whether it is late."""
+    day = day_text(order.due_on)
+    return tr("{day}, overdue").format(day=day) if order.is_overdue(today) else day

@@ -1,0 +1,241 @@
+"""The page of a person: fields, the time line of visits, and measures over time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import (
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.records.personal_numbers import KINDS
+from insole_studio.features.records.rows import (
+    DATE_FIELDS,
+    MOST_LETTERS,
+    PERSON_FIELDS,
+    PictureKey,
+    Trend,
+    VisitRow,
+)
+from insole_studio.features.records.trend_chart import TrendChart
+from insole_studio.features.records.visit_card import VisitCard
+from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.notes_field import NotesField
+from insole_studio.widgets.validation_bubble import ValidationBubble
+from insole_studio.widgets.vertical_scroll import VerticalScroll
+
+FIELDS_PX = 320
+
+
+class PersonPage(QWidget):
+    """A person and their visits."""
+
+    field_edited = Signal(str, str)
+    visit_action_requested = Signal(str, str)
+    """The key of an action, and the id of a visit."""
+    action_requested = Signal(str)
+    compare_requested = Signal(str, str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._name = ElidedLabel("")
+        self._name.setObjectName("title")
+        self._fields = {key: _field(key) for key in PERSON_FIELDS if key != "notes"}
+        for key, field in self._fields.items():
+            field.setProperty("key", key)
+            field.editingFinished.connect(self._line_edited)
+        self._kind = ComboBox(
+            [(kind.key, translate_core_message(kind.name)) for kind in KINDS.values()]
+        )
+        self._kind.setAccessibleName(tr("Kind of personal number"))
+        self._kind.edited.connect(self._kind_edited)
+        self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
+        self._notes = NotesField()
+        self._refusals["notes"] = ValidationBubble(self._notes)
+        self._notes.left.connect(self._notes_edited)
+        self.chart = TrendChart()
+        self.cards: dict[str, VisitCard] = {}
+        self._cards = QVBoxLayout()
+        self._cards.setContentsMargins(0, 0, 8, 0)
+        self._cards.setSpacing(8)
+        self._none = QLabel(tr("No visit yet. Begin with “New visit”."))
+        self._none.setObjectName("quiet")
+        self._buttons: dict[str, QPushButton] = {}
+        self._compare = QPushButton(tr("Compare two visits…"))
+        self._compare.clicked.connect(self._request_compare)
+        self._lay_out()
+
+    def show_person(self, name: str, values: Mapping[str, str]) -> None:
+        """Show the fields; text being typed stays until it is entered or forgotten."""
+        self._name.setText(name)
+        self._name.updateGeometry()
+        self._kind.show_value(values["number_kind"])
+        for key, field in self._fields.items():
+            if field.text() != values[key] and not field.isModified():
+                field.setText(values[key])
+        if not self._notes.document().isModified() and self._notes.toPlainText() != values["notes"]:
+            with QSignalBlocker(self._notes):
+                self._notes.setPlainText(values["notes"])
+
+    def forget_typed(self) -> None:
+        """Let the next values replace text being typed: it belongs to another person."""
+        for field in self._fields.values():
+            field.setModified(False)
+        self._notes.document().setModified(False)
+
+    def show_refusal(self, key: str, sentence: str) -> None:
+        """Say beside a field why what was typed is not taken."""
+        self._refusals["personal_number" if key == "number_kind" else key].say(sentence)
+
+    def show_visits(self, rows: Sequence[VisitRow]) -> None:
+        """Show the visits, the newest first; those that have not changed stay as they are."""
+        before, self.cards = self.cards, {}
+        while (item := self._cards.takeAt(0)) is not None:
+            del item
+        for row in rows:
+            card = before.pop(row.id, None)
+            if card is None or card.row != row:
+                self._discard(card)
+                card = self._new_card(row)
+            self.cards[row.id] = card
+            self._cards.addWidget(card)
+        for card in before.values():
+            self._discard(card)
+        self._cards.addStretch(1)
+        self._none.setVisible(not rows)
+        self._show_compare()
+
+    def show_picture(self, key: PictureKey, image: QImage) -> None:
+        """Show a small picture on its card."""
+        if key.visit in self.cards:
+            self.cards[key.visit].show_picture(key, image)
+
+    def show_trends(self, trends: Sequence[Trend]) -> None:
+        """Show measures over time; nothing where there are none."""
+        self.chart.show_trends(trends)
+        self.chart.setVisible(bool(trends))
+
+    def show_editable(self, editable: bool) -> None:
+        """Show whether fields can be changed and visits added."""
+        for field in self._fields.values():
+            field.setReadOnly(not editable)
+        self._notes.setReadOnly(not editable)
+        self._kind.setEnabled(editable)
+        for key in ("new_visit", "new_visit_same", "follow_up"):
+            self._buttons[key].setEnabled(editable)
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setVerticalSpacing(8)
+        for key, label in (
+            ("name", tr("Name")),
+            ("birth_date", tr("Born")),
+            ("personal_number", tr("Personal number")),
+            ("contact", tr("Contact")),
+            ("consent_on", tr("Consent on")),
+        ):
+            form.addRow(label, self._fields[key])
+            if key == "personal_number":
+                form.addRow("", self._kind)
+        form.addRow(tr("Notes"), self._notes)
+        mark_labels(form)
+        left = QWidget()
+        left.setFixedWidth(FIELDS_PX)
+        column = QVBoxLayout(left)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(8)
+        column.addLayout(form)
+        column.addWidget(self.chart)
+        column.addStretch(1)
+        top = QHBoxLayout()
+        top.setSpacing(8)
+        top.addWidget(self._button("patients", tr("All patients")))
+        top.addWidget(self._name, 1)
+        top.addWidget(self._button("follow_up", tr("Follow-up…")))
+        top.addWidget(self._button("person_orders", tr("Orders")))
+        top.addWidget(self._compare)
+        top.addWidget(self._button("new_visit_same", tr("New visit, same prescription")))
+        top.addWidget(self._button("new_visit", tr("New visit")))
+        self._buttons["new_visit"].setObjectName("primary")
+        visits = VerticalScroll()
+        content = QWidget()
+        inside = QVBoxLayout(content)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.addWidget(self._none)
+        inside.addLayout(self._cards, 1)
+        visits.setWidget(content)
+        lower = QHBoxLayout()
+        lower.setSpacing(24)
+        lower.addWidget(left, 0, Qt.AlignmentFlag.AlignTop)
+        lower.addWidget(visits, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(24, 16, 24, 16)
+        layout.setSpacing(16)
+        layout.addLayout(top)
+        layout.addLayout(lower, 1)
+
+    def _new_card(self, row: VisitRow) -> VisitCard:
+        card = VisitCard(row)
+        card.action_requested.connect(self.visit_action_requested)
+        card.compare_toggled.connect(self._show_compare)
+        return card
+
+    def _discard(self, card: VisitCard | None) -> None:
+        if card is not None:
+            card.hide()
+            card.deleteLater()
+
+    def _compared(self) -> list[str]:
+        return [key for key, card in self.cards.items() if card.compare.isChecked()]
+
+    def _show_compare(self) -> None:
+        self._compare.setEnabled(len(self._compared()) == 2)
+
+    def _request_compare(self) -> None:
+        newer, older = self._compared()
+        self.compare_requested.emit(newer, older)
+
+    def _button(self, key: str, text: str) -> QPushButton:
+        button = QPushButton(text)
+        button.setProperty("action", key)
+        button.clicked.connect(self._request)
+        self._buttons[key] = button
+        return button
+
+    def _request(self) -> None:
+        self.action_requested.emit(self.sender().property("action"))
+
+    def _line_edited(self) -> None:
+        field = self.sender()
+        assert isinstance(field, QLineEdit)
+        if field.isModified():
+            field.setModified(False)
+            self.field_edited.emit(field.property("key"), field.text())
+
+    def _kind_edited(self, kind: str) -> None:
+        self.field_edited.emit("number_kind", kind)
+
+    def _notes_edited(self) -> None:
+        if self._notes.document().isModified():
+            self._notes.document().setModified(False)
+            self.field_edited.emit("notes", self._notes.toPlainText())
+
+
+def _field(key: str) -> QLineEdit:
+    field = DateField() if key in DATE_FIELDS else QLineEdit()
+    if key in MOST_LETTERS:
+        field.setMaxLength(MOST_LETTERS[key] + 1)  # one more, so that too long a text is told
+    return field

@@ -1,0 +1,217 @@
+"""Presenter of the person page: edits are stored at once and can be undone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from datetime import date
+from typing import TYPE_CHECKING
+
+from insole_core.cases.days import read_day
+from insole_core.errors import Conflict, InputError
+from insole_core.records.field_checks import check_name, check_text
+from insole_core.records.person import Person
+from insole_core.records.personal_numbers import check_personal_number
+from insole_core.records.visit import CaptureState, Visit
+from insole_core.workflows.history import History
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.records.person_page import PersonPage
+from insole_studio.features.records.record_texts import capture_text, day_text
+from insole_studio.features.records.rows import DATE_FIELDS, VisitRow
+from insole_studio.features.records.trends import trends_of
+from insole_studio.texts import tr, translate_core_message
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+
+READ = "records-person"
+
+
+@dataclass(frozen=True)
+class PersonView:
+    """A person with what the page shows of them."""
+
+    person: Person
+    visits: tuple[Visit, ...]
+
+
+class PersonPresenter:
+    """Shows one person of the record, and stores what is edited.
+
+    Parameters
+    ----------
+    tell
+        Shows an error that belongs to no field.
+    """
+
+    def __init__(
+        self, page: PersonPage, clinic: ClinicRecord, tell: Callable[[Exception], None]
+    ) -> None:
+        self._page = page
+        self._clinic = clinic
+        self._tell = tell
+        self._person: Person | None = None
+        self._wanted: Person | None = None
+        """The person as they should be stored, while an earlier change is being stored."""
+        self._is_storing = False
+        self._history: History[Person] = History()
+        self.visits: tuple[Visit, ...] = ()
+        page.field_edited.connect(self.edit_field)
+        clinic.changed.connect(self.refresh)
+        clinic.state_changed.connect(self._show_state)
+
+    @property
+    def person(self) -> Person | None:
+        """The person on the page, with what is being stored."""
+        return self._wanted or self._person
+
+    def open(self, person_id: str) -> None:
+        """Show a person; the audit log tells that somebody looked."""
+        if self._person is None or self._person.id != person_id:
+            self._page.forget_typed()
+            self._history.clear()
+            self._person = self._wanted = None
+        self._clinic.ask(READ, lambda r: _read(r, person_id, seen=True), self._take, self._tell)
+
+    def refresh(self) -> None:
+        """Show what has changed in the record."""
+        person = self._person
+        if person is not None and self._clinic.is_open and self._page.isVisible():
+            self._clinic.ask(READ, lambda r: _read(r, person.id), self._take, self._tell)
+
+    def edit_field(self, key: str, text: str) -> None:
+        """Set a field; what cannot be right is refused, and the old value stays."""
+        person = self.person
+        if person is None:
+            return
+        try:
+            after = _with_field(person, key, text, date.today())
+        except InputError as error:
+            self._page.show_refusal(key, translate_core_message(error.message))
+            self._show_fields()
+            return
+        if after != person:
+            self._history.push(person, after, tr("Edit the patient's fields"))
+            self._store(after)
+        self._show_fields()
+
+    def undo(self) -> None:
+        """Undo the last edit of a field."""
+        self._step_to(self._history.undo())
+
+    def redo(self) -> None:
+        """Redo the edit undone last."""
+        self._step_to(self._history.redo())
+
+    def _step_to(self, person: Person | None) -> None:
+        if person is not None:
+            self._store(person)
+            self._show_fields()
+
+    def _store(self, person: Person) -> None:
+        """Store a person after what is being stored; of several wishes only the last one counts."""
+        self._wanted = person
+        if self._is_storing or self._person is None:
+            return
+        self._is_storing = True
+        revision = self._person.revision
+        self._clinic.write(
+            lambda records: records.persons.change(person, revision), self._stored, self._failed
+        )
+
+    def _stored(self, person: Person) -> None:
+        self._is_storing = False
+        if self._person is None or self._person.id != person.id:
+            return
+        wanted, self._wanted, self._person = self._wanted, None, person
+        if wanted is not None and _fields_of(wanted) != _fields_of(person):
+            self._store(wanted)
+        self._show_fields()
+
+    def _failed(self, error: Exception) -> None:
+        self._is_storing = False
+        wanted, self._wanted = self._wanted, None
+        if isinstance(error, Conflict) and wanted is not None and self._person is not None:
+            self._store_over(wanted, error.theirs)
+            return
+        self._show_fields()
+        self._tell(error)
+
+    def _store_over(self, wanted: Person, theirs: Person) -> None:
+        """Store only the fields that were changed here into what somebody else has stored."""
+        assert self._person is not None
+        mine, before = _fields_of(wanted), _fields_of(self._person)
+        changed = {key: mine[key] for key in mine if mine[key] != before[key]}
+        self._person = theirs
+        self._store(_with_values(theirs, changed))
+
+    def _take(self, view: PersonView) -> None:
+        if self._person is not None and self._person.id != view.person.id:
+            self._history.clear()
+        if not self._is_storing:
+            self._person = view.person
+        self.visits = view.visits
+        self._show_fields()
+        self._page.show_visits([_row(visit) for visit in view.visits])
+        self._page.show_trends(trends_of(view.visits))
+
+    def _show_state(self) -> None:
+        self._page.show_editable(self._clinic.is_open and not self._clinic.is_read_only)
+
+    def _show_fields(self) -> None:
+        if (person := self.person) is not None:
+            self._page.show_person(person.name, _fields_of(person))
+
+
+def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView:
+    person = records.persons.open(person_id) if seen else records.persons.get(person_id)
+    return PersonView(person, tuple(records.visits.of_person(person.id)))
+
+
+def _fields_of(person: Person) -> dict[str, str]:
+    return {
+        "name": person.name,
+        "birth_date": day_text(person.birth_date),
+        "personal_number": person.personal_number,
+        "number_kind": person.number_kind,
+        "contact": person.contact,
+        "consent_on": day_text(person.consent_on),
+        "notes": person.notes,
+    }
+
+
+def _with_values(person: Person, values: dict[str, str]) -> Person:
+    """Return a person with checked texts in its fields."""
+    days = {
+        key: date.fromisoformat(text) if text else None
+        for key, text in values.items()
+        if key in DATE_FIELDS
+    }
+    return replace(person, **{**values, **days})  # type: ignore[arg-type]
+
+
+def _with_field(person: Person, key: str, text: str, today: date) -> Person:
+    """Return a person with a field as it was typed.
+
+    Raises
+    ------
+    InputError
+        When it cannot be right.
+    """
+    if key in DATE_FIELDS:
+        kind = "born" if key == "birth_date" else "visit"
+        return _with_values(person, {key: read_day(kind, text, today)})
+    if key == "name":
+        return replace(person, name=check_name(text))
+    if key == "personal_number":
+        return replace(person, personal_number=check_personal_number(text, person.number_kind))
+    if key == "number_kind":
+        number = check_personal_number(person.personal_number, text)
+        return replace(person, number_kind=text, personal_number=number)
+    return _with_values(person, {key: check_text(text, key)})
+
+
+def _row(visit: Visit) -> VisitRow:
+    waits = visit.capture_state in (CaptureState.WANTED, CaptureState.RUNNING)
+    note = tr("Capture: {state}").format(state=capture_text(visit.capture_state)) if waits else ""
+    return VisitRow(visit.id, visit.visited_on.isoformat(), visit.reason, note=note)

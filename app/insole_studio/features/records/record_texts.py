@@ -1,0 +1,68 @@
+"""How the pages of the record write days, states and authors."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import date, datetime
+
+from insole_core.records.person import PersonSummary
+from insole_core.records.prescription import VersionSummary
+from insole_core.records.visit import CaptureState, VisitSummary
+from insole_studio.texts import tr
+from insole_studio.widgets.row_table import TableRow
+
+
+def day_text(day: date | None) -> str:
+    """Return a day as ISO 8601; empty where it is unknown."""
+    return "" if day is None else day.isoformat()
+
+
+def moment_text(at: str) -> str:
+    """Return a time of the record (ISO 8601, UTC) as the clock of this computer shows it."""
+    try:
+        moment = datetime.fromisoformat(at)
+    except ValueError:
+        return at
+    return moment.astimezone().strftime("%Y-%m-%d %H:%M")
+
+
+def capture_text(state: CaptureState) -> str:
+    """Return what the capture room has to do for a visit."""
+    return {
+        CaptureState.NONE: "",
+        CaptureState.WANTED: tr("Waiting"),
+        CaptureState.RUNNING: tr("Running"),
+        CaptureState.DONE: tr("Captured"),
+    }[state]
+
+
+def version_text(version: VersionSummary) -> str:
+    """Return whose version it is, where it was made, and when it was changed last."""
+    parts = [version.author, version.station, moment_text(version.changed_at)]
+    if version.signed_by is not None:
+        parts.append(tr("signed by {name}").format(name=version.signed_by))
+    return ", ".join(parts)
+
+
+def person_rows(persons: Sequence[PersonSummary]) -> list[TableRow]:
+    """Return the rows of persons in a list."""
+    return [
+        TableRow(
+            person.id,
+            (
+                person.name,
+                day_text(person.birth_date),
+                person.personal_number,
+                day_text(person.last_visit),
+            ),
+        )
+        for person in persons
+    ]
+
+
+def visit_rows(visits: Sequence[VisitSummary]) -> list[TableRow]:
+    """Return the rows of the visits of one day."""
+    return [
+        TableRow(visit.id, (visit.person_name, visit.reason, capture_text(visit.capture_state)))
+        for visit in visits
+    ]

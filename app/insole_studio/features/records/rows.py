@@ -1,0 +1,72 @@
+"""What the pages of the record show, as plain values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from insole_core.geometry.side import Side
+
+PERSON_FIELDS = (
+    "name",
+    "birth_date",
+    "personal_number",
+    "contact",
+    "consent_on",
+    "notes",
+)
+DATE_FIELDS = ("birth_date", "consent_on")
+MOST_LETTERS = {"name": 200, "personal_number": 40, "contact": 400, "notes": 20_000}
+"""What the fields take; a name of ten thousand letters is none."""
+
+
+@dataclass(frozen=True)
+class FootLine:
+    """What a visit holds of one foot.
+
+    Parameters
+    ----------
+    text
+        Device and author of the newest version.
+    is_signed
+        Whether that version is signed.
+    """
+
+    side: Side
+    text: str
+    is_signed: bool = False
+
+
+@dataclass(frozen=True)
+class VisitRow:
+    """One visit of the time line.
+
+    Parameters
+    ----------
+    note
+        What there is to know first: a capture that is waited for, who has it open.
+    """
+
+    id: str
+    day: str
+    reason: str
+    feet: tuple[FootLine, ...] = ()
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class PictureKey:
+    """Which small picture: of a visit, a side, and the foot or its insole."""
+
+    visit: str
+    side: Side
+    kind: str
+
+
+@dataclass(frozen=True)
+class Trend:
+    """A measure over time: its name with the unit, and a value for each of its days, ISO 8601."""
+
+    name: str
+    days: tuple[str, ...]
+    values: tuple[float, ...]
+    side: Side | None = None

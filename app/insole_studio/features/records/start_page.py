@@ -1,0 +1,206 @@
+"""The page that the program opens on: search for a patient, today's visits, open orders."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import cast
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_studio.texts import tr
+from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.icons import icon
+from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.row_table import RowTable, TableRow
+
+MOST_LETTERS = 200
+"""Of what is searched for; longer texts are no name."""
+
+
+class StartPage(QWidget):
+    """The clinic's patients; the keyboard focus is in the search line."""
+
+    search_edited = Signal(str)
+    person_chosen = Signal(str)
+    visit_chosen = Signal(str)
+    order_chosen = Signal(str)
+    action_requested = Signal(str)
+    recent_file_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.search = QLineEdit()
+        self.search.setMaxLength(MOST_LETTERS)
+        self.search.setPlaceholderText(tr("Name, birth date, personal number or order"))
+        self.search.setAccessibleName(tr("Search patients"))
+        self.search.setClearButtonEnabled(True)
+        self.search.setObjectName("search")
+        self.search.textChanged.connect(self.search_edited)
+        self.search.installEventFilter(self)
+        self.new_patient = self._button("", tr("New patient"), "new_patient")
+        self.new_patient.setObjectName("primary")
+        self._found_title = _heading(tr("Recent patients"))
+        self.found = RowTable((tr("Name"), tr("Born"), tr("Number"), tr("Last visit")))
+        self.found.setAccessibleName(tr("Patients"))
+        self.found.chosen.connect(self.person_chosen)
+        self._nothing = QLabel()
+        self._nothing.setObjectName("quiet")
+        self._nothing.setWordWrap(True)
+        self.today = RowTable((tr("Name"), tr("Reason"), tr("Capture")))
+        self.today.setAccessibleName(tr("Today's visits"))
+        self.today.chosen.connect(self.visit_chosen)
+        self.orders = RowTable((tr("Patient"), tr("Order"), tr("State"), tr("Due")))
+        self.orders.setAccessibleName(tr("Open orders"))
+        self.orders.chosen.connect(self.order_chosen)
+        self.message = MessageLabel("warning")
+        self._files: dict[str, QPushButton] = {}
+        self._recent_row = QHBoxLayout()
+        self._of_record = QWidget()
+        self._lay_out()
+
+    def show_found(self, title: str, rows: Sequence[TableRow], nothing: str) -> None:
+        """Show the patients that were found, or the recent ones.
+
+        Parameters
+        ----------
+        nothing
+            What to say where there are no rows.
+        """
+        self._found_title.setText(title)
+        self.found.show_rows(rows)
+        self._nothing.setText("" if rows else nothing)
+        self._nothing.setVisible(not rows)
+
+    def show_day(self, today: Sequence[TableRow], orders: Sequence[TableRow]) -> None:
+        """Show today's visits and the open orders."""
+        self.today.show_rows(today)
+        self.orders.show_rows(orders)
+
+    def show_message(self, sentence: str) -> None:
+        """Say why the record is not there and what to do; empty where all is well."""
+        self.message.say(sentence)
+
+    def show_usable(self, usable: bool) -> None:
+        """Show whether patients can be looked for; files can always be opened."""
+        self._of_record.setEnabled(usable)
+
+    def show_recent_files(self, files: Sequence[tuple[str, str]]) -> None:
+        """Offer the files opened last, each as path and name."""
+        while (item := self._recent_row.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        for path, name in files:
+            button = QPushButton(name.replace("&", "&&"))
+            button.setObjectName("row")
+            button.setFlat(True)
+            button.setToolTip(path)
+            button.setProperty("path", path)
+            button.clicked.connect(self._choose_file)
+            self._recent_row.addWidget(button)
+        self._recent_row.addStretch(1)
+
+    def begin(self) -> None:
+        """Empty the search line and give it the focus."""
+        self.search.clear()
+        self.search.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def renew_icons(self) -> None:
+        """Redraw the icons in the colours of the palette."""
+        for key, button in self._files.items():
+            button.setIcon(icon(key))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Let the arrows go from the search line to the list, and Enter open its first row."""
+        if watched is self.search and event.type() == QEvent.Type.KeyPress:
+            key = cast("QKeyEvent", event).key()
+            if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+                if self.found.rows and self.search.text().strip():
+                    self.person_chosen.emit(self.found.rows[0].key)
+                return True
+            if key == Qt.Key.Key_Down and self.found.take_first():
+                self.found.setFocus(Qt.FocusReason.OtherFocusReason)
+                return True
+            if key == Qt.Key.Key_Escape and self.search.text():
+                self.search.clear()
+                return True
+        return super().eventFilter(watched, event)
+
+    def _lay_out(self) -> None:
+        top = QHBoxLayout()
+        top.setSpacing(8)
+        top.addWidget(self.search, 1)
+        top.addWidget(self.new_patient)
+        top.addWidget(self._button("", tr("Orders"), "orders"))
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(24)
+        grid.setVerticalSpacing(4)
+        grid.addWidget(self._found_title, 0, 0)
+        grid.addWidget(self.found, 1, 0, 3, 1)
+        grid.addWidget(self._nothing, 4, 0)
+        grid.addWidget(_heading(tr("Today's visits")), 0, 1)
+        grid.addWidget(self.today, 1, 1)
+        grid.addWidget(_heading(tr("Open orders")), 2, 1)
+        grid.addWidget(self.orders, 3, 1)
+        grid.setColumnStretch(0, 5)
+        grid.setColumnStretch(1, 4)
+        grid.setRowStretch(1, 2)
+        grid.setRowStretch(3, 3)
+        inner = QVBoxLayout(self._of_record)
+        inner.setContentsMargins(0, 0, 0, 0)
+        inner.setSpacing(16)
+        inner.addLayout(top)
+        inner.addLayout(grid, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(24, 16, 24, 16)
+        layout.setSpacing(8)
+        layout.addWidget(self.message)
+        layout.addWidget(self._of_record, 1)
+        layout.addWidget(_heading(tr("Without a patient, or from files")))
+        layout.addLayout(self._file_row())
+        layout.addLayout(self._recent_row)
+
+    def _file_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        for key, text, action in (
+            ("capture", tr("Capture"), "capture"),
+            ("open", tr("Open case…"), "open"),
+            ("session", tr("Open session…"), "open_session"),
+            ("mesh", tr("Import a scan…"), "open_archive"),
+            ("device", tr("Open the example"), "open_example"),
+        ):
+            self._files[key] = self._button(key, text, action)
+            row.addWidget(self._files[key])
+        row.addStretch(1)
+        return row
+
+    def _button(self, icon_name: str, text: str, action: str) -> QPushButton:
+        button = QPushButton(text)
+        if icon_name:
+            button.setIcon(icon(icon_name))
+        button.setProperty("action", action)
+        button.clicked.connect(self._request)
+        return button
+
+    def _request(self) -> None:
+        self.action_requested.emit(self.sender().property("action"))
+
+    def _choose_file(self) -> None:
+        self.recent_file_chosen.emit(self.sender().property("path"))
+
+
+def _heading(text: str) -> QLabel:
+    heading = ElidedLabel(text)
+    heading.setObjectName("heading")
+    return heading

@@ -1,0 +1,102 @@
+"""Presenter of the start page: searches as it is typed, and keeps the lists up to date."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import date
+from typing import TYPE_CHECKING
+
+from insole_core.records.person import PersonSummary
+from insole_core.records.visit import VisitSummary
+from insole_studio.document.clinic_record import ClinicRecord, RecordState
+from insole_studio.features.records.order_rows import order_rows
+from insole_studio.features.records.record_texts import person_rows, visit_rows
+from insole_studio.features.records.start_page import StartPage
+from insole_studio.texts import tr, translate_core_message
+
+if TYPE_CHECKING:
+    from insole_core.records.order import OrderSummary
+    from insole_core.records.records import Records
+
+SEARCH, LISTS = "records-search", "records-lists"
+MOST_FOUND, MOST_RECENT, MOST_ORDERS = 50, 20, 100
+
+
+@dataclass(frozen=True)
+class _Lists:
+    today: list[VisitSummary]
+    orders: list[OrderSummary]
+
+
+class StartPresenter:
+    """Shows persons, visits and orders of the record on the start page."""
+
+    def __init__(self, page: StartPage, clinic: ClinicRecord) -> None:
+        self._page = page
+        self._clinic = clinic
+        self._typed = ""
+        page.search_edited.connect(self.search)
+        clinic.state_changed.connect(self.show_state)
+        clinic.changed.connect(self.refresh)
+        self.show_state()
+
+    def search(self, typed: str) -> None:
+        """Find persons; the answer to what was typed last is the one that is shown."""
+        self._typed = typed.strip()
+        self._search()
+
+    def refresh(self) -> None:
+        """Show what has changed in the record."""
+        if self._clinic.is_open and self._page.isVisible():
+            self._search()
+            self._clinic.ask(LISTS, _lists, self._show_lists, self._show_failure)
+
+    def show_state(self) -> None:
+        """Show whether the record can be asked."""
+        state = self._clinic.state
+        self._page.show_usable(state in (RecordState.OPEN, RecordState.AWAY))
+        self._page.show_message(self._sentence(state))
+        if state is RecordState.OPEN:
+            self.refresh()
+            if self._page.isVisible() and not self._page.search.hasFocus():
+                self._page.search.setFocus()
+
+    def _sentence(self, state: RecordState) -> str:
+        trouble = translate_core_message(self._clinic.trouble)
+        if state is RecordState.REFUSED:
+            return f"{trouble} {tr('Cases in files can be opened as before.')}"
+        if state is RecordState.AWAY:
+            return trouble
+        if state is RecordState.OPENING:
+            return ""
+        return tr("Read only: nothing can be changed.") if self._clinic.is_read_only else ""
+
+    def _search(self) -> None:
+        typed = self._typed
+
+        def find(records: Records) -> list[PersonSummary]:
+            if typed:
+                return records.persons.search(typed, MOST_FOUND)
+            return records.persons.recent(MOST_RECENT)
+
+        if self._clinic.is_open:
+            self._clinic.ask(SEARCH, find, self._show_found, self._show_failure)
+
+    def _show_found(self, found: list[PersonSummary]) -> None:
+        title = tr("Found patients") if self._typed else tr("Recent patients")
+        nothing = (
+            tr("Nobody is found. Check the spelling, or add a new patient.")
+            if self._typed
+            else tr("No patient yet. Begin with “New patient”, or open a file.")
+        )
+        self._page.show_found(title, person_rows(found), nothing)
+
+    def _show_lists(self, lists: _Lists) -> None:
+        self._page.show_day(visit_rows(lists.today), order_rows(lists.orders, date.today()))
+
+    def _show_failure(self, error: Exception) -> None:
+        self._page.show_message(translate_core_message(str(error)))
+
+
+def _lists(records: Records) -> _Lists:
+    return _Lists(records.visits.on(date.today()), records.orders.open()[:MOST_ORDERS])

@@ -1,0 +1,135 @@
+"""One visit of the time line: its day, what was prescribed, and small pictures."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+)
+
+from insole_core.geometry.side import Side
+from insole_studio.features.records.rows import PictureKey, VisitRow
+from insole_studio.texts import tr
+from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.side_badge import side_letter
+
+PICTURE_PX = QSize(56, 128)
+FOOT, INSOLE = "foot", "insole"
+
+
+class VisitCard(QFrame):
+    """A frame with the visit's pictures, texts and buttons; both signals carry its id."""
+
+    action_requested = Signal(str, str)
+    """The key of an action, and the id of the visit."""
+    compare_toggled = Signal(str, bool)
+
+    def __init__(self, row: VisitRow) -> None:
+        super().__init__()
+        self.setObjectName("card")
+        self.row = row
+        self._pictures: dict[PictureKey, QLabel] = {}
+        self._heading = ElidedLabel(f"{row.day}   {row.reason}".strip())
+        self._heading.setObjectName("numbers")
+        self._note = MessageLabel("quiet")
+        self._note.say(row.note)
+        self.compare = QCheckBox(tr("Compare"))
+        self.compare.setToolTip(tr("Choose two visits to compare them"))
+        self.compare.toggled.connect(self._toggle_compare)
+        self.compare.setEnabled(bool(row.feet))
+        self._lay_out()
+
+    def show_picture(self, key: PictureKey, image: QImage) -> None:
+        """Show a small picture in place of its placeholder."""
+        label = self._pictures.get(key)
+        if label is not None:
+            shown = QPixmap.fromImage(image).scaled(
+                PICTURE_PX * label.devicePixelRatio(),
+                Qt.AspectRatioMode.KeepAspectRatio,
+                Qt.TransformationMode.SmoothTransformation,
+            )
+            shown.setDevicePixelRatio(label.devicePixelRatio())
+            label.setPixmap(shown)
+
+    @property
+    def picture_keys(self) -> tuple[PictureKey, ...]:
+        """The pictures that this card has a place for."""
+        return tuple(self._pictures)
+
+    def _lay_out(self) -> None:
+        top = QHBoxLayout()
+        top.setSpacing(8)
+        top.addWidget(self._heading, 1)
+        top.addWidget(self.compare)
+        for key, text in (
+            ("open", tr("Open")),
+            ("versions", tr("Versions…")),
+            ("sign", tr("Sign…")),
+        ):
+            top.addWidget(self._button(key, text))
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(12, 8, 12, 8)
+        layout.setSpacing(8)
+        layout.addLayout(top)
+        layout.addWidget(self._note)
+        if self.row.feet:
+            layout.addLayout(self._content())
+
+    def _content(self) -> QHBoxLayout:
+        """Return the pictures of the feet, with what is prescribed beside them."""
+        pictures = QHBoxLayout()
+        pictures.setSpacing(4)
+        words = QGridLayout()
+        words.setHorizontalSpacing(8)
+        for number, foot in enumerate(self.row.feet):
+            for kind in (FOOT, INSOLE):
+                pictures.addWidget(self._picture(PictureKey(self.row.id, foot.side, kind)))
+            words.addWidget(side_letter(foot.side), number, 0)
+            label = QLabel(foot.text)
+            label.setWordWrap(True)
+            words.addWidget(label, number, 1)
+        words.setColumnStretch(1, 1)
+        words.setRowStretch(len(self.row.feet), 1)
+        content = QHBoxLayout()
+        content.setSpacing(16)
+        content.addLayout(pictures)
+        content.addLayout(words, 1)
+        return content
+
+    def _button(self, key: str, text: str) -> QPushButton:
+        button = QPushButton(text)
+        button.setProperty("action", key)
+        button.setAccessibleName(f"{text} {self.row.day}")
+        button.setEnabled(key == "open" or bool(self.row.feet))
+        button.clicked.connect(self._request)
+        return button
+
+    def _picture(self, key: PictureKey) -> QLabel:
+        label = QLabel()
+        label.setObjectName("picture")
+        label.setFixedSize(PICTURE_PX)
+        label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        label.setAccessibleName(_name_of(key))
+        label.setToolTip(_name_of(key))
+        self._pictures[key] = label
+        return label
+
+    def _request(self) -> None:
+        self.action_requested.emit(self.sender().property("action"), self.row.id)
+
+    def _toggle_compare(self, on: bool) -> None:
+        self.compare_toggled.emit(self.row.id, on)
+
+
+def _name_of(key: PictureKey) -> str:
+    if key.kind == FOOT:
+        return tr("Left foot") if key.side is Side.LEFT else tr("Right foot")
+    return tr("Left insole") if key.side is Side.LEFT else tr("Right insole")

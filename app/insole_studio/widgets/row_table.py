@@ -1,0 +1,166 @@
+"""A table of rows to choose one from, by mouse or keyboard."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QFont, QKeyEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+
+_WARNING = QColor("#b3261e")
+_WARNING_ON_DARK = QColor("#ff9a8f")
+_DARK_BELOW = 128
+
+
+@dataclass(frozen=True)
+class TableRow:
+    """One row: its key, the text of each column, and whether it needs attention.
+
+    Parameters
+    ----------
+    tip
+        What more there is to say of it; empty for nothing.
+    """
+
+    key: str
+    cells: tuple[str, ...]
+    attention: bool = False
+    tip: str = ""
+
+
+class RowTable(QTableView):
+    """A table whose rows are chosen by a double click or Enter; texts are shown as they are."""
+
+    chosen = Signal(str)
+    """The key of the row that was chosen."""
+    current_changed = Signal(str)
+    """The key of the row that the cursor is on; empty if it is on none."""
+
+    def __init__(
+        self, headings: Sequence[str], stretched: int = 0, parent: QWidget | None = None
+    ) -> None:
+        """Make an empty table.
+
+        Parameters
+        ----------
+        stretched
+            Number of the column that takes the space which the others leave.
+        """
+        super().__init__(parent)
+        self.setObjectName("rows")
+        self._rows = _Rows(headings, self)
+        self.setModel(self._rows)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setShowGrid(False)
+        self.setTabKeyNavigation(False)
+        self.setWordWrap(False)
+        self.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self.verticalHeader().hide()
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        for column in range(len(headings)):
+            mode = QHeaderView.ResizeMode
+            kind = mode.Stretch if column == stretched else mode.ResizeToContents
+            header.setSectionResizeMode(column, kind)
+        self.doubleClicked.connect(self._choose)
+        self.selectionModel().currentRowChanged.connect(self._announce)
+
+    @property
+    def rows(self) -> tuple[TableRow, ...]:
+        """The rows that are shown."""
+        return self._rows.rows
+
+    @property
+    def current_key(self) -> str:
+        """The key of the row that the cursor is on; empty if it is on none."""
+        number = self.currentIndex().row()
+        return self._rows.rows[number].key if number >= 0 else ""
+
+    def show_rows(self, rows: Sequence[TableRow]) -> None:
+        """Show rows; the cursor stays on the row of the same key."""
+        if tuple(rows) == self._rows.rows:
+            return
+        before = self.current_key
+        self._rows.replace(rows)
+        keys = [row.key for row in rows]
+        if before in keys:
+            self.selectRow(keys.index(before))
+        self._announce()
+
+    def take_first(self) -> bool:
+        """Move the cursor to the first row; return whether there is one."""
+        if not self._rows.rows:
+            return False
+        self.selectRow(0)
+        return True
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Choose the current row on Enter."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.current_key:
+            self.chosen.emit(self.current_key)
+        else:
+            super().keyPressEvent(event)
+
+    def _choose(self, index: QModelIndex) -> None:
+        self.chosen.emit(self._rows.rows[index.row()].key)
+
+    def _announce(self) -> None:
+        self.current_changed.emit(self.current_key)
+
+
+_Index = QModelIndex | QPersistentModelIndex
+_NOWHERE = QModelIndex()
+
+
+class _Rows(QAbstractTableModel):
+    """The rows as Qt's views ask for them."""
+
+    def __init__(self, headings: Sequence[str], table: QTableView) -> None:
+        super().__init__(table)
+        self._headings = tuple(headings)
+        self._table = table
+        self.rows: tuple[TableRow, ...] = ()
+
+    def replace(self, rows: Sequence[TableRow]) -> None:
+        """Show other rows."""
+        self.beginResetModel()
+        self.rows = tuple(rows)
+        self.endResetModel()
+
+    def rowCount(self, parent: _Index = _NOWHERE) -> int:
+        """Return the number of rows."""
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: _Index = _NOWHERE) -> int:
+        """Return the number of columns."""
+        return 0 if parent.isValid() else len(self._headings)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> object:
+        """Return the heading of a column."""
+        if orientation is Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
+            return self._headings[section]
+        return None
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        """Return text, colour and weight of a cell."""
+        row = self.rows[index.row()]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return row.cells[index.column()]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return row.tip or None
+        if row.attention and role == Qt.ItemDataRole.ForegroundRole:
+            is_dark = self._table.palette().base().color().lightness() < _DARK_BELOW
+            return QBrush(_WARNING_ON_DARK if is_dark else _WARNING)
+        if row.attention and role == Qt.ItemDataRole.FontRole:
+            font = QFont(self._table.font())
+            font.setBold(True)
+            return font
+        return None

@@ -1,0 +1,215 @@
+"""Making a backup of the whole record (decision 0044)."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from functools import partial
+from importlib.metadata import version
+from pathlib import Path
+from typing import Final
+
+from sqlalchemy import Connection, Table, func, select
+
+from insole_core.errors import RecordsError
+from insole_core.export.temporary import is_temporary
+from insole_core.given_file import read_given
+from insole_core.progress import SILENT, Progress
+from insole_core.records.audit import head_of
+from insole_core.records.backup.backup_folder import BackupFolder, BackupWriter, SnapshotName
+from insole_core.records.backup.backup_key import BackupKey
+from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
+from insole_core.records.backup.portable_rows import pieces_of, tables_of
+from insole_core.records.clinic import setting_of, write_setting
+from insole_core.records.content_store import ContentStore, DamagedContent
+from insole_core.records.context import RecordsContext
+from insole_core.records.migrate import schema_of
+from insole_core.records.rights import Right, require
+from insole_core.records.schema import contents, persons
+
+KEY_VALUE: Final = "backup_key"
+"""Key of the clinic's settings."""
+_MOST_SETTINGS_BYTES: Final = 2**30
+_SUBJECT: Final = "record"
+
+
+@dataclass(frozen=True)
+class BackupReport:
+    """What a backup has written.
+
+    Parameters
+    ----------
+    written_objects, written_bytes
+        What was new.
+    damaged
+        SHA-256 of large files that were missing or damaged in the record: they are not in the
+        backup.
+    """
+
+    snapshot: SnapshotName
+    rows: int
+    contents: int
+    contents_bytes: int
+    written_objects: int
+    written_bytes: int
+    damaged: tuple[str, ...]
+
+
+def key_of_backups(context: RecordsContext) -> BackupKey | None:
+    """Return the key of the record's backups; None until they are set up."""
+    with context.database.reading() as connection:
+        values = setting_of(connection, KEY_VALUE)
+    return None if values is None else BackupKey.from_json(values)
+
+
+def set_up_backups(context: RecordsContext, key: BackupKey) -> None:
+    """Let the record be backed up with a key from now on; folders of another key stay as they are.
+
+    Raises
+    ------
+    NotAllowed
+    """
+    with context.database.writing() as connection:
+        require(connection, context.author, Right.SET_UP)
+        write_setting(connection, KEY_VALUE, key.as_json())
+        context.log(connection, "set up backups", _SUBJECT, key.recipient)
+
+
+def back_up(
+    context: RecordsContext,
+    folder: Path,
+    settings: Mapping[str, Path] | None = None,
+    progress: Progress = SILENT,
+) -> BackupReport:
+    """Add a snapshot of the record to a folder, which grows by what is new.
+
+    The tables are read in one transaction, so that they are of one moment; the work of others
+    goes on. Every file is read again after it was written. Large files that are damaged in the
+    record are left out and named, so that the rest is safe.
+
+    Parameters
+    ----------
+    settings
+        Folders with the settings of the program, by name; those that are absent are left out.
+
+    Raises
+    ------
+    RecordsError
+        When backups are not set up, or the folder is that of another record.
+    OutputError
+        When the folder cannot be written; the snapshots before stay as they are.
+    Cancelled
+    """
+    key = key_of_backups(context)
+    if key is None:
+        raise RecordsError("Backups have no passphrase yet; choose one first.")
+    made_at = datetime.now(UTC)
+    with BackupWriter(BackupFolder(folder), key) as writer:
+        with context.database.reading() as connection:
+            require(connection, context.author, Right.BACK_UP)
+            source = _Source(connection, context.contents, writer)
+            manifest = source.write_all(made_at, settings or {}, progress)
+        snapshot = writer.finish(made_at, manifest.as_json())
+    with context.database.writing() as connection:
+        context.log(
+            connection,
+            "backed up",
+            _SUBJECT,
+            f"snapshot {snapshot.number}",
+            audit_seq=manifest.audit_seq,
+            damaged=len(manifest.damaged),
+        )
+    return BackupReport(
+        snapshot,
+        sum(table.rows for table in manifest.tables),
+        manifest.contents,
+        manifest.contents_bytes,
+        writer.written_objects,
+        writer.written_bytes,
+        manifest.damaged,
+    )
+
+
+@dataclass(frozen=True)
+class _Source:
+    """A moment of the record on its way into a backup."""
+
+    connection: Connection
+    store: ContentStore
+    writer: BackupWriter
+
+    def write_all(
+        self, made_at: datetime, settings: Mapping[str, Path], progress: Progress
+    ) -> Manifest:
+        """Write what is new, and return what the snapshot consists of."""
+        tables = tuple(self._write_tables(progress.part(0, 0.3)))
+        wrong = self._write_contents(progress.part(0.3, 0.98))
+        files = tuple(self._write_settings(settings))
+        seq, last_hash = head_of(self.connection)
+        total = self.connection.execute(select(func.count(), func.sum(contents.c.size))).one()
+        erased = self.connection.execute(select(persons.c.id).where(persons.c.is_erased)).scalars()
+        return Manifest(
+            made_at=made_at.isoformat(),
+            program_version=version("insole-studio"),
+            schema=schema_of(self.connection) or "",
+            audit_seq=seq,
+            audit_hash=last_hash,
+            tables=tables,
+            files=files,
+            contents=total[0],
+            contents_bytes=int(total[1] or 0),
+            damaged=wrong,
+            erased=tuple(sorted(erased)),
+        )
+
+    def _write_tables(self, progress: Progress) -> Iterator[TableContent]:
+        tables = tables_of(self.connection)
+        for table, step in zip(tables, progress.parts(len(tables)), strict=True):
+            yield self._write_table(table, step)
+
+    def _write_table(self, table: Table, progress: Progress) -> TableContent:
+        pieces, rows = [], 0
+        for content, count in pieces_of(self.connection, table):
+            progress.step(0.0, "Backing up the tables ({rows} rows of {table})",
+                          rows=rows, table=table.name)  # fmt: skip
+            sha256 = hashlib.sha256(content).hexdigest()
+            self.writer.put_rows(sha256, content)
+            pieces.append(sha256)
+            rows += count
+        return TableContent(table.name, tuple(table.c.keys()), rows, tuple(pieces))
+
+    def _write_contents(self, progress: Progress) -> tuple[str, ...]:
+        """Write the large files that are new; return those that cannot be read."""
+        query = select(contents.c.sha256).order_by(contents.c.sha256)
+        wanted = self.connection.execute(query).scalars().all()
+        wrong = []
+        for index, sha256 in enumerate(wanted):
+            progress.step(
+                index / len(wanted),
+                "Backing up files ({done} of {all})",
+                done=index,
+                all=len(wanted),
+            )
+            try:
+                self.writer.put_file(sha256, partial(self.store.open, sha256))
+            except DamagedContent:
+                wrong.append(sha256)
+        return tuple(wrong)
+
+    def _write_settings(self, settings: Mapping[str, Path]) -> Iterator[SavedFile]:
+        for group, folder in settings.items():
+            for path in _files_in(folder):
+                content = read_given(path, _MOST_SETTINGS_BYTES)
+                sha256 = hashlib.sha256(content).hexdigest()
+                self.writer.put_file(sha256, partial(io.BytesIO, content))
+                name = path.relative_to(folder).as_posix()
+                yield SavedFile(group, name, sha256, len(content))
+
+
+def _files_in(folder: Path) -> list[Path]:
+    found = (Path(place, name) for place, _, names in os.walk(folder) for name in names)
+    return sorted(path for path in found if path.is_file() and not is_temporary(path.name))

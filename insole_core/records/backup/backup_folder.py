@@ -1,0 +1,464 @@
+"""A folder of backups: encrypted objects, and snapshots that refer to them.
+
+An object is a large file of the record, or a piece of one of its tables. It is written once, and
+shared by all later snapshots: a folder grows by what is new. The name of an object holds an HMAC
+of its content, which tells nothing about it, and size and digest of the encrypted file, by which
+damage is found without the passphrase (docs/formats/backup.md).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import zlib
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, BinaryIO, Final
+
+import pyrage
+
+from insole_core.errors import InputError, OutputError, RecordsError
+from insole_core.export.atomic import make_private_folder, write_text
+from insole_core.export.file_lock import FileLock
+from insole_core.export.sync import sync
+from insole_core.export.temporary import make_file, release, remove, sweep
+from insole_core.export.write_errors import output_errors
+from insole_core.given_file import read_given
+from insole_core.records.backup.backup_key import (
+    BackupKey,
+    OpenedKey,
+    authenticate,
+    damaged,
+    missing,
+)
+from insole_core.records.content_store import MOST_BYTES
+from insole_core.regular_file import blocks_of, open_regular
+from insole_core.strict_json import load_strictly
+
+FORMAT: Final = 1
+HEAD_FILE: Final = "insole-studio-backup.json"
+OBJECTS: Final = "objects"
+SNAPSHOTS: Final = "snapshots"
+_HEAD_BYTES: Final = 2**20
+_SNAPSHOT_BYTES: Final = 2**30
+_OBJECT: Final = re.compile(r"([0-9a-f]{64})-(\d{1,15})-([0-9a-f]{32})\.age")
+_SNAPSHOT: Final = re.compile(r"(\d{6})-(\d{4}-\d\d-\d\dT\d\d-\d\d-\d\dZ)\.age")
+_TIME: Final = "%Y-%m-%dT%H-%M-%SZ"
+
+
+@dataclass(frozen=True)
+class SnapshotName:
+    """A snapshot in a folder.
+
+    Parameters
+    ----------
+    number
+        Tells the order, whatever the clock said.
+    made_at
+        UTC.
+    """
+
+    number: int
+    made_at: datetime
+
+    @property
+    def file_name(self) -> str:
+        """Name of its file."""
+        return f"{self.number:06}-{self.made_at.strftime(_TIME)}.age"
+
+
+@dataclass(frozen=True)
+class BackupHead:
+    """What everybody may read of a folder of backups."""
+
+    recipient: str
+    locked: str
+    opened_by: str
+
+
+class BackupFolder:
+    """A folder with the backups of one record."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def head(self) -> BackupHead:
+        """Read what everybody may read.
+
+        Raises
+        ------
+        InputError
+            When the folder holds no backups.
+        DamagedBackup
+        """
+        path = self.path / HEAD_FILE
+        if not path.is_file():
+            raise InputError(
+                "{folder} holds no backup; choose the folder that has {name} in it.",
+                folder=self.path,
+                name=HEAD_FILE,
+            )
+        try:
+            values = load_strictly(read_given(path, _HEAD_BYTES))
+            if values["format"] > FORMAT:
+                raise RecordsError(
+                    "The backup in {folder} comes from a newer Insole Studio; install the newest "
+                    "version.",
+                    folder=self.path,
+                )
+            return BackupHead(*(str(values[name]) for name in ("recipient", "key", "opened_by")))
+        except (ValueError, KeyError, TypeError, RecursionError) as error:
+            raise damaged(HEAD_FILE) from error
+
+    def snapshots(self) -> list[SnapshotName]:
+        """Return the snapshots, the oldest first."""
+        folder = self.path / SNAPSHOTS
+        names = [path.name for path in folder.iterdir()] if folder.is_dir() else []
+        matches = filter(None, map(_SNAPSHOT.fullmatch, names))
+        found = [
+            SnapshotName(int(match[1]), datetime.strptime(match[2], _TIME).replace(tzinfo=UTC))
+            for match in matches
+        ]
+        return sorted(found, key=lambda snapshot: snapshot.number)
+
+    def objects(self) -> dict[str, Path]:
+        """Return the complete objects by the first part of their names.
+
+        One that was cut off is not among them: the next backup writes it again.
+        """
+        found = {}
+        for folder in _subfolders(self.path / OBJECTS):
+            for entry in os.scandir(folder):
+                match = _OBJECT.fullmatch(entry.name)
+                if match is not None and entry.stat().st_size == int(match[2]):
+                    found[match[1]] = Path(entry.path)
+        return found
+
+    def damaged_objects(self, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Path, bool]]:
+        """Read every object; yield its path, and whether it is what was written."""
+        for folder in _subfolders(self.path / OBJECTS):
+            for path in sorted(folder.iterdir()):
+                match = _OBJECT.fullmatch(path.name)
+                if match is not None and not is_cancelled():
+                    yield path, _digest(path) == match[3]
+
+
+class BackupWriter:
+    """Writes one snapshot into a folder, and the objects that are not there yet.
+
+    A context: only one writer works in a folder at a time.
+
+    Raises
+    ------
+    RecordsError
+        When the folder is that of another record, or another station writes there.
+    OutputError
+        When the folder cannot be written.
+    """
+
+    def __init__(self, folder: BackupFolder, key: BackupKey) -> None:
+        self._folder = folder
+        self._key = key
+        self._recipients = [pyrage.x25519.Recipient.from_str(key.recipient)]
+        self._lock = FileLock(folder.path / ".lock")
+        self._known: dict[str, Path] = {}
+        self._unsynced: set[Path] = set()
+        self.written_objects = 0
+        self.written_bytes = 0
+
+    def __enter__(self) -> BackupWriter:
+        path = self._folder.path
+        with output_errors(path):
+            make_private_folder(path)
+        if not self._lock.acquire():
+            raise RecordsError(
+                "Another program is making a backup in {folder}; wait until it is done.",
+                folder=path,
+            )
+        try:
+            self._check_head()
+            for name in (OBJECTS, SNAPSHOTS):
+                with output_errors(path / name):
+                    make_private_folder(path / name)
+            self._known = self._folder.objects()
+        except BaseException:
+            self._lock.release()
+            raise
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._lock.release()
+
+    def _check_head(self) -> None:
+        path = self._folder.path / HEAD_FILE
+        if path.exists():
+            if self._folder.head().recipient != self._key.recipient:
+                raise RecordsError(
+                    "{folder} holds the backups of another record, or of this one under another "
+                    "passphrase; choose another folder.",
+                    folder=self._folder.path,
+                )
+            return
+        values = {
+            "kind": "insole-studio-backup",
+            "format": FORMAT,
+            "recipient": self._key.recipient,
+            "key": self._key.locked,
+            "opened_by": self._key.opened_by,
+        }
+        write_text(json.dumps(values, indent=1) + "\n", path)
+
+    def put_rows(self, sha256: str, content: bytes) -> None:
+        """Keep a piece of a table, unless it is there.
+
+        Parameters
+        ----------
+        sha256
+            Of the content, which is compressed.
+        """
+        self._put(sha256, lambda file: file.write(self._encrypted(zlib.compress(content))))
+
+    def put_file(self, sha256: str, opened: Callable[[], BinaryIO]) -> None:
+        """Keep a file, unless it is there.
+
+        Parameters
+        ----------
+        opened
+            Opens the file, whose content has been verified.
+        """
+        self._put(sha256, lambda file: self._encrypt_file(opened, file))
+
+    def finish(self, made_at: datetime, manifest: bytes) -> SnapshotName:
+        """Write the snapshot, once all that it refers to is on the disk."""
+        last = max((snapshot.number for snapshot in self._folder.snapshots()), default=0)
+        name = SnapshotName(last + 1, made_at)
+        content = self._encrypted(sealed(manifest, self._key.mac_key))
+        self._sync_folders()
+        path = self._folder.path / SNAPSHOTS / name.file_name
+        self._write(path.parent, lambda file: file.write(content), lambda _s, _d: path)
+        self._sync_folders()
+        return name
+
+    def _put(self, sha256: str, write: Callable[[BinaryIO], Any]) -> None:
+        name = object_name(self._key.mac_key, sha256)
+        if name in self._known:
+            return
+        folder = self._folder.path / OBJECTS / name[:2]
+        with output_errors(folder):
+            if not folder.is_dir():
+                make_private_folder(folder)
+                self._unsynced.add(folder.parent)
+                sweep(folder)
+
+        def path_of(size: int, digest: str) -> Path:
+            return folder / f"{name}-{size}-{digest[:32]}.age"
+
+        self._known[name] = self._write(folder, write, path_of)
+
+    def _write(
+        self,
+        folder: Path,
+        write: Callable[[BinaryIO], Any],
+        path_of: Callable[[int, str], Path],
+    ) -> Path:
+        """Write a file beside its place, read it again, and give it its name."""
+        with output_errors(folder):
+            beside = make_file(folder, folder)
+            try:
+                with beside.open("wb") as file:
+                    hashing = _HashingFile(file)
+                    hashing.run(write)
+                sync(beside)
+                _forget_cached(beside)
+                if _digest(beside) != hashing.digest()[:32]:
+                    raise OutputError(
+                        "{folder} does not keep what is written to it; use another disk for "
+                        "backups.",
+                        folder=folder,
+                    )
+                path = path_of(hashing.size, hashing.digest())
+                beside.replace(path)
+            finally:
+                with suppress(OSError):
+                    remove(beside)
+                release(beside)
+        self._unsynced.add(folder)
+        self.written_objects += 1
+        self.written_bytes += hashing.size
+        return path
+
+    def _sync_folders(self) -> None:
+        for folder in sorted(self._unsynced):
+            with output_errors(folder):
+                sync(folder)
+        self._unsynced.clear()
+
+    def _encrypted(self, content: bytes) -> bytes:
+        encrypted: bytes = pyrage.encrypt(content, self._recipients)
+        return encrypted
+
+    def _encrypt_file(self, opened: Callable[[], BinaryIO], file: BinaryIO) -> None:
+        with opened() as source:
+            pyrage.encrypt_io(source, file, self._recipients)
+
+
+class BackupReader:
+    """Reads snapshots and objects of a folder with its opened key."""
+
+    def __init__(self, folder: BackupFolder, key: OpenedKey) -> None:
+        self._folder = folder
+        self._key = key
+        self._known = folder.objects()
+
+    def manifest(self, snapshot: SnapshotName) -> bytes:
+        """Return the manifest of a snapshot.
+
+        Raises
+        ------
+        DamagedBackup
+            When it is not what the record has written.
+        """
+        name = snapshot.file_name
+        content = read_given(self._folder.path / SNAPSHOTS / name, _SNAPSHOT_BYTES)
+        return unsealed(self._key.decrypt(content, name), self._key.mac_key, name)
+
+    def read_rows(self, sha256: str) -> bytes:
+        """Return a piece of a table, verified.
+
+        Raises
+        ------
+        DamagedBackup
+        """
+        path = self._path(sha256)
+        decrypted = self._key.decrypt(read_given(path, _SNAPSHOT_BYTES), path.name)
+        try:
+            content = zlib.decompress(decrypted)
+        except zlib.error as error:
+            raise damaged(path.name) from error
+        if hashlib.sha256(content).hexdigest() != sha256:
+            raise damaged(path.name)
+        return content
+
+    def copy_file(self, sha256: str, target: BinaryIO) -> int:
+        """Decrypt a file into an open one; return its size in bytes.
+
+        Raises
+        ------
+        DamagedBackup
+            When it is not what was written; what the target holds by then is to be thrown away.
+        """
+        path = self._path(sha256)
+        hashing = _HashingFile(target)
+        with open_regular(path) as source:
+            try:
+                hashing.run(lambda file: pyrage.decrypt_io(source, file, self._key.identities()))
+            except (pyrage.DecryptError, OSError) as error:
+                if hashing.error is not None:
+                    raise
+                raise damaged(path.name) from error
+        if hashing.digest() != sha256:
+            raise damaged(path.name)
+        return hashing.size
+
+    def _path(self, sha256: str) -> Path:
+        name = object_name(self._key.mac_key, sha256)
+        if name not in self._known:
+            raise missing(f"{OBJECTS}/{name[:2]}/{name[:12]}…")
+        return self._known[name]
+
+
+class _HashingFile:
+    """A file to write to that keeps size and SHA-256 of what was written.
+
+    The encryption loses the number of an error of the system; it is raised again from here.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+        self._hash = hashlib.sha256()
+        self.size = 0
+        self.error: OSError | None = None
+
+    def run(self, write: Callable[[Any], Any]) -> None:
+        """Let `write` write to this file.
+
+        Raises
+        ------
+        OSError
+            Of the file; other errors are those of `write`.
+        """
+        try:
+            write(self)
+            self._file.flush()
+        except Exception:
+            if self.error is not None:
+                raise self.error from None
+            raise
+
+    def write(self, content: bytes) -> int:
+        """Write a block."""
+        try:
+            written = self._file.write(content)
+        except OSError as error:
+            self.error = error
+            raise
+        self._hash.update(content)
+        self.size += len(content)
+        return written
+
+    def flush(self) -> None:
+        """Do nothing: the file is flushed at its end."""
+
+    def digest(self) -> str:
+        """Return the SHA-256 of what was written, in hexadecimal."""
+        return self._hash.hexdigest()
+
+
+def object_name(mac_key: str, sha256: str) -> str:
+    """Return the part of an object's name that depends on its content."""
+    return authenticate(mac_key, bytes.fromhex(sha256))
+
+
+def sealed(manifest: bytes, mac_key: str) -> bytes:
+    """Return a manifest with its authentication, compressed."""
+    content = zlib.compress(manifest)
+    return authenticate(mac_key, content).encode("ascii") + content
+
+
+def unsealed(content: bytes, mac_key: str, name: str) -> bytes:
+    """Return the manifest that `sealed` was given.
+
+    Raises
+    ------
+    DamagedBackup
+        When the record has not written it.
+    """
+    mac, compressed = content[:64], content[64:]
+    if authenticate(mac_key, compressed).encode("ascii") != mac:
+        raise damaged(name)
+    return zlib.decompress(compressed)
+
+
+def _subfolders(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.iterdir() if path.is_dir()) if folder.is_dir() else []
+
+
+def _digest(path: Path) -> str:
+    """Return the part of the SHA-256 of a file that object names hold."""
+    digest = hashlib.sha256()
+    with open_regular(path) as file:
+        for block in blocks_of(file, 2 * MOST_BYTES):
+            digest.update(block)
+    return digest.hexdigest()[:32]
+
+
+def _forget_cached(path: Path) -> None:
+    """Let the next reading come from the disk, where the system can be asked for it."""
+    if hasattr(os, "posix_fadvise"):
+        with open_regular(path) as file:
+            os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)

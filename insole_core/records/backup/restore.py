@@ -1,0 +1,346 @@
+"""Restoring a record from a backup, into either kind of database (decision 0044).
+
+The record is put together beside its place and takes it at the end, or not at all. What was there
+is set aside, never removed.
+"""
+
+from __future__ import annotations
+
+import logging
+import sqlite3
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing, contextmanager
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path, PurePosixPath
+from typing import TypeAlias
+
+from sqlalchemy import Connection, Table, func, select
+from sqlalchemy.exc import SQLAlchemyError
+
+from insole_core.errors import InsoleError, RecordsError
+from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.export.file_mode import PRIVATE_FILE
+from insole_core.export.sync import sync
+from insole_core.export.temporary import make_file, release, remove
+from insole_core.export.write_errors import output_errors
+from insole_core.progress import SILENT, Progress
+from insole_core.records.audit import AuditLog, AuditReport, head_of, verify_chain
+from insole_core.records.author import Author
+from insole_core.records.backup.backup_folder import SnapshotName
+from insole_core.records.backup.backup_key import damaged
+from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
+from insole_core.records.backup.portable_rows import insert_pieces, replace_pieces, tables_of
+from insole_core.records.backup.snapshot import OpenedSnapshot, open_snapshot
+from insole_core.records.clinic import write_setting
+from insole_core.records.content_store import IDENTITY_VALUE, ContentStore
+from insole_core.records.database import Database
+from insole_core.records.migrate import check_schema, migrate, schema_of
+from insole_core.records.place import RecordsPlace
+from insole_core.records.retention import ErasureReason, erase_in
+from insole_core.records.schema import contents, persons
+
+log = logging.getLogger(__name__)
+
+_BESIDE = ("-wal", "-shm")
+"""Files that SQLite keeps beside a database."""
+
+
+class PlaceTaken(RecordsError):  # noqa: N818 - as the other errors of the record
+    """There is a record already; whoever wants the backup in its place has to say so."""
+
+
+@dataclass(frozen=True)
+class RestoreReport:
+    """What was restored.
+
+    Parameters
+    ----------
+    left_out
+        SHA-256 of large files that were damaged already when the backup was made.
+    audit
+        Verification of the audit log that was restored.
+    set_aside
+        Where the record is that was there before.
+    erased_again
+        Persons who were erased after the backup was made.
+    files, kept_files
+        Settings that were restored, and those that were there already and stay.
+    """
+
+    snapshot: SnapshotName
+    rows: int
+    contents: int
+    contents_bytes: int
+    left_out: tuple[str, ...]
+    audit: AuditReport
+    set_aside: Path | None = None
+    erased_again: int = 0
+    files: int = 0
+    kept_files: int = 0
+
+
+_Fill: TypeAlias = Callable[[Database], RestoreReport]
+
+
+def restore(
+    folder: Path,
+    secret: str,
+    place: RecordsPlace,
+    who: Author,
+    *,
+    number: int | None = None,
+    replace_existing: bool = False,
+    settings: Mapping[str, Path] | None = None,
+    progress: Progress = SILENT,
+) -> RestoreReport:
+    """Restore a snapshot with all of its files.
+
+    Parameters
+    ----------
+    secret
+        Passphrase, or private key of age.
+    place
+        An empty place, or a local one whose record is set aside. A database of a server has to be
+        empty.
+    number
+        Of the snapshot; by default the newest one.
+    settings
+        Folders of the program's settings by name, as for `back_up`; a file that is there stays.
+
+    Raises
+    ------
+    WrongSecret, DamagedBackup, InputError
+        When the backup cannot be read.
+    PlaceTaken
+        When there is a record and `replace_existing` is not set, or it is on a server.
+    RecordsError, OutputError
+        When the place cannot be written. What was there is untouched.
+    Cancelled
+    """
+    opened = open_snapshot(folder, secret, number)
+    check_schema(opened.manifest.schema, opened.snapshot.file_name)
+    store = ContentStore(place.contents)
+    fill = partial(_fill, opened=opened, store=store, who=who, progress=progress.part(0, 0.95))
+    if place.is_local:
+        report = _restore_file(place, opened.manifest, fill, replace_existing=replace_existing)
+    else:
+        report = _restore_server(place, opened.manifest, fill)
+    restored, kept = _restore_settings(opened, settings or {})
+    return replace(report, files=restored, kept_files=kept)
+
+
+def _restore_file(
+    place: RecordsPlace, manifest: Manifest, fill: _Fill, *, replace_existing: bool
+) -> RestoreReport:
+    path = place.database_file
+    make_output_folder(path.parent)
+    if path.exists() and path.stat().st_size > 0 and not replace_existing:
+        raise _taken(place, manifest)
+    with output_errors(path):
+        beside = make_file(path.parent, path)
+    try:
+        with _opened(replace(place, url=place.url.set(database=str(beside)))) as database:
+            report = fill(database)
+        set_aside = _set_aside(path) if path.exists() else None
+        with output_errors(path):
+            sync(beside)
+            beside.chmod(PRIVATE_FILE)
+            beside.replace(path)
+            sync(path.parent)
+    finally:
+        for name in (beside, *(Path(f"{beside}{suffix}") for suffix in _BESIDE)):
+            _try_to_remove(name)
+        release(beside)
+    return replace(report, set_aside=set_aside)
+
+
+def _restore_server(place: RecordsPlace, manifest: Manifest, fill: _Fill) -> RestoreReport:
+    with _opened(place) as database:
+        with database.reading() as connection:
+            is_empty = schema_of(connection) is None or head_of(connection)[0] == 0
+        if not is_empty:
+            raise _taken(place, manifest)
+        return fill(database)
+
+
+@contextmanager
+def _opened(place: RecordsPlace) -> Iterator[Database]:
+    database = Database(place)
+    try:
+        yield database
+    finally:
+        database.close()
+
+
+def _fill(
+    database: Database,
+    opened: OpenedSnapshot,
+    store: ContentStore,
+    who: Author,
+    progress: Progress,
+) -> RestoreReport:
+    """Make the tables as they were, fill them, and bring them to this program's."""
+    manifest = opened.manifest
+    migrate(database, manifest.schema)
+    with database.writing() as connection:
+        rows = _insert_tables(connection, opened, progress.part(0, 0.3))
+        _restore_contents(connection, opened, store, progress.part(0.3, 1))
+        report = RestoreReport(
+            opened.snapshot,
+            rows,
+            manifest.contents,
+            manifest.contents_bytes,
+            manifest.damaged,
+            verify_chain(connection, {manifest.audit_seq: manifest.audit_hash}),
+        )
+        write_setting(connection, IDENTITY_VALUE, store.identity())
+    migrate(database)
+    with database.writing() as connection:
+        erased = _erase_again(connection, opened, who)
+        AuditLog.append(connection, who, "restored", "record", f"snapshot {opened.snapshot.number}")
+    return replace(report, erased_again=erased)
+
+
+def _erase_again(connection: Connection, opened: OpenedSnapshot, who: Author) -> int:
+    """Erase whoever was erased after this snapshot and before the newest one."""
+    query = select(persons.c.id).where(~persons.c.is_erased, persons.c.merged_into.is_(None))
+    there = set(connection.execute(query).scalars())
+    coming = sorted(there.intersection(opened.newest.erased))
+    for person_id in coming:
+        erase_in(connection, who, person_id, ErasureReason.REQUEST, datetime.now(UTC).date())
+    return len(coming)
+
+
+def _insert_tables(connection: Connection, opened: OpenedSnapshot, progress: Progress) -> int:
+    """Insert the rows of all tables; return their number."""
+    saved = {table.name: table for table in opened.manifest.tables}
+    tables = tables_of(connection)
+    if saved.keys() != {table.name for table in tables}:
+        raise damaged(opened.snapshot.file_name)
+    for table, step in zip(tables, progress.parts(len(tables)), strict=True):
+        step.step(0.0, "Restoring the table {table}", table=table.name)
+        _insert_table(connection, table, saved[table.name], opened)
+    return sum(table.rows for table in saved.values())
+
+
+def _insert_table(
+    connection: Connection, table: Table, saved: TableContent, opened: OpenedSnapshot
+) -> None:
+    pieces = map(opened.reader.read_rows, saved.pieces)
+    try:
+        if connection.execute(select(func.count()).select_from(table)).scalar_one() > 0:
+            count = replace_pieces(connection, table, saved.columns, pieces)
+        else:
+            count = insert_pieces(connection, table, saved.columns, pieces)
+    except (ValueError, KeyError) as error:
+        raise damaged(f"{opened.snapshot.file_name}, {table.name}") from error
+    if count != saved.rows:
+        raise damaged(f"{opened.snapshot.file_name}, {table.name}")
+
+
+def _restore_contents(
+    connection: Connection, opened: OpenedSnapshot, store: ContentStore, progress: Progress
+) -> None:
+    left_out = set(opened.manifest.damaged)
+    query = select(contents.c.sha256).order_by(contents.c.sha256)
+    wanted = [name for name in connection.execute(query).scalars() if name not in left_out]
+    for index, sha256 in enumerate(wanted):
+        progress.step(
+            index / len(wanted), "Restoring files ({done} of {all})", done=index, all=len(wanted)
+        )
+        store.receive(sha256, partial(opened.reader.copy_file, sha256))
+
+
+def _restore_settings(opened: OpenedSnapshot, settings: Mapping[str, Path]) -> tuple[int, int]:
+    """Return the numbers of files that were restored, and that were there already."""
+    restored = kept = 0
+    for file in opened.manifest.files:
+        if file.group not in settings:
+            continue
+        path = settings[file.group] / _inner_path(file)
+        if path.exists():
+            kept += 1
+            continue
+        make_output_folder(path.parent)
+        with replacing_file(path) as beside, beside.open("wb") as target:
+            opened.reader.copy_file(file.sha256, target)
+        restored += 1
+    return restored, kept
+
+
+def _inner_path(file: SavedFile) -> PurePosixPath:
+    path = PurePosixPath(file.name)
+    if path.is_absolute() or ".." in path.parts:
+        raise damaged(file.name)
+    return path
+
+
+def _taken(place: RecordsPlace, manifest: Manifest) -> PlaceTaken:
+    """Return the error about a record that is there, which may be newer than the backup."""
+    lines = _lines_of(place)
+    if lines is not None and lines > manifest.audit_seq:
+        return PlaceTaken(
+            "{place} holds a record that is newer than the backup: {count} entries of its audit "
+            "log are not in it. Restore to an empty place, or let this record be set aside.",
+            place=place.name,
+            count=lines - manifest.audit_seq,
+        )
+    return PlaceTaken(
+        "{place} holds a record already; restore to an empty place, or let this record be set "
+        "aside.",
+        place=place.name,
+    )
+
+
+def _lines_of(place: RecordsPlace) -> int | None:
+    """Return the length of the audit log of a record; None if it cannot be read."""
+    try:
+        with _opened(place) as database, database.reading() as connection:
+            return head_of(connection)[0]
+    except (InsoleError, SQLAlchemyError) as error:
+        log.warning("%s cannot be read before it is replaced: %s", place.name, error)
+        return None
+
+
+def _set_aside(path: Path) -> Path:
+    """Rename a database to a name that says until when it was used."""
+    _close_journal(path)
+    moment = datetime.now(UTC).strftime("%Y-%m-%d %H.%M.%S")
+    aside = path.with_name(f"{path.stem} until {moment}{path.suffix}")
+    with output_errors(path):
+        for suffix in ("", *_BESIDE):
+            beside = Path(f"{path}{suffix}")
+            if beside.exists():
+                beside.rename(f"{aside}{suffix}")
+    return aside
+
+
+def _close_journal(path: Path) -> None:
+    """Bring a database into one file, which succeeds only if no other program has it open.
+
+    Raises
+    ------
+    RecordsError
+    """
+    try:
+        with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=rw", uri=True)) as file:
+            file.execute("PRAGMA journal_mode = DELETE")
+    except sqlite3.OperationalError as error:
+        if getattr(error, "sqlite_errorcode", None) == sqlite3.SQLITE_BUSY:
+            raise RecordsError(
+                "{path} is open in another program; close all windows of Insole Studio, then try "
+                "again.",
+                path=path,
+            ) from error
+        log.warning("%s is set aside as it is: %s", path, error)
+    except sqlite3.DatabaseError as error:
+        log.warning("%s is damaged and set aside as it is: %s", path, error)
+
+
+def _try_to_remove(path: Path) -> None:
+    try:
+        remove(path)
+    except OSError as error:
+        log.warning("%s cannot be removed yet: %s", path, error)

@@ -1,0 +1,50 @@
+"""Settings of the clinic, which all stations share."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from sqlalchemy import Connection, insert, select, update
+
+from insole_core.records.context import RecordsContext
+from insole_core.records.rights import Right
+from insole_core.records.schema import clinic
+
+
+class ClinicSettings:
+    """JSON values by name."""
+
+    def __init__(self, context: RecordsContext) -> None:
+        self._context = context
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """Return a setting; `default` where it was never set."""
+        with self._context.database.reading() as connection:
+            return setting_of(connection, key, default)
+
+    def set(self, key: str, value: Any) -> None:
+        """Store a setting.
+
+        Parameters
+        ----------
+        value
+            Anything that JSON can hold.
+        """
+        with self._context.writing(Right.SET_UP) as connection:
+            write_setting(connection, key, value)
+            self._context.log(connection, "changed", "clinic", key)
+
+
+def setting_of(connection: Connection, key: str, default: Any = None) -> Any:
+    """Return a setting; `default` where it was never set."""
+    stored = connection.execute(select(clinic.c.value).where(clinic.c.key == key)).scalar()
+    return default if stored is None else json.loads(stored)
+
+
+def write_setting(connection: Connection, key: str, value: Any) -> None:
+    """Write a setting, in a transaction of the caller."""
+    written = json.dumps(value)
+    row = update(clinic).where(clinic.c.key == key)
+    if connection.execute(row.values(value=written)).rowcount == 0:
+        connection.execute(insert(clinic).values(key=key, value=written))

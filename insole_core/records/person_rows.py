@@ -1,0 +1,76 @@
+"""Rows of persons, read and locked within a transaction."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Final
+
+from sqlalchemy import Connection, select, update
+
+from insole_core.errors import RecordsError
+from insole_core.records.person import Person
+from insole_core.records.schema import audit_head, orders, persons
+from insole_core.records.search_text import search_text_of
+
+PERSON_FIELDS: Final = tuple(field.name for field in fields(Person))
+
+
+def person_of(connection: Connection, person_id: str) -> Person:
+    """Return a person, or the one that this person was merged into.
+
+    Raises
+    ------
+    RecordsError
+        When there is none.
+    """
+    while True:
+        person = _one(connection, person_id)
+        if person.merged_into is None:
+            return person
+        person_id = person.merged_into
+
+
+def locked_person(connection: Connection, person_id: str) -> Person:
+    """Return a person whose row no other station changes until the transaction ends.
+
+    Raises
+    ------
+    RecordsError
+        When there is none, or the person was merged or erased.
+    """
+    person = _one(connection, person_id, locked=True)
+    if person.merged_into is not None:
+        raise RecordsError("This person was merged with another one meanwhile; open the other one.")
+    if person.is_erased:
+        raise RecordsError("The data of this person were erased; nothing can be added to them.")
+    return person
+
+
+def write_search_text(connection: Connection, person_id: str) -> None:
+    """Write anew what a person is found by, after a change of the person or of the orders."""
+    person = _one(connection, person_id)
+    numbers = connection.execute(
+        select(orders.c.number).where(orders.c.person_id == person_id).order_by(orders.c.number)
+    ).scalars()
+    text = search_text_of(
+        person.name, person.birth_date, person.personal_number, [person.pseudonym, *numbers]
+    )
+    row = update(persons).where(persons.c.id == person_id)
+    connection.execute(row.values(search_text=text))
+
+
+def _one(connection: Connection, person_id: str, *, locked: bool = False) -> Person:
+    query = select(*(persons.c[name] for name in PERSON_FIELDS)).where(persons.c.id == person_id)
+    row = connection.execute(query.with_for_update() if locked else query).one_or_none()
+    if row is None:
+        raise RecordsError("This person is no longer in the record; search for them again.")
+    return Person(*row)
+
+
+def touch_person(connection: Connection, person_id: str) -> None:
+    """Lock a person's row, and make them the one who was worked on last."""
+    # Not the number of the line to come, but near enough for the order of recent ones: the head of
+    # the log is locked last.
+    coming = select(audit_head.c.seq + 1).scalar_subquery()
+    row = update(persons).where(persons.c.id == person_id)
+    connection.execute(row.values(last_seq=coming))

@@ -1,0 +1,106 @@
+"""Who has which visit open."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from typing import Final
+
+from sqlalchemy import Connection, delete, func, insert, select, update
+
+from insole_core.records.context import RecordsContext
+from insole_core.records.rights import Right
+from insole_core.records.schema import presence
+from insole_core.records.times import TIME_FORMAT, utc_now
+
+STALE_S: Final = 90.0
+"""A station that has not said so for so long has left, or was switched off."""
+
+
+@dataclass(frozen=True)
+class Present:
+    """Somebody who has a visit open.
+
+    Parameters
+    ----------
+    since
+        UTC.
+    """
+
+    visit_id: str
+    author: str
+    station: str
+    since: str
+
+
+class Presence:
+    """Says and asks who has a visit open; it hinders nobody, and is not in the audit log."""
+
+    def __init__(self, context: RecordsContext) -> None:
+        self._context = context
+
+    def enter(self, visit_id: str) -> list[Present]:
+        """Say that this station has a visit open; return who else has.
+
+        Call it again at least every minute.
+        """
+        author = self._context.author
+        mine = (
+            (presence.c.visit_id == visit_id)
+            & (presence.c.station == author.station)
+            & (presence.c.author == author.name)
+        )
+        with self._context.writing(Right.SEE) as connection:
+            now = self._now(connection)
+            seen = connection.execute(update(presence).where(mine).values(seen_at=now))
+            if seen.rowcount == 0:
+                connection.execute(
+                    insert(presence).values(
+                        visit_id=visit_id,
+                        station=author.station,
+                        author=author.name,
+                        since=now,
+                        seen_at=now,
+                    )
+                )
+        return self.others(visit_id)
+
+    def leave(self, visit_id: str) -> None:
+        """Say that this station has closed a visit."""
+        author = self._context.author
+        with self._context.writing(Right.SEE) as connection:
+            connection.execute(
+                delete(presence).where(
+                    presence.c.visit_id == visit_id,
+                    presence.c.station == author.station,
+                    presence.c.author == author.name,
+                )
+            )
+
+    def others(self, visit_id: str) -> list[Present]:
+        """Return who else has a visit open, the longest first."""
+        author = self._context.author
+        return [
+            present
+            for present in self._present(visit_id)
+            if (present.author, present.station) != (author.name, author.station)
+        ]
+
+    def _present(self, visit_id: str) -> list[Present]:
+        with self._context.reading() as connection:
+            limit = datetime.strptime(self._now(connection), TIME_FORMAT)
+            oldest = (limit - timedelta(seconds=STALE_S)).strftime(TIME_FORMAT)
+            query = select(
+                presence.c.visit_id, presence.c.author, presence.c.station, presence.c.since
+            ).where(presence.c.visit_id == visit_id, presence.c.seen_at >= oldest)
+            rows = connection.execute(query.order_by(presence.c.since)).all()
+        return [Present(**row._mapping) for row in rows]
+
+    def _now(self, connection: Connection) -> str:
+        """Return the time by the one clock that all stations share: that of the server."""
+        if self._context.database.is_sqlite:
+            return utc_now()
+        now: datetime = connection.execute(
+            select(func.timezone("UTC", func.clock_timestamp()))
+        ).scalar_one()
+        return now.strftime(TIME_FORMAT)

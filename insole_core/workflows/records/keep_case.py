@@ -1,0 +1,113 @@
+"""Stores what has changed in the case of a visit: fields of the patient, and each foot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from datetime import date
+
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.errors import Conflict, RecordsError
+from insole_core.geometry.side import Side
+from insole_core.records.person import Person
+from insole_core.records.prescription import Base
+from insole_core.records.records import Records
+from insole_core.records.visit import CaptureState, Visit
+from insole_core.workflows.records.visit_measures import visit_measures
+
+
+@dataclass(frozen=True, eq=False)
+class CaseChange:
+    """What is to be stored of a case.
+
+    Parameters
+    ----------
+    before
+        The patient's fields as they were stored last.
+    now
+        The case as it is.
+    bases
+        For each foot that has changed, the version it is based on; None for a new foot.
+    """
+
+    visit_id: str
+    before: Patient
+    now: CaseRecord
+    bases: Mapping[Side, Base | None]
+
+
+@dataclass(frozen=True, eq=False)
+class KeptChange:
+    """What has been stored of a change.
+
+    Parameters
+    ----------
+    bases
+        Of the feet that were stored.
+    conflicts
+        Of the feet that somebody else has changed meanwhile; these were not stored.
+    trouble
+        Why not everything was tried; None if it was.
+    """
+
+    person: Person | None = None
+    visit: Visit | None = None
+    bases: Mapping[Side, Base] = field(default_factory=dict)
+    conflicts: Mapping[Side, Conflict] = field(default_factory=dict)
+    trouble: RecordsError | None = None
+
+
+def keep_case(records: Records, change: CaseChange, reason: str = "") -> KeptChange:
+    """Store a change; a foot that somebody else has changed is left as it is stored.
+
+    Each part is a transaction of its own, so that a connection which is lost midway loses nothing
+    that was stored before.
+
+    Parameters
+    ----------
+    reason
+        Why the versions of the feet are kept; empty while somebody is working on them.
+    """
+    bases: dict[Side, Base] = {}
+    conflicts: dict[Side, Conflict] = {}
+    person: Person | None = None
+    visit: Visit | None = None
+    try:
+        visit = records.visits.get(change.visit_id)
+        person = _keep_person(records, visit.person_id, change)
+        for side, base in change.bases.items():
+            foot = change.now.of_side(side)
+            assert foot is not None
+            try:
+                bases[side] = records.prescriptions.save(visit.id, foot, base, reason)
+            except Conflict as conflict:
+                conflicts[side] = conflict
+        visit = _keep_visit(records, visit, change)
+    except RecordsError as error:
+        return KeptChange(person, visit, bases, conflicts, error)
+    return KeptChange(person, visit, bases, conflicts)
+
+
+def _keep_person(records: Records, person_id: str, change: CaseChange) -> Person:
+    """Store the patient's fields that were changed here, over whatever else was changed."""
+    person = records.persons.get(person_id)
+    before, now = change.before, change.now.patient
+    if now.name != before.name:
+        person = replace(person, name=now.name)
+    if now.born != before.born:
+        person = replace(person, birth_date=date.fromisoformat(now.born) if now.born else None)
+    if now.pseudonym and now.pseudonym != before.pseudonym:
+        person = replace(person, pseudonym=now.pseudonym)
+    return records.persons.change(person, person.revision)
+
+
+def _keep_visit(records: Records, visit: Visit, change: CaseChange) -> Visit:
+    before, now = change.before, change.now.patient
+    if now.visit != before.visit and now.visit:
+        visit = replace(visit, visited_on=date.fromisoformat(now.visit))
+    if now.notes != before.notes:
+        visit = replace(visit, findings=now.notes)
+    if change.bases:
+        measures = {**visit.measures, **visit_measures(change.now.feet)}
+        visit = replace(visit, measures=measures, capture_state=CaptureState.DONE)
+    return records.visits.change(visit, visit.revision)

@@ -1,0 +1,118 @@
+"""A PostgreSQL server of the tests' own: unprivileged, in a temporary folder, without a port."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import psycopg
+
+_FAST = ("-c", "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off")
+_OTHER_USERS = ("postgres", "nobody")
+
+
+def binaries() -> Path | None:
+    """Return the folder of the server's programs; None where PostgreSQL is not installed."""
+    folders = sorted(Path("/usr/lib/postgresql").glob("*/bin"), key=lambda p: p.parent.name)
+    for folder in reversed(folders):
+        if (folder / "initdb").exists():
+            return folder
+    found = shutil.which("initdb")
+    return None if found is None else Path(found).resolve().parent
+
+
+@dataclass(frozen=True)
+class PostgresServer:
+    """A running server.
+
+    Parameters
+    ----------
+    folder
+        Of its socket and its data.
+    """
+
+    folder: Path
+    bin: Path
+    user: str
+    options: tuple[str, ...]
+
+    def url(self, database: str) -> str:
+        return f"postgresql+psycopg://{self.user}@/{database}?host={self.folder}"
+
+    def execute(self, statement: str, database: str = "postgres") -> None:
+        with psycopg.connect(
+            f"host={self.folder} user={self.user} dbname={database}", autocommit=True
+        ) as connection:
+            connection.execute(statement)
+
+    def run(self, program: str, *arguments: str) -> None:
+        command = [*_as_user(self.user), str(self.bin / program), *arguments]
+        done = subprocess.run(
+            command, cwd=self.folder, capture_output=True, text=True, check=False, timeout=120
+        )
+        if done.returncode:
+            raise RuntimeError(f"{program}: {done.stdout}{done.stderr}")
+
+    def start(self) -> None:
+        options = " ".join(("-c", "listen_addresses=''", "-k", str(self.folder), *self.options))
+        log = str(self.folder / "log")
+        self.run("pg_ctl", "-D", self.data, "-l", log, "-w", "-o", options, "start")
+
+    def stop(self, mode: str = "fast") -> None:
+        self.run("pg_ctl", "-D", self.data, "-m", mode, "-w", "stop")
+
+    @property
+    def data(self) -> str:
+        return str(self.folder / "data")
+
+
+@contextmanager
+def running_server(
+    *, durable: bool = False, options: tuple[str, ...] = ()
+) -> Iterator[PostgresServer]:
+    """Yield a server; `durable` keeps what is written also when it is killed."""
+    folder = binaries()
+    if folder is None:
+        raise RuntimeError("PostgreSQL is not installed")
+    user = _user()
+    with tempfile.TemporaryDirectory(prefix="pg-", dir="/tmp") as name:
+        place = Path(name)
+        if os.geteuid() == 0:
+            shutil.chown(place, user)
+        server = PostgresServer(place, folder, user, (*(() if durable else _FAST), *options))
+        server.run(
+            "initdb", "-D", server.data, "-U", user, "-A", "trust", "-E", "UTF8", "--no-sync"
+        )
+        server.start()
+        try:
+            yield server
+        finally:
+            server.stop("immediate")
+
+
+def _user() -> str:
+    """Return who runs the server, which refuses to be run by root."""
+    import pwd
+
+    if os.geteuid() != 0:
+        return pwd.getpwuid(os.geteuid()).pw_name
+    known = {entry.pw_name for entry in pwd.getpwall()}
+    return next(name for name in _OTHER_USERS if name in known)
+
+
+def _as_user(user: str) -> list[str]:
+    if os.geteuid() != 0:
+        return []
+    return ["setpriv", f"--reuid={user}", f"--regid={_group(user)}", "--clear-groups", "--"]
+
+
+def _group(user: str) -> int:
+    import pwd
+
+    return pwd.getpwnam(user).pw_gid

@@ -1,0 +1,248 @@
+"""Orders, captures, follow-ups and visits are kept, found and told."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import date, timedelta
+from pathlib import Path
+
+import pytest
+
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.errors import Conflict, InputError, RecordsError
+from insole_core.file_digest import sha256_of
+from insole_core.geometry.side import Side
+from insole_core.records.capture import CaptureFacts
+from insole_core.records.captures import MESH, SESSION
+from insole_core.records.follow_up import FollowUp
+from insole_core.records.order import Order, OrderState
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.records.visit import CaptureState, Visit
+
+TODAY = date.today()
+TOMORROW = TODAY + timedelta(days=1)
+
+
+@pytest.fixture
+def person(records: Records) -> Person:
+    return records.persons.add(Person("Anna Berg"))
+
+
+@pytest.fixture
+def visit(records: Records, person: Person) -> Visit:
+    return records.visits.add(Visit(person.id, TODAY))
+
+
+@pytest.fixture
+def order(records: Records, visit: Visit, foot_record: FootRecord, tmp_path: Path) -> Order:
+    base = records.prescriptions.save(visit.id, foot_record, None)
+    stl = tmp_path / "left.stl"
+    stl.write_bytes(b"solid")
+    return records.orders.add(
+        visit.id, [base.version_id], shop="CNC", due_on=TOMORROW, remarks="blue", files=[stl]
+    )
+
+
+def test_an_order_closes_what_it_orders(
+    records: Records, visit: Visit, order: Order, foot_record: FootRecord
+) -> None:
+    [version] = records.prescriptions.versions(visit.id, Side.LEFT)
+    assert version.is_closed
+    assert order.version_ids == (version.id,)
+    assert records.contents.read(order.files[0].content_sha256) == b"solid"
+    assert (order.files[0].name, order.files[0].size) == ("left.stl", 5)
+    assert records.orders.get(order.id) == order
+    base = records.visits.open_case(visit.id).bases[Side.LEFT]
+    thicker = foot_record.with_design(replace(foot_record.design, thickness_mm=5))
+    records.prescriptions.save(visit.id, thicker, base)
+    assert len(records.prescriptions.versions(visit.id, Side.LEFT)) == 2
+
+
+def test_an_order_goes_through_its_states(records: Records, order: Order) -> None:
+    for state in (OrderState.SENT, OrderState.RETURNED, OrderState.DELIVERED):
+        order = records.orders.move(order.id, state, f"now {state}", order.revision)
+    assert [(e.from_state, e.to_state, e.remarks) for e in order.events] == [
+        (None, "designed", ""),
+        ("designed", "sent", "now sent"),
+        ("sent", "returned", "now returned"),
+        ("returned", "delivered", "now delivered"),
+    ]
+    assert records.orders.open() == []
+    assert [o.number for o in records.orders.open(OrderState.DELIVERED)] == [order.number]
+
+
+def test_open_orders_come_by_their_due_date(records: Records, visit: Visit, order: Order) -> None:
+    late = records.orders.add(visit.id, order.version_ids, due_on=TODAY - timedelta(days=3))
+    some_day = records.orders.add(visit.id, order.version_ids)
+    listed = records.orders.open()
+    assert [o.number for o in listed] == [late.number, order.number, some_day.number]
+    assert [o.is_overdue(TODAY) for o in listed] == [True, False, False]
+    assert listed[0].person_name == "Anna Berg"
+    assert [o.id for o in records.orders.of_person(order.person_id)] == [o.id for o in listed]
+
+
+def test_a_person_is_found_by_the_number_of_an_order(records: Records, order: Order) -> None:
+    found = records.persons.search(order.number.lower())
+    assert [person.id for person in found] == [order.person_id]
+
+
+def test_who_moves_an_order_second_is_told(records: Records, order: Order) -> None:
+    records.orders.move(order.id, OrderState.SENT, "", order.revision)
+    with pytest.raises(Conflict, match=order.number) as caught:
+        records.orders.move(order.id, OrderState.CHECKED, "", order.revision)
+    assert caught.value.theirs.state is OrderState.SENT
+    with pytest.raises(InputError, match="is sent already"):
+        records.orders.move(order.id, OrderState.SENT, "", order.revision + 1)
+
+
+def test_an_order_is_changed_and_gets_files(records: Records, order: Order, tmp_path: Path) -> None:
+    order = records.orders.change(order.id, "Other", None, "red", order.revision)
+    assert (order.shop, order.due_on, order.remarks) == ("Other", None, "red")
+    sheet = tmp_path / "sheet.pdf"
+    sheet.write_bytes(b"%PDF")
+    order = records.orders.add_files(order.id, [sheet])
+    assert [file.name for file in order.files] == ["left.stl", "sheet.pdf"]
+    with pytest.raises(InputError, match=r"sheet\.pdf already"):
+        records.orders.add_files(order.id, [sheet])
+
+
+@pytest.mark.parametrize("count", [0, 2])
+def test_an_order_is_of_one_version_for_a_foot(
+    records: Records, visit: Visit, order: Order, foot_record: FootRecord, count: int
+) -> None:
+    base = records.visits.open_case(visit.id).bases[Side.LEFT]
+    thicker = foot_record.with_design(replace(foot_record.design, thickness_mm=5))
+    records.prescriptions.save(visit.id, thicker, base)
+    versions = [v.id for v in records.prescriptions.versions(visit.id, Side.LEFT)]
+    with pytest.raises(InputError, match="one version of one or both feet"):
+        records.orders.add(visit.id, versions[:count])
+
+
+def test_a_number_is_of_one_order(records: Records, visit: Visit, order: Order) -> None:
+    with pytest.raises(InputError, match=order.number):
+        records.orders.add(visit.id, order.version_ids, number=order.number)
+
+
+def test_the_work_list_holds_what_the_capture_room_has_to_do(
+    records: Records, person: Person, visit: Visit, tmp_path: Path
+) -> None:
+    records.visits.change(replace(visit, capture_state=CaptureState.WANTED), visit.revision)
+    records.visits.add(Visit(person.id, TODAY))
+    assert [(v.id, v.person_name) for v in records.visits.work_list()] == [(visit.id, "Anna Berg")]
+    scan = tmp_path / "scan.ply"
+    scan.write_bytes(b"ply")
+    records.captures.add(visit.id, MESH, scan)
+    assert records.visits.work_list() == []
+    assert records.visits.get(visit.id).capture_state is CaptureState.DONE
+    assert len(records.visits.on(TODAY)) == 2
+    assert records.visits.on(TOMORROW) == []
+
+
+def test_a_capture_is_kept_with_its_facts(
+    records: Records, visit: Visit, foot_record: FootRecord, tmp_path: Path
+) -> None:
+    session = tmp_path / "session"
+    (session / "views" / "left").mkdir(parents=True)
+    (session / "manifest.json").write_text("{}")
+    (session / "views" / "left" / "sensor.json").write_text("{}")
+    facts = CaptureFacts(
+        "2026-11-20T10:00:00Z", ("A1", "B2"), "2026-10-01", {"A1": 0.4}, {"views": 2}
+    )
+    capture = records.captures.add(visit.id, SESSION, session, facts)
+    assert records.captures.of_visit(visit.id) == [capture]
+    assert records.captures.get(capture.id).facts == facts
+    assert capture.source_sha256 == sha256_of(session / "manifest.json")
+    copy = records.captures.copy_to(capture, tmp_path)
+    assert copy.suffix == ".zip"
+    assert sha256_of(copy) == capture.content_sha256
+    made = replace(foot_record, source=ScanSource("session", "x", capture.source_sha256))
+    records.prescriptions.save(visit.id, made, None)
+    [version] = records.prescriptions.versions(visit.id, Side.LEFT)
+    assert version.capture_id == capture.id
+
+
+def test_the_name_of_a_patient_is_no_part_of_a_path(
+    records: Records, visit: Visit, tmp_path: Path
+) -> None:
+    scan = tmp_path / "Anna ..Berg.STL"
+    scan.write_bytes(b"solid")
+    capture = records.captures.add(visit.id, MESH, scan)
+    copy = records.captures.copy_to(capture, tmp_path)
+    assert "anna" not in copy.name.lower()
+    assert copy.suffix == ".stl"
+    assert not [p for p in records.contents.folder.rglob("*") if "Anna" in p.name]
+
+
+def test_a_capture_that_cannot_be_read_leaves_nothing(
+    records: Records, visit: Visit, tmp_path: Path
+) -> None:
+    with pytest.raises(InputError, match="cannot be read"):
+        records.captures.add(visit.id, MESH, tmp_path / "missing.stl")
+    assert records.captures.of_visit(visit.id) == []
+
+
+def test_visits_come_newest_first(records: Records, person: Person) -> None:
+    days = [TODAY - timedelta(days=n) for n in (2, 0, 1)]
+    for day in days:
+        records.visits.add(Visit(person.id, day, measures={"left_length_mm": 251.5}))
+    listed = records.visits.of_person(person.id)
+    assert [v.visited_on for v in listed] == sorted(days, reverse=True)
+    assert listed[0].measures == {"left_length_mm": 251.5}
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"weight_kg": 1000.0},
+        {"weight_kg": float("nan")},
+        {"shoe_size_eu": 3.0},
+        {"visited_on": date(2200, 1, 1)},
+        {"reason": "x" * 30_000},
+    ],
+)
+def test_a_visit_that_cannot_be_right_is_refused(
+    records: Records, visit: Visit, wrong: dict[str, float]
+) -> None:
+    with pytest.raises(InputError):
+        records.visits.change(replace(visit, **wrong), visit.revision)
+    assert records.visits.get(visit.id) == visit
+
+
+def test_who_changes_a_visit_second_sees_both(records: Records, visit: Visit) -> None:
+    records.visits.change(replace(visit, findings="flat"), visit.revision)
+    with pytest.raises(Conflict) as caught:
+        records.visits.change(replace(visit, findings="high"), visit.revision)
+    assert (caught.value.mine.findings, caught.value.theirs.findings) == ("high", "flat")
+
+
+def test_follow_ups_come_newest_first(records: Records, person: Person, order: Order) -> None:
+    for days, outcome in ((9, "worse"), (2, "better")):
+        records.follow_ups.add(
+            FollowUp(person.id, TODAY - timedelta(days=days), outcome, order_id=order.id)
+        )
+    listed = records.follow_ups.of_person(person.id)
+    assert [(f.outcome, f.author) for f in listed] == [("better", "anna"), ("worse", "anna")]
+    with pytest.raises(InputError, match="outcome"):
+        records.follow_ups.add(FollowUp(person.id, TODAY, ""))
+
+
+def test_what_is_gone_is_told(records: Records, foot_record: FootRecord) -> None:
+    for ask in (
+        lambda: records.visits.get("x"),
+        lambda: records.visits.open_case("x"),
+        lambda: records.orders.get("x"),
+        lambda: records.orders.move("x", OrderState.SENT, "", 1),
+        lambda: records.captures.get("x"),
+        lambda: records.prescriptions.read("x"),
+        lambda: records.prescriptions.save("x", foot_record, None),
+    ):
+        with pytest.raises(RecordsError, match="no longer in the record"):
+            ask()
+
+
+def test_settings_of_the_clinic_are_kept(records: Records) -> None:
+    assert records.clinic.get("retention_years", 10) == 10
+    records.clinic.set("retention_years", 15)
+    records.clinic.set("retention_years", 20)
+    assert records.clinic.get("retention_years") == 20

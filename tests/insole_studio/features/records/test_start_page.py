@@ -1,0 +1,170 @@
+"""The program opens on the clinic's patients: search, new patient, everything by keyboard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import date, timedelta
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.records.new_patient_dialog import NewPatientDialog
+from insole_studio.features.records.start_page import StartPage
+
+
+def page_of(clinic: Application) -> StartPage:
+    page = clinic.features.records.start
+    assert page is not None
+    return page
+
+
+def names(page: StartPage) -> list[str]:
+    return [row.cells[0] for row in page.found.rows]
+
+
+def dialog_of(clinic: Application) -> NewPatientDialog:
+    (dialog,) = clinic.window.findChildren(NewPatientDialog)
+    return dialog
+
+
+def fill(dialog: NewPatientDialog, name: str, born: str = "", number: str = "") -> None:
+    for field, text in ((dialog.name, name), (dialog.born, born), (dialog.number, number)):
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, text)
+
+
+def test_the_search_line_has_the_focus_and_the_panels_have_gone(clinic: Application) -> None:
+    page = page_of(clinic)
+    assert clinic.window.page is page
+    assert QApplication.focusWidget() is page.search
+    assert not clinic.stage.patient.isVisible()
+    assert clinic.stage.steps.isVisible()
+
+
+def test_patients_are_found_as_they_are_typed_and_enter_opens_the_first(
+    clinic: Application, records: Records, rest: Callable[[], None], qtbot: QtBot
+) -> None:
+    for name in ("Anna Berg", "Ängla Åström", "Bertil Annasson"):
+        records.persons.add(Person(name, date(1970, 2, 28)))
+    page = page_of(clinic)
+    QTest.keyClicks(page.search, "angla astr")
+    qtbot.waitUntil(lambda: names(page) == ["Ängla Åström"])
+    page.search.clear()
+    QTest.keyClicks(page.search, "anna")
+    qtbot.waitUntil(lambda: names(page) == ["Anna Berg", "Bertil Annasson"])
+    QTest.keyClick(page.search, Qt.Key.Key_Return)
+    rest()
+    person = clinic.features.records.person
+    assert person is not None
+    assert clinic.window.page is person
+    assert person._fields["name"].text() == "Anna Berg"
+
+
+def test_the_arrows_go_from_the_search_line_into_the_list(
+    clinic: Application, records: Records, qtbot: QtBot
+) -> None:
+    for name in ("Anna Berg", "Anna Dal"):
+        records.persons.add(Person(name))
+    page = page_of(clinic)
+    QTest.keyClicks(page.search, "anna")
+    qtbot.waitUntil(lambda: len(names(page)) == 2)
+    QTest.keyClick(page.search, Qt.Key.Key_Down)
+    assert QApplication.focusWidget() is page.found
+    QTest.keyClick(page.found, Qt.Key.Key_Down)
+    QTest.keyClick(page.found, Qt.Key.Key_Return)
+    opened = clinic.features.records
+    qtbot.waitUntil(lambda: opened.person is not None and opened.person._name.text() == "Anna Dal")
+
+
+def test_todays_visits_are_listed_and_yesterdays_are_not(
+    clinic: Application, records: Records, qtbot: QtBot
+) -> None:
+    anna = records.persons.add(Person("Anna Berg"))
+    today = date.today()
+    records.visits.add(Visit(anna.id, today, reason="Heel pain"))
+    records.visits.add(Visit(anna.id, today - timedelta(days=1), reason="Before"))
+    page = page_of(clinic)
+    qtbot.waitUntil(lambda: len(page.today.rows) == 1, timeout=3000)
+    assert page.today.rows[0].cells[:2] == ("Anna Berg", "Heel pain")
+
+
+def test_a_new_patient_is_added_with_the_birth_date_of_the_number(
+    clinic: Application, records: Records, rest: Callable[[], None]
+) -> None:
+    page = page_of(clinic)
+    QTest.keyClicks(page.search, "Anna Berg")
+    clinic.controller.run_action("new_patient", False)
+    dialog = dialog_of(clinic)
+    assert dialog.name.text() == "Anna Berg"
+    dialog.kind.show_value("se")
+    fill(dialog, "Anna Berg", number="121212-1212")
+    dialog.name.setFocus()
+    dialog.consent.setChecked(True)
+    QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
+    rest()
+    (found,) = records.persons.search("20121212-1212")
+    person = records.persons.get(found.id)
+    assert (person.name, person.birth_date) == ("Anna Berg", date(2012, 12, 12))
+    assert person.consent_on == date.today()
+    assert clinic.window.page is clinic.features.records.person
+    assert clinic.settings.number_kind == "se"
+
+
+@pytest.mark.parametrize(
+    ("name", "born", "number", "sentence"),
+    [
+        ("", "", "", "The name is missing; type one."),
+        ("A" * 10_000, "", "", "The name has 201 characters, and may have 200; shorten it."),
+        ("Anna", "1970-02-30", "", "1970-02-30 is no date"),
+        ("Anna", "", "19700228-1111", "The last digit of 19700228-1111 does not fit the others"),
+    ],
+)
+def test_what_cannot_be_right_is_refused_in_the_dialog(
+    clinic: Application,
+    records: Records,
+    name: str,
+    born: str,
+    number: str,
+    sentence: str,
+) -> None:
+    clinic.controller.run_action("new_patient", False)
+    dialog = dialog_of(clinic)
+    dialog.kind.show_value("se")
+    fill(dialog, name[:300], born, number)
+    QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
+    assert dialog.isVisible()
+    assert dialog.refusal.text().startswith(sentence)
+    assert records.persons.recent() == []
+    dialog.reject()
+
+
+def test_a_number_that_is_known_opens_its_patient(
+    clinic: Application, records: Records, rest: Callable[[], None]
+) -> None:
+    anna = records.persons.add(Person("Anna Berg", personal_number="X-77"))
+    clinic.controller.run_action("new_patient", False)
+    dialog = dialog_of(clinic)
+    fill(dialog, "A. Berg", number="X-77")
+    QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
+    rest()
+    assert [person.id for person in records.persons.recent()] == [anna.id]
+    page = clinic.features.records.person
+    assert page is not None
+    assert page._name.text() == "Anna Berg"
+
+
+def test_a_new_case_brings_the_panels_and_f3_the_patients_again(clinic: Application) -> None:
+    clinic.controller.run_action("new_case", False)
+    assert clinic.window.page is None
+    assert clinic.stage.patient.isVisible()
+    clinic.controller.run_action("patients", False)
+    assert clinic.window.page is page_of(clinic)
+    assert not clinic.stage.foot.isVisible()
