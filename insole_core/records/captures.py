@@ -21,6 +21,7 @@ from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import check_line
 from insole_core.records.person import new_id
 from insole_core.records.program_version import program_version
+from insole_core.records.rights import Right
 from insole_core.records.schema import captures, visits
 from insole_core.records.stored_contents import put_file, refer_to
 from insole_core.records.times import utc_now
@@ -77,7 +78,7 @@ class Captures:
             created_at=utc_now(),
             author=self._context.author.name,
         )
-        with self._context.writing_visit(visit_id) as (connection, _):
+        with self._context.writing_visit(Right.CAPTURE, visit_id) as (connection, _):
             refer_to(connection, sha256, size, kind)
             number = _count(connection, visit_id) + 1
             connection.execute(insert(captures).values(_values(capture) | {"number": number}))
@@ -90,7 +91,7 @@ class Captures:
     def of_visit(self, visit_id: str) -> list[Capture]:
         """Return the captures of a visit, the newest first."""
         query = select(captures).where(captures.c.visit_id == visit_id)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             rows = connection.execute(query.order_by(captures.c.number.desc())).all()
         return [_capture(row) for row in rows]
 
@@ -103,7 +104,7 @@ class Captures:
             When there is none.
         """
         query = select(captures).where(captures.c.id == capture_id)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             row = connection.execute(query).one_or_none()
         if row is None:
             raise RecordsError("This capture is no longer in the record; open the visit again.")

@@ -10,9 +10,11 @@ from typing import Final
 
 from sqlalchemy import select
 
-from insole_core.records.context import CHANNEL, RecordsContext
+from insole_core.records.context import RecordsContext
 from insole_core.records.schema import audit, audit_head
 
+CHANNEL: Final = "insole_studio_records"
+"""Where PostgreSQL tells of every new line of the audit log (a trigger of the migrations)."""
 POLL_S: Final = 0.5
 """How often a local database is asked whether it has changed."""
 _MOST: Final = 1000

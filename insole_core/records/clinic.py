@@ -8,6 +8,7 @@ from typing import Any
 from sqlalchemy import Connection, insert, select, update
 
 from insole_core.records.context import RecordsContext
+from insole_core.records.rights import Right
 from insole_core.records.schema import clinic
 
 
@@ -30,7 +31,7 @@ class ClinicSettings:
         value
             Anything that JSON can hold.
         """
-        with self._context.writing() as connection:
+        with self._context.writing(Right.SET_UP) as connection:
             write_setting(connection, key, value)
             self._context.log(connection, "changed", "clinic", key)
 

@@ -5,23 +5,31 @@ from __future__ import annotations
 import os
 import sqlite3
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
+from functools import partial
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
-from sqlalchemy import Connection, create_engine, event, text
+from sqlalchemy import Connection, column, create_engine, event, func, select, table
 from sqlalchemy.engine import Engine
 from sqlalchemy.exc import DBAPIError
+from sqlalchemy.exc import TimeoutError as PoolTimeoutError
 from sqlalchemy.pool import QueuePool
 
 from insole_core.errors import RecordsError
-from insole_core.records.database_errors import away, described
+from insole_core.messages import Message
+from insole_core.records.database_errors import DamagedDatabase, away, described
 from insole_core.records.place import RecordsPlace
+
+if TYPE_CHECKING:
+    import psycopg
 
 BUSY_S: Final = 10.0
 """How long to wait for another writer."""
 MIGRATION_LOCK: Final = 1_502_600_001
 """Key of the advisory lock that keeps writers and a migration of PostgreSQL apart."""
+SCHEMA_TABLE: Final = table("alembic_version", column("version_num"))
+SCHEMA_COLUMN: Final = SCHEMA_TABLE.c.version_num
 _WRITES: Final = "insole_studio_writes"
 _SERVER_ARGUMENTS: Final[dict[str, Any]] = {
     "connect_timeout": 10,
@@ -31,7 +39,7 @@ _SERVER_ARGUMENTS: Final[dict[str, Any]] = {
     "keepalives_interval": 5,
     "keepalives_count": 3,
     "tcp_user_timeout": 20_000,
-    "options": f"-c synchronous_commit=on -c lock_timeout={BUSY_S * 1000:.0f}",
+    "options": f"-csynchronous_commit=on -clock_timeout={BUSY_S * 1000:.0f}",
 }
 
 
@@ -40,16 +48,22 @@ class Database:
 
     Parameters
     ----------
-    read_only
-        Refuse all writing; a local file is opened so that nothing of it changes.
+    problem
+        Why nothing can be changed: a local file is opened so that nothing of it changes. Damage
+        that is noticed later on has the same effect. None where everything can be changed.
     """
 
-    def __init__(self, place: RecordsPlace, *, read_only: bool = False) -> None:
+    def __init__(self, place: RecordsPlace, *, problem: Message | None = None) -> None:
         self.place = place
-        self.is_read_only = read_only
+        self.problem = problem
         self.schema: str | None = None
         """Revision of the schema that this program writes; None does not check it."""
-        self.engine = _engine(place, read_only)
+        self.engine = _engine(place, self.is_read_only)
+
+    @property
+    def is_read_only(self) -> bool:
+        """Whether nothing can be changed."""
+        return self.problem is not None
 
     @property
     def is_sqlite(self) -> bool:
@@ -83,11 +97,10 @@ class Database:
         RecordsError
             Whatever goes wrong in the database, as a sentence; then nothing was written.
         """
-        if self.is_read_only:
+        if self.problem is not None:
             raise RecordsError(
-                "The record is open for reading only, so nothing can be changed; restore it from "
-                "a backup, or ask for the right to write to {place}.",
-                place=self.place.name,
+                "The record is open for reading only, so nothing can be changed: {reason}",
+                reason=self.problem,
             )
         with self._transaction(**{_WRITES: True}) as connection:
             self._check_schema(connection)
@@ -106,24 +119,18 @@ class Database:
         """
         import psycopg
 
-        with self._transaction() as connection:
-            listener = connection.connection.driver_connection
-            connection.connection.detach()  # it listens, so nobody else may get it
-        if not isinstance(listener, psycopg.Connection):
-            raise TypeError("only a PostgreSQL database tells of changes")
-
-        def wait(most_s: float) -> None:
-            for _ in listener.notifies(timeout=most_s, stop_after=1):
-                return
-
         try:
-            listener.autocommit = True
-            listener.execute(f"LISTEN {channel}")
-            yield wait
+            pooled = self.engine.raw_connection()
+            listener = pooled.driver_connection
+            pooled.detach()  # it listens, so nobody else may get it
+            if not isinstance(listener, psycopg.Connection):
+                raise TypeError("only a PostgreSQL database tells of changes")
+            with closing(listener):
+                listener.autocommit = True
+                listener.execute(f"LISTEN {channel}")
+                yield partial(_wait_for_notice, listener)
         except psycopg.OperationalError as error:
-            raise away(self.place) from error
-        finally:
-            listener.close()
+            raise away(self.place, str(error)) from error
 
     def close(self) -> None:
         """Close all connections."""
@@ -134,8 +141,8 @@ class Database:
         if self.schema is None:
             return
         if not self.is_sqlite:
-            connection.execute(text(f"SELECT pg_advisory_xact_lock_shared({MIGRATION_LOCK})"))
-        found = connection.execute(text("SELECT version_num FROM alembic_version")).scalar()
+            connection.execute(select(func.pg_advisory_xact_lock_shared(MIGRATION_LOCK)))
+        found = connection.execute(select(SCHEMA_COLUMN)).scalar()
         if found != self.schema:
             raise RecordsError(
                 "A newer Insole Studio has changed {place} meanwhile; install the newest version "
@@ -151,7 +158,20 @@ class Database:
                 with connection.begin():
                     yield connection
         except DBAPIError as error:
-            raise described(self.place, error) from error
+            raise self._noted(described(self.place, error)) from error
+        except PoolTimeoutError as error:
+            raise away(self.place, "all connections are in use") from error
+
+    def _noted(self, error: RecordsError) -> RecordsError:
+        """Write nothing more to a database that turns out to be damaged."""
+        if isinstance(error, DamagedDatabase):
+            self.problem = error.message
+        return error
+
+
+def _wait_for_notice(listener: psycopg.Connection[Any], most_s: float) -> None:
+    for _ in listener.notifies(timeout=most_s, stop_after=1):
+        return
 
 
 def _engine(place: RecordsPlace, read_only: bool) -> Engine:
@@ -176,13 +196,13 @@ def _connect_file(path: Path, read_only: bool) -> sqlite3.Connection:
         check_same_thread=False,
     )
     try:
-        connection.execute("PRAGMA foreign_keys = ON")
+        connection.execute("PRAGMA foreign_keys=ON")
         if read_only:
-            connection.execute("PRAGMA query_only = ON")
+            connection.execute("PRAGMA query_only=ON")
         else:
-            connection.execute("PRAGMA journal_mode = WAL")
+            connection.execute("PRAGMA journal_mode=WAL")
             # Every commit is synced: WAL with NORMAL may lose the last ones with the power.
-            connection.execute("PRAGMA synchronous = FULL")
+            connection.execute("PRAGMA synchronous=FULL")
     except BaseException:
         connection.close()
         raise
@@ -192,7 +212,7 @@ def _connect_file(path: Path, read_only: bool) -> sqlite3.Connection:
 def _mode(path: Path, read_only: bool) -> str:
     if not read_only:
         return "mode=rw"
-    if os.access(path.parent, os.W_OK):
+    if os.access(path.parent, os.W_OK) or path.with_name(f"{path.name}-wal").exists():
         return "mode=ro"
     return "mode=ro&immutable=1"  # the files that readers share cannot be made there
 

@@ -23,11 +23,14 @@ _DAMAGED: Final = (
     "{place} is damaged; restore the record from a backup, and keep the damaged file until that "
     "has been checked."
 )
-_FULL: Final = "Nothing was written to {place}: its disk is full; free some space and try again."
+_FULL: Final = (
+    "Nothing was written to {place}: its disk is full, or takes no more from you; free some space "
+    "and try again."
+)
 _BUSY: Final = "{place} is held by another program; wait until that has finished, and try again."
 _AWAY: Final = (
-    "{place} does not answer; check the network and that the database is running. What you have "
-    "changed is kept here meanwhile."
+    "{place} does not answer ({reason}); check the network, the address and that the database is "
+    "running."
 )
 _NO_RIGHT: Final = "{place} may not be changed by you; ask for the right to write to it."
 _REFUSED: Final = (
@@ -48,6 +51,8 @@ _OF_SQLITE: Final[dict[int, tuple[type[RecordsError], str]]] = {
     sqlite3.SQLITE_CANTOPEN: (Unreachable, _AWAY),
     sqlite3.SQLITE_IOERR: (Unreachable, _AWAY),
 }
+_NOT_WRITTEN: Final = (sqlite3.SQLITE_IOERR_WRITE, sqlite3.SQLITE_IOERR_TRUNCATE)
+"""What SQLite says of a full disk where that is not told as such: a quota, a share."""
 _OF_POSTGRESQL: Final[dict[str, tuple[type[RecordsError], str]]] = {
     "53100": (FullDatabase, _FULL),
     "53200": (Unreachable, _AWAY),  # out of memory
@@ -76,21 +81,23 @@ def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
         As SQLAlchemy reports it; the values of its statement are patients' data and are not told.
     """
     kind, sentence = _kind_of(place, error)
-    if sentence is _REFUSED:
-        return kind(sentence, place=place.name, reason=_first_line(error.orig))
+    if sentence in (_AWAY, _REFUSED):
+        return kind(sentence, place=place.name, reason=_first_line(str(error.orig)))
     return kind(sentence, place=place.name)
 
 
-def away(place: RecordsPlace) -> Unreachable:
+def away(place: RecordsPlace, reason: str) -> Unreachable:
     """Return the sentence for a database that does not answer."""
-    return Unreachable(_AWAY, place=place.name)
+    return Unreachable(_AWAY, place=place.name, reason=_first_line(reason))
 
 
 def _kind_of(place: RecordsPlace, error: DBAPIError) -> tuple[type[RecordsError], str]:
     original = error.orig
     if place.is_local:
-        code = getattr(original, "sqlite_errorcode", 0) & 0xFF  # without its extension
-        return _OF_SQLITE.get(code, (RecordsError, _REFUSED))
+        code = getattr(original, "sqlite_errorcode", 0)
+        if code in _NOT_WRITTEN:
+            return FullDatabase, _FULL
+        return _OF_SQLITE.get(code & 0xFF, (RecordsError, _REFUSED))
     state = getattr(original, "sqlstate", None) or ""
     if state in _OF_POSTGRESQL:
         return _OF_POSTGRESQL[state]
@@ -99,6 +106,6 @@ def _kind_of(place: RecordsPlace, error: DBAPIError) -> tuple[type[RecordsError]
     return RecordsError, _REFUSED
 
 
-def _first_line(error: BaseException | None) -> str:
+def _first_line(text: str) -> str:
     """Return what a database says, without the values that follow on further lines."""
-    return str(error).partition("\n")[0]
+    return text.strip().partition("\n")[0].rpartition("failed: ")[2]

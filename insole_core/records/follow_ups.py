@@ -12,6 +12,7 @@ from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import check_day, check_name, check_text
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.person_rows import locked_person
+from insole_core.records.rights import Right
 from insole_core.records.schema import follow_ups
 from insole_core.records.times import utc_now
 
@@ -42,7 +43,7 @@ class FollowUps:
             author=self._context.author.name,
             created_at=utc_now(),
         )
-        with self._context.writing(follow_up.person_id) as connection:
+        with self._context.writing(Right.WRITE, follow_up.person_id) as connection:
             locked_person(connection, follow_up.person_id)
             connection.execute(insert(follow_ups).values(vars(follow_up)))
             self._context.log(
@@ -55,5 +56,5 @@ class FollowUps:
         query = select(*(follow_ups.c[name] for name in _FIELDS))
         query = query.where(follow_ups.c.person_id == person_id)
         query = query.order_by(follow_ups.c.on_date.desc(), follow_ups.c.created_at.desc())
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return [FollowUp(**row._mapping) for row in connection.execute(query)]

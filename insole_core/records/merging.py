@@ -13,6 +13,7 @@ from insole_core.errors import RecordsError
 from insole_core.records.context import RecordsContext
 from insole_core.records.person import Person, new_id
 from insole_core.records.person_rows import locked_person, touch_person, write_search_text
+from insole_core.records.rights import Right
 from insole_core.records.schema import follow_ups, merges, orders, persons, visits
 from insole_core.records.times import utc_now
 
@@ -52,7 +53,7 @@ def merge_persons(context: RecordsContext, keep_id: str, merge_id: str) -> Merge
     """
     if keep_id == merge_id:
         raise RecordsError("This is the same person twice; choose another one to merge with.")
-    with context.database.writing() as connection:
+    with context.writing(Right.MERGE) as connection:
         found = {id_: locked_person(connection, id_) for id_ in sorted((keep_id, merge_id))}
         kept, merged = found[keep_id], found[merge_id]
         moved = {
@@ -79,7 +80,7 @@ def undo_merge(context: RecordsContext, merge: Merge) -> None:
     RecordsError
         When that has been done already, or a later merge has to be undone first.
     """
-    with context.database.writing() as connection:
+    with context.writing(Right.MERGE) as connection:
         ids = sorted((merge.kept_id, merge.merged_id))
         query = select(persons).where(persons.c.id.in_(ids)).order_by(persons.c.id)
         rows = {row.id: row for row in connection.execute(query.with_for_update())}
@@ -110,7 +111,7 @@ def merges_of(context: RecordsContext, person_id: str) -> list[Merge]:
         .where(merges.c.kept_id == person_id, merges.c.undone_at.is_(None))
         .order_by(merges.c.at.desc())
     )
-    with context.database.reading() as connection:
+    with context.reading() as connection:
         return [Merge(**row._mapping) for row in connection.execute(query)]
 
 

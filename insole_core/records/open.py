@@ -3,39 +3,81 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Final
 
+from sqlalchemy import Table, select
+
+from insole_core.errors import RecordsError
 from insole_core.export.atomic import make_output_folder
 from insole_core.export.file_mode import PRIVATE_FILE
 from insole_core.export.write_errors import output_errors
+from insole_core.messages import Message
 from insole_core.records.author import Author
-from insole_core.records.content_store import ContentStore
+from insole_core.records.clinic import setting_of, write_setting
+from insole_core.records.content_store import IDENTITY_FILE, ContentStore
 from insole_core.records.database import Database
-from insole_core.records.migrate import SCHEMA, migrate
+from insole_core.records.database_errors import DamagedDatabase
+from insole_core.records.migrate import SCHEMA, check_schema, migrate, schema_of
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
+from insole_core.records.schema import (
+    audit_head,
+    clinic,
+    metadata,
+    persons,
+    prescription_versions,
+    visits,
+)
+
+CONTENTS_IDENTITY: Final = "contents_identity"
+"""Setting of the clinic: which content store belongs to the database."""
+_NEEDED: Final = (persons, visits, prescription_versions, clinic)
+"""Without these there is nothing to read."""
 
 
 def open_records(place: RecordsPlace, who: Author) -> Records:
     """Open the record of a place.
 
+    A local one is made if there is none. Where it may not be written, or is damaged, it is opened
+    for reading only, as far as that goes; `Records.problem` says why.
+
     Raises
     ------
     RecordsError
-        When it comes from a newer program, is damaged, or does not answer.
+        When it comes from a newer program, is damaged, has lost its database, or does not answer.
     OutputError
         When a new one cannot be made.
     """
     if place.is_local and not place.database_file.exists():
+        _check_never_there(place)
         _make_file(place.database_file)
-    database = Database(place)
+    database = Database(place, problem=_why_read_only(place))
     try:
-        migrate(database)
+        try:
+            if not database.is_read_only:
+                migrate(database)
+            _check_tables(database, metadata.sorted_tables)
+        except DamagedDatabase as error:
+            database.close()
+            database = Database(place, problem=error.message)
+            _check_tables(database, _NEEDED)
+        database.schema = SCHEMA
+        return Records(database, _content_store(database), who)
     except BaseException:
         database.close()
         raise
-    database.schema = SCHEMA
-    return Records(database, ContentStore(place.contents), who)
+
+
+def _check_never_there(place: RecordsPlace) -> None:
+    """Refuse to begin an empty record beside the files of one that is gone."""
+    if (place.contents / IDENTITY_FILE).exists():
+        raise RecordsError(
+            "The database {file} is missing, but the files of the record beside it are there; "
+            "restore the record from a backup, or bring the database back to its place.",
+            file=place.database_file,
+        )
 
 
 def _make_file(path: Path) -> None:
@@ -43,3 +85,41 @@ def _make_file(path: Path) -> None:
     make_output_folder(path.parent)
     with output_errors(path):
         os.close(os.open(path, os.O_RDWR | os.O_CREAT, PRIVATE_FILE))
+
+
+def _why_read_only(place: RecordsPlace) -> Message | None:
+    file = place.database_file
+    if not place.is_local or (os.access(file, os.W_OK) and os.access(file.parent, os.W_OK)):
+        return None
+    return Message("{file} may only be read by you; ask for the right to write to it.", file=file)
+
+
+def _check_tables(database: Database, tables: Sequence[Table]) -> None:
+    """Check that the database has the tables of this program, and that some can be read."""
+    name = database.place.name
+    with database.reading() as connection:
+        found = schema_of(connection)
+        check_schema(found, name)
+        if found != SCHEMA:
+            raise RecordsError(
+                "{place} comes from an older Insole Studio and cannot be brought up to date, since "
+                "it may only be read; ask for the right to write to it.",
+                place=name,
+            )
+        for table in tables:
+            connection.execute(select(table).limit(1)).first()
+
+
+def _content_store(database: Database) -> ContentStore:
+    """Return the store that belongs to a database; the first time, take the one that is there."""
+    with database.reading() as connection:
+        identity = setting_of(connection, CONTENTS_IDENTITY)
+    folder = database.place.contents
+    if identity is None and not database.is_read_only:
+        with database.writing() as connection:
+            connection.execute(select(audit_head).with_for_update())  # one station after the other
+            identity = setting_of(connection, CONTENTS_IDENTITY)
+            if identity is None:
+                identity = ContentStore(folder).identity()
+                write_setting(connection, CONTENTS_IDENTITY, identity)
+    return ContentStore(folder, identity)

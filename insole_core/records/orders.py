@@ -23,6 +23,7 @@ from insole_core.records.order import (
 )
 from insole_core.records.person import new_id
 from insole_core.records.person_rows import locked_person, touch_person, write_search_text
+from insole_core.records.rights import Right
 from insole_core.records.schema import (
     order_events,
     order_feet,
@@ -65,7 +66,7 @@ class Orders:
         RecordsError
             When there is none.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return _order(connection, order_id)
 
     def add(
@@ -104,7 +105,7 @@ class Orders:
         number = check_line(number, "number of the order", 60)
         stored = self._stored(files)
         order_id, now = new_id(), utc_now()
-        with self._context.writing_visit(visit_id) as (connection, visit):
+        with self._context.writing_visit(Right.ORDER, visit_id) as (connection, visit):
             locked_person(connection, visit.person_id)
             _close_versions(connection, visit_id, version_ids)
             values |= {
@@ -192,9 +193,9 @@ class Orders:
             When they cannot be stored.
         """
         stored = self._stored(files)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             person_id = _order(connection, order_id).person_id
-        with self._context.writing(person_id) as connection:
+        with self._context.writing(Right.ORDER, person_id) as connection:
             taken = {file.name for file in _order(connection, order_id).files}
             for file in stored:
                 if file.name in taken:
@@ -218,7 +219,7 @@ class Orders:
         Conflict
             When its revision is another one.
         """
-        with self._context.database.writing() as connection:
+        with self._context.writing(Right.ORDER) as connection:
             person_id = connection.execute(
                 select(orders.c.person_id).where(orders.c.id == order_id)
             ).scalar()
@@ -270,7 +271,7 @@ class Orders:
 
     def _summaries(self, query: Select[Any]) -> list[OrderSummary]:
         query = query.order_by(orders.c.due_on.is_(None), orders.c.due_on, orders.c.number)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             rows = connection.execute(query).all()
         return [OrderSummary(**{**row._mapping, "state": OrderState(row.state)}) for row in rows]
 

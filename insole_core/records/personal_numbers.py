@@ -35,7 +35,7 @@ class PersonalNumberKind:
     birth_date: Callable[[str], date | None]
 
 
-_SWEDISH: Final = re.compile(r"(\d{2})?(\d{2})(\d{2})(\d{2})([-+]?)(\d{3})(\d)")
+_SWEDISH: Final = re.compile(r"(\d{2})?(\d{2})(\d{2})(\d{2})([-+]?)(\d{3})(\d)", re.ASCII)
 _COORDINATION: Final = 60
 """Added to the day in a samordningsnummer."""
 

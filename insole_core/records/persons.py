@@ -28,6 +28,7 @@ from insole_core.records.person_rows import (
     person_of,
     write_search_text,
 )
+from insole_core.records.rights import Right
 from insole_core.records.schema import persons, visits
 from insole_core.records.search_text import search_text_of, search_words
 from insole_core.records.times import utc_now
@@ -75,6 +76,10 @@ class Persons:
         """Return those who were seen or changed last, the latest first."""
         return self._summaries(_listed().order_by(persons.c.last_seq.desc()).limit(limit))
 
+    def everybody(self) -> list[PersonSummary]:
+        """Return all who can be found, to compare a list of others with them."""
+        return self._summaries(_listed())
+
     def with_number(self, personal_number: str) -> list[PersonSummary]:
         """Return those who have a personal number, as it is stored."""
         return self._summaries(_listed().where(persons.c.personal_number == personal_number))
@@ -87,7 +92,7 @@ class Persons:
         RecordsError
             When there is none.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return person_of(connection, person_id)
 
     def open(self, person_id: str) -> Person:
@@ -100,7 +105,7 @@ class Persons:
         """
         if self._context.database.is_read_only:
             return self.get(person_id)
-        with self._context.writing(person_id) as connection:
+        with self._context.writing(Right.SEE, person_id) as connection:
             person = person_of(connection, person_id)
             self._context.log(connection, "seen", "person", person.id)
         return person
@@ -113,18 +118,8 @@ class Persons:
         InputError
             When a field cannot be right, or the pseudonym is that of somebody else.
         """
-        person = person.checked(date.today())
-        now = utc_now()
-        with self._context.writing() as connection:
-            person = _with_free_pseudonym(connection, person)
-            person = replace(person, created_at=now, changed_at=now, revision=1)
-            values = {name: getattr(person, name) for name in PERSON_FIELDS}
-            text = search_text_of(
-                person.name, person.birth_date, person.personal_number, [person.pseudonym]
-            )
-            connection.execute(insert(persons).values(**values, search_text=text))
-            self._context.log(connection, "added", "person", person.id)
-        return person
+        with self._context.writing(Right.WRITE) as connection:
+            return add_person(self._context, connection, person)
 
     def change(self, person: Person, revision: int) -> Person:
         """Store the changed fields of a person; return them as they are stored.
@@ -142,7 +137,7 @@ class Persons:
             When somebody else has changed the person meanwhile.
         """
         person = person.checked(date.today())
-        with self._context.writing(person.id) as connection:
+        with self._context.writing(Right.WRITE, person.id) as connection:
             stored = locked_person(connection, person.id)
             changed = [n for n in _EDITED if getattr(person, n) != getattr(stored, n)]
             if stored.revision != revision:
@@ -191,8 +186,28 @@ class Persons:
         return merges_of(self._context, person_id)
 
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return [PersonSummary(*row) for row in connection.execute(query)]
+
+
+def add_person(context: RecordsContext, connection: Connection, person: Person) -> Person:
+    """Add a person within a transaction; return them as they are stored.
+
+    Raises
+    ------
+    InputError
+        When a field cannot be right, or the pseudonym is that of somebody else.
+    """
+    now = utc_now()
+    person = _with_free_pseudonym(connection, person.checked(date.today()))
+    person = replace(person, created_at=now, changed_at=now, revision=1)
+    values = {name: getattr(person, name) for name in PERSON_FIELDS}
+    text = search_text_of(
+        person.name, person.birth_date, person.personal_number, [person.pseudonym]
+    )
+    connection.execute(insert(persons).values(**values, search_text=text))
+    context.log(connection, "added", "person", person.id)
+    return person
 
 
 def _listed() -> Select[Any]:

@@ -27,7 +27,9 @@ from insole_core.records.field_checks import check_text
 from insole_core.records.person import new_id
 from insole_core.records.prescription import Base, VersionSummary
 from insole_core.records.program_version import program_version
+from insole_core.records.rights import Right
 from insole_core.records.schema import captures, prescription_versions
+from insole_core.records.signing import Signature, sign
 from insole_core.records.stored_contents import refer_to
 from insole_core.records.times import utc_now
 
@@ -87,7 +89,7 @@ class Prescriptions:
         """
         reason = check_text(reason, "reason", 2000)
         content = self._content(foot)
-        with self._context.writing_visit(visit_id) as (connection, _):
+        with self._context.writing_visit(Right.WRITE, visit_id) as (connection, _):
             newest = _newest(connection, visit_id, foot.side)
             _check_base(newest, base, foot)
             if newest is not None and base is not None and not reason and content.equals(newest):
@@ -120,7 +122,7 @@ class Prescriptions:
             When somebody has changed the prescription since `theirs`.
         """
         mine_content, chosen_content = self._content(mine), self._content(chosen)
-        with self._context.writing_visit(visit_id) as (connection, _):
+        with self._context.writing_visit(Right.WRITE, visit_id) as (connection, _):
             newest = _newest(connection, visit_id, mine.side)
             _check_base(newest, Base(theirs.id, theirs.revision), mine)
             written = self._insert(connection, visit_id, newest, mine_content)
@@ -135,7 +137,7 @@ class Prescriptions:
         """Return the versions of one foot on one visit, the newest first."""
         query: Select[Any] = select(*_SUMMARY)
         query = query.where(_VERSIONS.visit_id == visit_id, _VERSIONS.side == side)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             rows = connection.execute(query.order_by(_VERSIONS.number.desc())).all()
         return [summary_of(row) for row in rows]
 
@@ -147,7 +149,7 @@ class Prescriptions:
         RecordsError
             When there is none, or its surface is missing or was changed on the disk.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             row = connection.execute(
                 select(prescription_versions).where(_VERSIONS.id == version_id)
             ).one_or_none()
@@ -164,14 +166,29 @@ class Prescriptions:
             When it is closed already.
         """
         reason = check_text(reason, "reason", 2000)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             visit_id, side = _visit_and_side(connection, version_id)
-        with self._context.writing_visit(visit_id) as (connection, _):
+        with self._context.writing_visit(Right.WRITE, visit_id) as (connection, _):
             newest = _newest(connection, visit_id, side)
             if newest is None or newest.id != version_id or newest.is_closed:
                 raise RecordsError("This version is closed already; it stays as it is.")
             _close(connection, version_id, reason)
             self._log(connection, "kept", Base(version_id, newest.revision), side)
+
+    def sign(self, version_id: str) -> Signature:
+        """Sign a version, which closes it for good.
+
+        Raises
+        ------
+        NotAllowed
+            When the account may not sign.
+        RecordsError
+            When there is no such version, or it is signed already.
+        """
+        with self._context.reading() as connection:
+            visit_id, _ = _visit_and_side(connection, version_id)
+        with self._context.writing_visit(Right.SIGN, visit_id) as (connection, _):
+            return sign(connection, version_id, self._context.author)
 
     def foot_of(self, row: Row[Any]) -> FootRecord:
         """Return the foot of a row of the table."""

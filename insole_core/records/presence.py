@@ -9,6 +9,7 @@ from typing import Final
 from sqlalchemy import Connection, delete, func, insert, select, update
 
 from insole_core.records.context import RecordsContext
+from insole_core.records.rights import Right
 from insole_core.records.schema import presence
 from insole_core.records.times import TIME_FORMAT, utc_now
 
@@ -49,7 +50,7 @@ class Presence:
             & (presence.c.station == author.station)
             & (presence.c.author == author.name)
         )
-        with self._context.database.writing() as connection:
+        with self._context.writing(Right.SEE) as connection:
             now = self._now(connection)
             seen = connection.execute(update(presence).where(mine).values(seen_at=now))
             if seen.rowcount == 0:
@@ -67,7 +68,7 @@ class Presence:
     def leave(self, visit_id: str) -> None:
         """Say that this station has closed a visit."""
         author = self._context.author
-        with self._context.database.writing() as connection:
+        with self._context.writing(Right.SEE) as connection:
             connection.execute(
                 delete(presence).where(
                     presence.c.visit_id == visit_id,
@@ -86,7 +87,7 @@ class Presence:
         ]
 
     def _present(self, visit_id: str) -> list[Present]:
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             limit = datetime.strptime(self._now(connection), TIME_FORMAT)
             oldest = (limit - timedelta(seconds=STALE_S)).strftime(TIME_FORMAT)
             query = select(

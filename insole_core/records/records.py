@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from insole_core.messages import Message
+from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.captures import Captures
@@ -45,6 +47,7 @@ class Records:
         self.presence = Presence(context)
         self.clinic = ClinicSettings(context)
         self.audit = AuditLog(database)
+        self.accounts = Accounts(database, who)
         self._changes = ChangeFeed(context)
 
     @property
@@ -56,6 +59,18 @@ class Records:
     def is_read_only(self) -> bool:
         """Whether nothing can be changed."""
         return self._database.is_read_only
+
+    @property
+    def problem(self) -> Message | None:
+        """Why nothing can be changed, in one sentence; None where everything can."""
+        return self._database.problem
+
+    def for_author(self, who: Author) -> Records:
+        """Return the same record for somebody else who has signed in at this station.
+
+        Both have the same connections; close one of them.
+        """
+        return Records(self._database, self.contents, who)
 
     def mark(self) -> int:
         """Return the mark of now, for `changes_since`."""

@@ -17,6 +17,7 @@ from insole_core.records.person import Person
 from insole_core.records.person_rows import locked_person, person_of
 from insole_core.records.prescription import Base
 from insole_core.records.prescriptions import Prescriptions
+from insole_core.records.rights import Right
 from insole_core.records.schema import persons, visits
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
@@ -49,14 +50,14 @@ class Visits:
         RecordsError
             When there is none.
         """
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return visit_of(connection, visit_id)
 
     def of_person(self, person_id: str) -> list[Visit]:
         """Return the visits of a person, the newest first."""
         query = all_visits().where(visits.c.person_id == person_id)
         query = query.order_by(visits.c.visited_on.desc(), visits.c.created_at.desc())
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             return [visit_from(row) for row in connection.execute(query)]
 
     def on(self, day: date) -> list[VisitSummary]:
@@ -82,7 +83,7 @@ class Visits:
         visit = replace(visit, created_at=now, changed_at=now, revision=1)
         values = {name: getattr(visit, name) for name in VISIT_FIELDS}
         values["measures"] = json.dumps(dict(visit.measures))
-        with self._context.writing(visit.person_id) as connection:
+        with self._context.writing(Right.WRITE, visit.person_id) as connection:
             locked_person(connection, visit.person_id)
             connection.execute(insert(visits).values(values))
             self._context.log(connection, "added", "visit", visit.id, person=visit.person_id)
@@ -104,7 +105,7 @@ class Visits:
             When somebody else has changed the visit meanwhile.
         """
         visit = visit.checked(date.today())
-        with self._context.writing_visit(visit.id) as (connection, stored):
+        with self._context.writing_visit(Right.WRITE, visit.id) as (connection, stored):
             if stored.revision != revision:
                 raise Conflict(
                     visit,
@@ -141,9 +142,9 @@ class Visits:
             When there is no such visit, or a surface is missing or was changed on the disk.
         """
         if not self._context.database.is_read_only:
-            with self._context.writing_visit(visit_id) as (connection, visit):
+            with self._context.writing_visit(Right.SEE, visit_id) as (connection, visit):
                 self._context.log(connection, "seen", "visit", visit_id, person=visit.person_id)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             visit = visit_of(connection, visit_id)
             person = person_of(connection, visit.person_id)
             rows = self._prescriptions.newest_of(connection, visit_id)
@@ -155,7 +156,7 @@ class Visits:
 
     def _summaries(self, query: Select[Any]) -> list[VisitSummary]:
         query = query.order_by(visits.c.visited_on, visits.c.created_at)
-        with self._context.database.reading() as connection:
+        with self._context.reading() as connection:
             rows = connection.execute(query).all()
         return [_summary(row) for row in rows]
 

@@ -14,8 +14,9 @@ packages=(xvfb xauth admesh libegl1 libgl1 libgl1-mesa-dri libglx-mesa0 libxkbco
     libxcb-xkb1 libxrender1 libdbus-1-3 libfontconfig1 fonts-dejavu-core)
 "$python" -c 'import ensurepip, venv' 2>/dev/null || packages+=(python3-venv)
 
-# Independent witnesses of the tests of the Kinect driver and of the solids; where one cannot be had, its tests are skipped by name.
-optional=(libusb-1.0-0 umockdev gir1.2-umockdev-1.0 python3-gi libfreenect-bin libfreenect0.5 prusa-slicer)
+# Independent witnesses of the tests of the Kinect driver and of the solids, and the database that stations share; where one
+# cannot be had, its tests are skipped by name.
+optional=(postgresql libusb-1.0-0 umockdev gir1.2-umockdev-1.0 python3-gi libfreenect-bin libfreenect0.5 prusa-slicer)
 
 is_missing() { ! dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
 
@@ -40,6 +41,11 @@ fi
 install=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends)
 "${as_root[@]}" apt-get update -qq
 [ ${#missing[@]} -eq 0 ] || "${install[@]}" "${missing[@]}" >/dev/null
+# The tests start a PostgreSQL of their own; the package would start another one, for everybody, at every boot.
+clusters=/etc/postgresql-common/createcluster.conf
+if [[ " ${wanted[*]} " == *" postgresql "* ]] && "${install[@]}" postgresql-common >/dev/null 2>&1; then
+    "${as_root[@]}" sed -i 's/^#\?create_main_cluster *=.*/create_main_cluster = false/' "$clusters"
+fi
 for package in "${wanted[@]}"; do
     "${install[@]}" "$package" >/dev/null 2>&1 || echo "$package cannot be installed; the tests that use it will be skipped." >&2
 done

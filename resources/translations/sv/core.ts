@@ -116,6 +116,10 @@
             <translation>Ett namn måste ha 1 till {most} tecken, varav minst en bokstav eller siffra; skriv ett annat.</translation>
         </message>
         <message>
+            <source>A newer Insole Studio has changed {place} meanwhile; install the newest version on this computer, too.</source>
+            <translation>Ett nyare Insole Studio har under tiden ändrat {place}; installera den nyaste versionen även på den här datorn.</translation>
+        </message>
+        <message>
             <source>A plane</source>
             <translation>En plan yta</translation>
         </message>
@@ -192,8 +196,16 @@
             <translation>En kantradie på {radius_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt rundas bara {half_mm:g} mm av kanten. Gör radien mindre.</translation>
         </message>
         <message>
+            <source>An order needs one version of one or both feet of its visit; choose them again.</source>
+            <translation>En beställning behöver en version av en fot eller av båda fötterna från sitt besök; välj dem igen.</translation>
+        </message>
+        <message>
             <source>Another capture is to be written to {path}; wait until it has ended, or choose another name.</source>
             <translation>En annan avbildning ska skrivas till {path}; vänta tills den är klar, eller välj ett annat namn.</translation>
+        </message>
+        <message>
+            <source>Another person has the pseudonym {pseudonym}; choose another one.</source>
+            <translation>En annan person har pseudonymen {pseudonym}; välj en annan.</translation>
         </message>
         <message>
             <source>Arch fill</source>
@@ -588,6 +600,10 @@
             <translation>Bedömer kartan</translation>
         </message>
         <message>
+            <source>Kept beside the version of another station</source>
+            <translation>Behållen bredvid versionen från en annan station</translation>
+        </message>
+        <message>
             <source>Kevin Root Medical, forum</source>
             <translation>Kevin Root Medical, forum</translation>
         </message>
@@ -780,6 +796,10 @@
             <translation>Inget förbinder {groups}: var och en mättes för sig, och deras läge till varandra förblir som planerat.</translation>
         </message>
         <message>
+            <source>Nothing was written to {place}: its disk is full, or takes no more from you; free some space and try again.</source>
+            <translation>Inget skrevs till {place}: dess disk är full eller tar inte emot mer från dig; frigör utrymme och försök igen.</translation>
+        </message>
+        <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
             <translation>En vy utan referenssystem: tas som ett föremål på ett bord.</translation>
         </message>
@@ -948,6 +968,18 @@
             <translation>Löser distorsionskartan</translation>
         </message>
         <message>
+            <source>Somebody else has changed the fields of this person meanwhile; choose which to keep.</source>
+            <translation>Någon annan har under tiden ändrat den här personens fält; välj vilka som ska behållas.</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the fields of this visit meanwhile; choose which to keep.</source>
+            <translation>Någon annan har under tiden ändrat det här besökets fält; välj vilka som ska behållas.</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the order {number} meanwhile; look at it again.</source>
+            <translation>Någon annan har under tiden ändrat beställningen {number}; titta på den igen.</translation>
+        </message>
+        <message>
             <source>Something moved while view {view} was captured; hold the foot still and capture this view again.</source>
             <translation>Något rörde sig medan vyn {view} togs; håll foten stilla och ta vyn igen.</translation>
         </message>
@@ -978,6 +1010,14 @@
         <message>
             <source>The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the two, or check the side.</source>
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
+        </message>
+        <message>
+            <source>The address of the database asks for sslmode={mode}, with which patients' data could be read on the way; remove it, or write sslmode=verify-full.</source>
+            <translation>Databasens adress begär sslmode={mode}, och då kan patientuppgifter läsas på vägen; ta bort det eller skriv sslmode=verify-full.</translation>
+        </message>
+        <message>
+            <source>The address of the database cannot be read; write it as postgresql+psycopg://user@server/database.</source>
+            <translation>Databasens adress kan inte läsas; skriv den som postgresql+psycopg://user@server/database.</translation>
         </message>
         <message>
             <source>The arch is only {height_mm:g} mm high where {target_mm:g} mm are prescribed; a recess or a stroke lowers it there.</source>
@@ -1078,6 +1118,18 @@
         <message>
             <source>The correction was measured on sensor {owner}, not on {serial}</source>
             <translation>Korrektionen mättes på sensor {owner}, inte på {serial}</translation>
+        </message>
+        <message>
+            <source>The data of this person were erased; nothing can be added to them.</source>
+            <translation>Den här personens uppgifter har raderats; inget kan läggas till.</translation>
+        </message>
+        <message>
+            <source>The data of this person were erased; the merge cannot be undone.</source>
+            <translation>Den här personens uppgifter har raderats; sammanslagningen kan inte ångras.</translation>
+        </message>
+        <message>
+            <source>The database {file} is missing, but the files of the record beside it are there; restore the record from a backup, or bring the database back to its place.</source>
+            <translation>Databasen {file} saknas, men journalens filer bredvid den finns kvar; återställ journalen från en säkerhetskopia eller lägg tillbaka databasen.</translation>
         </message>
         <message>
             <source>The depth image has no readings; capture it again.</source>
@@ -1236,6 +1288,10 @@
             <translation>Landmärkena {landmark} och {other_landmark} står i en ordning som ingen fot har; dra dem dit de hör.</translation>
         </message>
         <message>
+            <source>The last digit of {text} does not fit the others; compare it with the patient's card.</source>
+            <translation>Den sista siffran i {text} stämmer inte med de andra; jämför med patientens legitimation.</translation>
+        </message>
+        <message>
             <source>The left foot is {left_mm:.0f} mm long and the right one {right_mm:.0f} mm; check that both scans are of this patient, and in the same unit.</source>
             <translation>Vänster fot är {left_mm:.0f} mm lång och höger {right_mm:.0f} mm; kontrollera att båda skanningarna är av denna patient, och i samma enhet.</translation>
         </message>
@@ -1272,6 +1328,14 @@
             <translation>En fots enda variant kan inte tas bort; töm den i stället.</translation>
         </message>
         <message>
+            <source>The order has a file {name} already; give this one another name.</source>
+            <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
+        </message>
+        <message>
+            <source>The order {number} is {state} already; choose another state.</source>
+            <translation>Beställningen {number} är redan {state}; välj ett annat läge.</translation>
+        </message>
+        <message>
             <source>The outline encloses only {area_mm2:.0f} mm², which leaves no insole; draw it round the foot.</source>
             <translation>Konturen omsluter bara {area_mm2:.0f} mm², vilket inte ger något inlägg; rita den runt foten.</translation>
         </message>
@@ -1286,6 +1350,10 @@
         <message>
             <source>The pair needs {need} mm, and the block has {there} mm.</source>
             <translation>Paret behöver {need} mm, och blocket har {there} mm.</translation>
+        </message>
+        <message>
+            <source>The person was merged with another one since then; undo that later merge first.</source>
+            <translation>Personen har sedan dess slagits samman med en annan; ångra den senare sammanslagningen först.</translation>
         </message>
         <message>
             <source>The picked points cannot place one surface on the other: {reason}</source>
@@ -1338,6 +1406,14 @@
         <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
             <translation>Bakfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
+        </message>
+        <message>
+            <source>The record cannot use a database of the kind {kind}; give the address of a PostgreSQL server: postgresql+psycopg://user@server/database.</source>
+            <translation>Journalen kan inte använda en databas av slaget {kind}; ange adressen till en PostgreSQL-server: postgresql+psycopg://user@server/database.</translation>
+        </message>
+        <message>
+            <source>The record is open for reading only, so nothing can be changed: {reason}</source>
+            <translation>Journalen är bara öppen för läsning, så inget kan ändras: {reason}</translation>
         </message>
         <message>
             <source>The record refers to a file by "{name}", which is no SHA-256; restore the database from a backup.</source>
@@ -1588,8 +1664,28 @@
             <translation>{what} kan inte vara {value:g}; välj ett värde från {least:g} till {most:g}.</translation>
         </message>
         <message>
+            <source>The {what} has {count} characters, and may have {most}; shorten it.</source>
+            <translation>{what} har {count} tecken och får ha {most}; korta texten.</translation>
+        </message>
+        <message>
+            <source>The {what} holds a character that cannot be seen (U+{code}) after “{before}”; delete it.</source>
+            <translation>{what} innehåller ett tecken som inte syns (U+{code}) efter ”{before}”; ta bort det.</translation>
+        </message>
+        <message>
             <source>The {what} holds the patient's name, which the shop must not get; use the pseudonym or an order number in its place.</source>
             <translation>{what} innehåller patientens namn, som verkstaden inte får; använd pseudonymen eller ett ordernummer i stället.</translation>
+        </message>
+        <message>
+            <source>The {what} is missing; type one.</source>
+            <translation>{what} saknas; fyll i fältet.</translation>
+        </message>
+        <message>
+            <source>The {what} must be between {least:g} and {most:g}, not {value:g}.</source>
+            <translation>{what} måste vara mellan {least:g} och {most:g}, inte {value:g}.</translation>
+        </message>
+        <message>
+            <source>The {what} {day} is not between {first} and {last}; check the year.</source>
+            <translation>{what} {day} ligger inte mellan {first} och {last}; kontrollera året.</translation>
         </message>
         <message>
             <source>There are no captures; capture a flat wall.</source>
@@ -1608,6 +1704,10 @@
             <translation>Det finns redan en variant {name}; ge denna ett annat namn.</translation>
         </message>
         <message>
+            <source>There is an order {number} already; give this one another number.</source>
+            <translation>Det finns redan en beställning {number}; ge den här ett annat nummer.</translation>
+        </message>
+        <message>
             <source>There is no device "{name}"; choose one of {known}.</source>
             <translation>Det finns inget inlägg "{name}"; välj ett av {known}.</translation>
         </message>
@@ -1622,6 +1722,10 @@
         <message>
             <source>There is no folder {folder}; name the folder with the wall captures.</source>
             <translation>Mappen {folder} finns inte; ange mappen med tagningarna av väggen.</translation>
+        </message>
+        <message>
+            <source>There is no kind of personal number {kind}; choose one.</source>
+            <translation>Det finns inget slags personnummer {kind}; välj ett.</translation>
         </message>
         <message>
             <source>There is no marker dictionary {dictionary}; the printed board of this program uses DICT_5X5_250.</source>
@@ -1640,12 +1744,48 @@
             <translation>Tjocklek vid framkanten</translation>
         </message>
         <message>
+            <source>This capture is no longer in the record; open the visit again.</source>
+            <translation>Den här upptagningen finns inte längre i journalen; öppna besöket igen.</translation>
+        </message>
+        <message>
             <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
             <translation>Den här ordinationen har inget utöver sin inläggstyp som ett fynd kan föreslå; lägg till en korrigering eller en pelott, eller spara den som inläggstyp.</translation>
         </message>
         <message>
             <source>This design is for a {side} foot and the scan is of a {foot_side} one; open the matching scan or mirror the design.</source>
             <translation>Designen är för en {side} fot och skanningen är av en {foot_side}; öppna rätt skanning eller spegla designen.</translation>
+        </message>
+        <message>
+            <source>This is the same person twice; choose another one to merge with.</source>
+            <translation>Det är samma person två gånger; välj en annan att slå samman med.</translation>
+        </message>
+        <message>
+            <source>This merge has been undone already; look at the persons again.</source>
+            <translation>Den här sammanslagningen har redan ångrats; titta på personerna igen.</translation>
+        </message>
+        <message>
+            <source>This order is no longer in the record; look at the list again.</source>
+            <translation>Den här beställningen finns inte längre i journalen; titta i listan igen.</translation>
+        </message>
+        <message>
+            <source>This person is no longer in the record; search for them again.</source>
+            <translation>Den här personen finns inte längre i journalen; sök igen.</translation>
+        </message>
+        <message>
+            <source>This person was merged with another one meanwhile; open the other one.</source>
+            <translation>Den här personen har under tiden slagits samman med en annan; öppna den andra.</translation>
+        </message>
+        <message>
+            <source>This version is closed already; it stays as it is.</source>
+            <translation>Den här versionen är redan avslutad; den förblir som den är.</translation>
+        </message>
+        <message>
+            <source>This version is no longer in the record; open the history of the visit again.</source>
+            <translation>Den här versionen finns inte längre i journalen; öppna besökets historik igen.</translation>
+        </message>
+        <message>
+            <source>This visit is no longer in the record; open the person again.</source>
+            <translation>Det här besöket finns inte längre i journalen; öppna personen igen.</translation>
         </message>
         <message>
             <source>Tibialis posterior dysfunction, flexible</source>
@@ -1690,6 +1830,10 @@
         <message>
             <source>Turning the foot and shaping the heel</source>
             <translation>Vrider foten och formar hälen</translation>
+        </message>
+        <message>
+            <source>Two files of the order have the name {name}; give one another name.</source>
+            <translation>Två filer i beställningen heter {name}; ge en av dem ett annat namn.</translation>
         </message>
         <message>
             <source>Two points of the object have the same true position; correct the list.</source>
@@ -1792,8 +1936,16 @@
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
         </message>
         <message>
+            <source>adjusted</source>
+            <translation>justerad</translation>
+        </message>
+        <message>
             <source>adult flatfoot</source>
             <translation>förvärvad plattfot</translation>
+        </message>
+        <message>
+            <source>all connections are in use</source>
+            <translation>alla anslutningar är upptagna</translation>
         </message>
         <message>
             <source>and height are {width}×{height}, but must be {allowed}</source>
@@ -1880,6 +2032,10 @@
             <translation>centimeter</translation>
         </message>
         <message>
+            <source>checked</source>
+            <translation>kontrollerad</translation>
+        </message>
+        <message>
             <source>child</source>
             <translation>barn</translation>
         </message>
@@ -1906,6 +2062,10 @@
         <message>
             <source>colour pictures of the board</source>
             <translation>färgbilder av brädet</translation>
+        </message>
+        <message>
+            <source>contact</source>
+            <translation>Kontaktuppgiften</translation>
         </message>
         <message>
             <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
@@ -1948,8 +2108,20 @@
             <translation>mörk</translation>
         </message>
         <message>
+            <source>date of the consent</source>
+            <translation>Samtyckets datum</translation>
+        </message>
+        <message>
+            <source>date of the follow-up</source>
+            <translation>Uppföljningens datum</translation>
+        </message>
+        <message>
             <source>date of the visit</source>
             <translation>Besöksdatumet</translation>
+        </message>
+        <message>
+            <source>date that it is due</source>
+            <translation>Leveransdatumet</translation>
         </message>
         <message>
             <source>default</source>
@@ -1962,6 +2134,14 @@
         <message>
             <source>degrees uncertain in direction</source>
             <translation>grader osäkert i riktning</translation>
+        </message>
+        <message>
+            <source>delivered</source>
+            <translation>levererad</translation>
+        </message>
+        <message>
+            <source>designed</source>
+            <translation>konstruerad</translation>
         </message>
         <message>
             <source>diabetes</source>
@@ -2022,6 +2202,10 @@
         <message>
             <source>filler for the 5th toe</source>
             <translation>utfyllnad för femte tån</translation>
+        </message>
+        <message>
+            <source>findings</source>
+            <translation>Fynden</translation>
         </message>
         <message>
             <source>first head</source>
@@ -2186,6 +2370,10 @@
         <message>
             <source>imprint</source>
             <translation>avtryck</translation>
+        </message>
+        <message>
+            <source>in production</source>
+            <translation>i produktion</translation>
         </message>
         <message>
             <source>inches</source>
@@ -2560,8 +2748,20 @@
             <translation>måste ange minst en vy, och ingen två gånger</translation>
         </message>
         <message>
+            <source>name</source>
+            <translation>Namnet</translation>
+        </message>
+        <message>
+            <source>name of the file</source>
+            <translation>Filens namn</translation>
+        </message>
+        <message>
             <source>name of the material</source>
             <translation>Materialets namn</translation>
+        </message>
+        <message>
+            <source>name of the shop</source>
+            <translation>Verkstadens namn</translation>
         </message>
         <message>
             <source>name the same point twice</source>
@@ -2624,6 +2824,10 @@
             <translation>–</translation>
         </message>
         <message>
+            <source>notes</source>
+            <translation>Anteckningarna</translation>
+        </message>
+        <message>
             <source>number of colour frames</source>
             <translation>antalet färgbilder</translation>
         </message>
@@ -2634,6 +2838,10 @@
         <message>
             <source>number of places each sensor stands in</source>
             <translation>antalet platser som varje sensor står på</translation>
+        </message>
+        <message>
+            <source>number of the order</source>
+            <translation>Beställningens nummer</translation>
         </message>
         <message>
             <source>of unknown age</source>
@@ -2664,6 +2872,10 @@
             <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
         </message>
         <message>
+            <source>outcome</source>
+            <translation>Resultatet</translation>
+        </message>
+        <message>
             <source>outline_mm{where} belongs to the shapes "outline" and "flat_outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
             <translation>outline_mm{where} hör till formerna ”outline” och ”flat_outline” och ingen annan; rita en kontur, eller välj en annan form och utelämna den.</translation>
         </message>
@@ -2686,6 +2898,10 @@
         <message>
             <source>pelott</source>
             <translation>pelott</translation>
+        </message>
+        <message>
+            <source>personal number</source>
+            <translation>Personnumret</translation>
         </message>
         <message>
             <source>pes cavus</source>
@@ -2776,8 +2992,16 @@
             <translation>bakersta punkten</translation>
         </message>
         <message>
+            <source>reason</source>
+            <translation>Orsaken</translation>
+        </message>
+        <message>
             <source>reason for the export</source>
             <translation>Skälet till exporten</translation>
+        </message>
+        <message>
+            <source>reason of the visit</source>
+            <translation>Besöksorsaken</translation>
         </message>
         <message>
             <source>relief at the base of the 5th metatarsal</source>
@@ -2824,8 +3048,16 @@
             <translation>avlastning under femte tån</translation>
         </message>
         <message>
+            <source>remarks</source>
+            <translation>Anmärkningarna</translation>
+        </message>
+        <message>
             <source>resolution of the foot's surface (mm)</source>
             <translation>upplösningen på fotens yta (mm)</translation>
+        </message>
+        <message>
+            <source>returned</source>
+            <translation>returnerad</translation>
         </message>
         <message>
             <source>reverse Morton's extension</source>
@@ -2864,6 +3096,10 @@
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
         </message>
         <message>
+            <source>sent</source>
+            <translation>skickad</translation>
+        </message>
+        <message>
             <source>sesamoid</source>
             <translation>sesamben</translation>
         </message>
@@ -2874,6 +3110,10 @@
         <message>
             <source>shoe height</source>
             <translation>skohöjd</translation>
+        </message>
+        <message>
+            <source>shoe size</source>
+            <translation>Skostorleken</translation>
         </message>
         <message>
             <source>shoe_size_eu of outline is missing; put in the size of the shoe.</source>
@@ -3228,6 +3468,10 @@
             <translation>vattentät</translation>
         </message>
         <message>
+            <source>weight in kg</source>
+            <translation>Vikten i kg</translation>
+        </message>
+        <message>
             <source>worst: {markers}</source>
             <translation>sämst: {markers}</translation>
         </message>
@@ -3290,6 +3534,10 @@
         <message>
             <source>{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.</source>
             <translation>{area_mm2:.0f} mm² kan inte nås uppifrån; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
+            <source>{author} at {station} has changed the {side} foot meanwhile; compare both versions and choose.</source>
+            <translation>{author} vid {station} har under tiden ändrat {side} fot; jämför båda versionerna och välj.</translation>
         </message>
         <message>
             <source>{capture} has no reading in the middle; put a flat surface there.</source>
@@ -3386,6 +3634,10 @@
         <message>
             <source>{file} is not valid JSON ({reason}); restore the file.</source>
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
+        </message>
+        <message>
+            <source>{file} may only be read by you; ask for the right to write to it.</source>
+            <translation>Du får bara läsa {file}; be om rätten att skriva till den.</translation>
         </message>
         <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
@@ -3508,6 +3760,10 @@
             <translation>{key}{where} är {value:g}, och måste vara {range}; ange ett värde i det området.</translation>
         </message>
         <message>
+            <source>{kind} is no kind of a capture; use session or mesh.</source>
+            <translation>{kind} är inget slags upptagning; använd session eller mesh.</translation>
+        </message>
+        <message>
             <source>{least:g} to {most:g}</source>
             <translation>{least:g} till {most:g}</translation>
         </message>
@@ -3566,6 +3822,10 @@
         <message>
             <source>{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and capture it again.</source>
             <translation>{name} innehåller inga mätvärden alls; ställ sensorn 500 till 3000 mm från väggen och ta om den.</translation>
+        </message>
+        <message>
+            <source>{name} is damaged; restore it from a backup.</source>
+            <translation>{name} är skadad; återställ den från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{name} is missing, but sensor.json names it as disparity_correction; restore it from the recording.</source>
@@ -3928,6 +4188,38 @@
             <translation>{picture}: {corners} hörn av ChArUco-brädet med {columns}×{rows} rutor syns, men {least} behövs; visa mer av brädet, och kontrollera dess storlek och förteckning.</translation>
         </message>
         <message>
+            <source>{place} comes from an older Insole Studio and cannot be brought up to date, since it may only be read; ask for the right to write to it.</source>
+            <translation>{place} kommer från ett äldre Insole Studio och kan inte uppdateras, eftersom den bara får läsas; be om rätten att skriva till den.</translation>
+        </message>
+        <message>
+            <source>{place} does not answer ({reason}); check the network, the address and that the database is running.</source>
+            <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
+        </message>
+        <message>
+            <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
+            <translation>{place} är skadad; återställ journalen från en säkerhetskopia och behåll den skadade filen tills återställningen har kontrollerats.</translation>
+        </message>
+        <message>
+            <source>{place} is held by another program; wait until that has finished, and try again.</source>
+            <translation>{place} hålls av ett annat program; vänta tills det är klart och försök igen.</translation>
+        </message>
+        <message>
+            <source>{place} may not be changed by you; ask for the right to write to it.</source>
+            <translation>Du får inte ändra {place}; be om rätten att skriva till den.</translation>
+        </message>
+        <message>
+            <source>{place} refused what was to be written ({reason}); nothing was changed. Please report this.</source>
+            <translation>{place} vägrade ta emot det som skulle skrivas ({reason}); inget ändrades. Rapportera gärna detta.</translation>
+        </message>
+        <message>
+            <source>{place} refuses the user or the password of its address; check the address of the database.</source>
+            <translation>{place} godtar inte användaren eller lösenordet i sin adress; kontrollera databasens adress.</translation>
+        </message>
+        <message>
+            <source>{place} was made by a newer Insole Studio (tables {found}; this program knows them up to {newest}); install the newest version.</source>
+            <translation>{place} har skapats av ett nyare Insole Studio (tabeller {found}; det här programmet känner dem till och med {newest}); installera den nyaste versionen.</translation>
+        </message>
+        <message>
             <source>{problem} Kept so far: {views}.</source>
             <translation>{problem} Sparat hittills: {views}.</translation>
         </message>
@@ -3950,6 +4242,18 @@
         <message>
             <source>{share:.0%} of the {pad} lie on the transition to the rim; move it inwards or set a narrower transition.</source>
             <translation>{share:.0%} av {pad} ligger på övergången till randen; flytta den inåt eller ställ in en smalare övergång.</translation>
+        </message>
+        <message>
+            <source>{text} holds a day in the future; check its year.</source>
+            <translation>{text} innehåller en dag i framtiden; kontrollera året.</translation>
+        </message>
+        <message>
+            <source>{text} holds a day that the calendar does not have; check it.</source>
+            <translation>{text} innehåller en dag som inte finns i kalendern; kontrollera den.</translation>
+        </message>
+        <message>
+            <source>{text} is no Swedish personal number; write it as YYYYMMDD-NNNN.</source>
+            <translation>{text} är inget svenskt personnummer; skriv det som ÅÅÅÅMMDD-NNNN.</translation>
         </message>
         <message>
             <source>{text} is no date; write year, month and day, such as 1970-02-28.</source>

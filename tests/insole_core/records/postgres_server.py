@@ -45,9 +45,9 @@ class PostgresServer:
     def url(self, database: str) -> str:
         return f"postgresql+psycopg://{self.user}@/{database}?host={self.folder}"
 
-    def execute(self, statement: str) -> None:
+    def execute(self, statement: str, database: str = "postgres") -> None:
         with psycopg.connect(
-            f"host={self.folder} user={self.user} dbname=postgres", autocommit=True
+            f"host={self.folder} user={self.user} dbname={database}", autocommit=True
         ) as connection:
             connection.execute(statement)
 

@@ -165,7 +165,9 @@ def test_a_log_that_is_shorter_than_a_backup_is_found(database: Database, log: A
     assert log.verify({7: "x"}).broken_line == 4
 
 
-@pytest.mark.parametrize("details", [{"name": "x" * 201}, {"name": object()}], ids=str)
+@pytest.mark.parametrize(
+    "details", [{"name": "x" * 201}, {"name": object()}], ids=["long", "no text"]
+)
 def test_texts_about_patients_do_not_get_into_the_log(
     database: Database, details: dict[str, str]
 ) -> None:

@@ -12,6 +12,7 @@ _FIXED = (
 )  # fmt: skip
 """What a closed version keeps for good; a signature may still be added, once."""
 _CHANGED = "a closed or signed prescription cannot be changed"
+_CHANNEL = "insole_studio_records"
 _APPENDED = "the audit log is only appended to"
 
 
@@ -65,12 +66,17 @@ def _make_triggers_of_sqlite() -> None:
 
 def _make_triggers_of_postgresql() -> None:
     distinct = "IS DISTINCT FROM"
+    op.execute(
+        "CREATE FUNCTION tell_audit_line() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN "
+        f"PERFORM pg_notify('{_CHANNEL}', NEW.seq::text); RETURN NULL; END $$"
+    )
     _make_function("refuse_audit_change", "true", _APPENDED)
     _make_function("check_audit_head", "NEW.id <> OLD.id OR NEW.seq <= OLD.seq", _APPENDED)
     _make_function("check_version_update", _is_changed(distinct), _CHANGED)
     _make_function("check_version_delete", _is_kept(), _CHANGED, "OLD")
     for name, when, function in (
         ("audit_change", "BEFORE UPDATE OR DELETE ON audit FOR EACH ROW", "refuse_audit_change"),
+        ("audit_line", "AFTER INSERT ON audit FOR EACH ROW", "tell_audit_line"),
         ("audit_truncate", "BEFORE TRUNCATE ON audit", "refuse_audit_change"),
         ("audit_head_delete", "BEFORE DELETE ON audit_head FOR EACH ROW", "refuse_audit_change"),
         ("audit_head_update", "BEFORE UPDATE ON audit_head FOR EACH ROW", "check_audit_head"),
