@@ -105,6 +105,8 @@ class MainController(QObject):
         features = self._features
         capture, foot, opener = features.capture, features.foot, features.case_files.opener
         capture.captured.connect(opener.open_path)
+        capture.captured_for.connect(features.records.captures.store)
+        features.records.captures.fetched.connect(opener.open_path)
         foot.foot_made.connect(opener.take_scan)
         foot.closed.connect(capture.hand_on, Qt.ConnectionType.QueuedConnection)
         foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)

@@ -8,6 +8,10 @@
             <translation>En kopia skrevs: {name}</translation>
         </message>
         <message>
+            <source>A new capture of this visit has come from {who} at {time}.</source>
+            <translation>En ny avbildning av detta besök har kommit från {who} klockan {time}.</translation>
+        </message>
+        <message>
             <source>Add a patient to the clinic's record</source>
             <translation>Lägg till en patient i klinikens journal</translation>
         </message>
@@ -204,6 +208,10 @@
             <translation>Senaste besök</translation>
         </message>
         <message>
+            <source>Make a foot of it</source>
+            <translation>Gör en fot av den</translation>
+        </message>
+        <message>
             <source>Measure over time</source>
             <translation>Mått över tid</translation>
         </message>
@@ -254,6 +262,10 @@
         <message>
             <source>Nobody is found. Check the spelling, or add a new patient.</source>
             <translation>Ingen hittas. Kontrollera stavningen, eller lägg till en ny patient.</translation>
+        </message>
+        <message>
+            <source>Nobody of the work list</source>
+            <translation>Ingen på arbetslistan</translation>
         </message>
         <message>
             <source>Not saved in the record; your work is kept here</source>
@@ -310,6 +322,10 @@
         <message>
             <source>Patients</source>
             <translation>Patienter</translation>
+        </message>
+        <message>
+            <source>Patients whose feet wait to be captured</source>
+            <translation>Patienter vars fötter väntar på avbildning</translation>
         </message>
         <message>
             <source>Personal number</source>
@@ -392,6 +408,10 @@
             <translation>Läge</translation>
         </message>
         <message>
+            <source>The capture is in the record.</source>
+            <translation>Avbildningen finns i journalen.</translation>
+        </message>
+        <message>
             <source>The capture room has to capture the feet</source>
             <translation>Avbildningsrummet ska avbilda fötterna</translation>
         </message>
@@ -464,6 +484,10 @@
             <translation>Vilka beställningar</translation>
         </message>
         <message>
+            <source>Whose feet are captured</source>
+            <translation>Vems fötter som avbildas</translation>
+        </message>
+        <message>
             <source>Why is it kept? The next change begins a new version.</source>
             <translation>Varför behålls den? Nästa ändring börjar en ny version.</translation>
         </message>
@@ -478,6 +502,10 @@
         <message>
             <source>{day}, overdue</source>
             <translation>{day}, försenad</translation>
+        </message>
+        <message>
+            <source>{name} (open here)</source>
+            <translation>{name} (öppen här)</translation>
         </message>
         <message>
             <source>{name} has this personal number already.</source>

@@ -41,6 +41,7 @@ from insole_studio.features.records.same_prescription import (
 )
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import StartPresenter
+from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -80,6 +81,7 @@ class PatientRecords(QObject):
         self._start_presenter: StartPresenter | None = None
         self._orders_presenter: OrdersPresenter | None = None
         self._same_prescription = SamePrescription(services)
+        self.captures = VisitCaptures(services)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
         self._keeper.conflicted.connect(self.decide)
