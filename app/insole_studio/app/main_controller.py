@@ -112,6 +112,7 @@ class MainController(QObject):
         foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)
         foot.unreadable.connect(self._services.messages.show_error)
         features.export.changed.connect(self._show_state)
+        features.export.exported_files.connect(features.records.order_actions.note_export)
         self._stage.counterpart.changed.connect(self._show_choices)
 
     def _connect_records(self) -> None:
@@ -248,6 +249,8 @@ class MainController(QObject):
                 window.show_action(record.key, on_panels and case.foot is not None)
             if record.needs_both:
                 window.show_action(record.key, on_panels and len(case.record.feet) == 2)
+        is_file = not self._services.keeper.is_keeping and not case.is_empty
+        window.show_action("add_to_record", on_panels and is_file)
         for key in OF_PERSON:
             window.show_action(key, self._is_on_person)
         window.show_action("remove", case.selection is not None)

@@ -24,12 +24,28 @@
             <translation>Lägg till ett besök i dag som ordineras som det förra på en ny skanning</translation>
         </message>
         <message>
+            <source>Add as a new patient</source>
+            <translation>Lägg till som ny patient</translation>
+        </message>
+        <message>
             <source>Add follow-up</source>
             <translation>Lägg till uppföljning</translation>
         </message>
         <message>
             <source>Add patient</source>
             <translation>Lägg till patient</translation>
+        </message>
+        <message>
+            <source>Add to the record</source>
+            <translation>Lägg till i journalen</translation>
+        </message>
+        <message>
+            <source>Add to the record…</source>
+            <translation>Lägg till i journalen…</translation>
+        </message>
+        <message>
+            <source>Add to this patient</source>
+            <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
             <source>Adjusted</source>
@@ -212,6 +228,10 @@
             <translation>Gör en fot av den</translation>
         </message>
         <message>
+            <source>Make a visit of the open case; its file stays as it is</source>
+            <translation>Gör det öppna fallet till ett besök; filen förblir som den är</translation>
+        </message>
+        <message>
             <source>Measure over time</source>
             <translation>Mått över tid</translation>
         </message>
@@ -296,6 +316,14 @@
             <translation>Öppna besöket</translation>
         </message>
         <message>
+            <source>Order {number}</source>
+            <translation>Beställning {number}</translation>
+        </message>
+        <message>
+            <source>Order {number} is in the record, with its files.</source>
+            <translation>Beställning {number} finns i journalen, med sina filer.</translation>
+        </message>
+        <message>
             <source>Orders</source>
             <translation>Beställningar</translation>
         </message>
@@ -348,6 +376,10 @@
             <translation>Senaste patienter</translation>
         </message>
         <message>
+            <source>Remarks</source>
+            <translation>Anmärkningar</translation>
+        </message>
+        <message>
             <source>Remember the last prescription</source>
             <translation>Kom ihåg den förra ordinationen</translation>
         </message>
@@ -382,6 +414,10 @@
         <message>
             <source>Shop</source>
             <translation>Verkstad</translation>
+        </message>
+        <message>
+            <source>Shop and due date…</source>
+            <translation>Verkstad och klardatum…</translation>
         </message>
         <message>
             <source>Sign this version</source>
@@ -482,6 +518,10 @@
         <message>
             <source>Which orders</source>
             <translation>Vilka beställningar</translation>
+        </message>
+        <message>
+            <source>Whose case is it? It becomes a visit; the file stays as it is.</source>
+            <translation>Vems fall är det? Det blir ett besök; filen förblir som den är.</translation>
         </message>
         <message>
             <source>Whose feet are captured</source>
