@@ -17,6 +17,7 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
+from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.typed_text import commit_typed_text
@@ -117,6 +118,7 @@ class MainController(QObject):
         records.page_requested.connect(self._show_page)
         records.action_requested.connect(self._run_requested)
         records.recent_file_chosen.connect(self._open_recent)
+        records.compared.connect(self._features.compare.open_visits)
         self._case.opened.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
         keeper.state_changed.connect(self._show_kept)
@@ -244,6 +246,8 @@ class MainController(QObject):
                 window.show_action(record.key, on_panels and case.foot is not None)
             if record.needs_both:
                 window.show_action(record.key, on_panels and len(case.record.feet) == 2)
+        for key in OF_PERSON:
+            window.show_action(key, self._is_on_person)
         window.show_action("remove", case.selection is not None)
         is_exported = case.record is self._features.export.exported
         self._stage.steps.show_steps(steps_of(case.record, is_exported))
