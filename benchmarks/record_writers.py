@@ -5,7 +5,7 @@ conflict is told to the one who saves second, who tries again. There must be no 
 other refusal: neither a deadlock nor a wait that was given up.
 
 ``MINUTES=10`` asks for ten minutes for each number of writers; one fourth of one is the default.
-``WRITERS=2,8`` are the numbers.
+``WRITERS=2,8`` are the numbers, ``DATABASES=SQLite,PostgreSQL`` the databases.
 """
 
 from __future__ import annotations
@@ -37,14 +37,17 @@ from insole_core.records.place import RecordsPlace
 def main() -> None:
     minutes = float(os.environ.get("MINUTES", "0.25"))
     numbers = [int(number) for number in os.environ.get("WRITERS", "2,8").split(",")]
+    kinds = os.environ.get("DATABASES", "SQLite,PostgreSQL").split(",")
     for shape in range(3):
         foot_of(shape)
     rows: list[list[object]] = []
     for count in numbers:
         with tempfile.TemporaryDirectory(prefix="record-writers-") as name:
             folder = Path(name)
-            rows.append(_tried("SQLite", RecordsPlace.local(folder / "record"), count, minutes))
-            if binaries() is not None:
+            if "SQLite" in kinds:
+                place = RecordsPlace.local(folder / "record")
+                rows.append(_tried("SQLite", place, count, minutes))
+            if "PostgreSQL" in kinds and binaries() is not None:
                 with running_server(durable=True) as server:
                     place = RecordsPlace.of_url(server.url("postgres"), folder / "contents")
                     rows.append(_tried("PostgreSQL", place, count, minutes))

@@ -10,7 +10,6 @@ from sqlalchemy import (
     ColumnElement,
     Connection,
     Select,
-    and_,
     case,
     func,
     insert,
@@ -30,9 +29,10 @@ from insole_core.records.person_rows import (
 )
 from insole_core.records.rights import Right
 from insole_core.records.schema import persons, visits
-from insole_core.records.search_text import search_text_of, search_words
+from insole_core.records.search_text import search_text_of, search_words, sort_key_of
 from insole_core.records.times import utc_now
 
+_LAST_CHARACTER: Final = "\U0010ffff"
 _EDITED: Final = (
     "name",
     "birth_date",
@@ -67,10 +67,11 @@ class Persons:
         words = search_words(typed)
         if not words:
             return self.recent(limit)
-        text = persons.c.search_text
-        found = and_(*(_holds(text, word) for word in words))
-        rank = case((_begins(text, f" {words[0]}"), 0), (_holds(text, f" {words[0]}"), 1), else_=2)
-        return self._summaries(_listed().where(found).order_by(rank, text).limit(limit))
+        with self._context.reading() as connection:
+            found = _found(connection, _by_name(words).limit(limit))
+            if len(found) < limit:
+                found += _found(connection, _by_rest(words).limit(limit - len(found)))
+        return found
 
     def recent(self, limit: int = 20) -> list[PersonSummary]:
         """Return those who were seen or changed last, the latest first."""
@@ -123,7 +124,11 @@ class Persons:
             text = search_text_of(
                 person.name, person.birth_date, person.personal_number, [person.pseudonym]
             )
-            connection.execute(insert(persons).values(**values, search_text=text))
+            connection.execute(
+                insert(persons).values(
+                    **values, search_text=text, sort_key=sort_key_of(person.name)
+                )
+            )
             self._context.log(connection, "added", "person", person.id)
         return person
 
@@ -193,7 +198,7 @@ class Persons:
 
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
         with self._context.reading() as connection:
-            return [PersonSummary(*row) for row in connection.execute(query)]
+            return _found(connection, query)
 
 
 def _listed() -> Select[Any]:
@@ -213,12 +218,29 @@ def _listed() -> Select[Any]:
     ).where(persons.c.merged_into.is_(None), persons.c.is_erased.is_(False))
 
 
-def _holds(text: ColumnElement[str], word: str) -> ColumnElement[bool]:
-    return text.contains(word, autoescape=True)
+def _found(connection: Connection, query: Select[Any]) -> list[PersonSummary]:
+    return [PersonSummary(*row) for row in connection.execute(query)]
 
 
-def _begins(text: ColumnElement[str], word: str) -> ColumnElement[bool]:
-    return text.startswith(word, autoescape=True)
+def _by_name(words: list[str]) -> Select[Any]:
+    """Return the query of those whose name begins with the first word; an index finds them."""
+    rest = (_holds(word) for word in words[1:])
+    return _listed().where(_name_begins(words[0]), *rest).order_by(persons.c.sort_key)
+
+
+def _by_rest(words: list[str]) -> Select[Any]:
+    """Return the query of all others; those come first of whom a word begins with the first."""
+    rank = case((_holds(f" {words[0]}"), 0), else_=1)
+    others = (~_name_begins(words[0]), *(_holds(word) for word in words))
+    return _listed().where(*others).order_by(rank, persons.c.sort_key)
+
+
+def _name_begins(word: str) -> ColumnElement[bool]:
+    return persons.c.sort_key.between(word, f"{word}{_LAST_CHARACTER}")
+
+
+def _holds(word: str) -> ColumnElement[bool]:
+    return persons.c.search_text.contains(word, autoescape=True)
 
 
 def _with_free_pseudonym(connection: Connection, person: Person) -> Person:
