@@ -10,6 +10,7 @@ from sqlalchemy import (
     ColumnElement,
     Connection,
     Select,
+    and_,
     case,
     func,
     insert,
@@ -236,7 +237,8 @@ def _by_rest(words: list[str]) -> Select[Any]:
 
 
 def _name_begins(word: str) -> ColumnElement[bool]:
-    return persons.c.sort_key.between(word, f"{word}{_LAST_CHARACTER}")
+    key = persons.c.sort_key
+    return and_(key >= word, key < f"{word}{_LAST_CHARACTER}")
 
 
 def _holds(word: str) -> ColumnElement[bool]:
