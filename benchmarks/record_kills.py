@@ -12,7 +12,8 @@ After each, the record is opened anew: every acknowledged write must be there, t
 what the audit log tells, its chain must hold, the database must find itself in order, and all files
 must be what their names say. The faults must be 0.
 
-``KILLS=20`` asks for fewer kills, ``FULL=5`` for fewer full disks, of each database.
+``KILLS=20`` asks for fewer kills, ``FULL=5`` for fewer full disks, of each database;
+``DATABASES=SQLite,PostgreSQL`` are the databases.
 """
 
 from __future__ import annotations
@@ -88,7 +89,7 @@ def main() -> None:
     for shape in range(3):
         foot_of(shape)  # made once, before the processes are forked
     rows = []
-    for kind in ("SQLite", "PostgreSQL"):
+    for kind in os.environ.get("DATABASES", "SQLite,PostgreSQL").split(","):
         if kind == "PostgreSQL" and binaries() is None:
             print("PostgreSQL is not installed; only SQLite was tried.")
             continue
@@ -117,6 +118,8 @@ def _tried(site: Site, times: int, attempt: Callable[[Site, int], list[int]]) ->
         except Exception as error:  # noqa: BLE001 - any is a fault
             print(f"{site.kind} {number}: {error!r}", flush=True)
             found = Counter({"not opened": 1})
+        if number % 25 == 24:
+            print(f"{site.kind}: {number + 1} tried", flush=True)
         if any(found.values()):
             print(f"{site.kind} {number}: {dict(found)}", flush=True)
         counts += found
