@@ -3,8 +3,9 @@
     python -m benchmarks insole_form
 
 Every insole is measured by what is asked of each: see `_insole_form.ASKED`. The mirrored foot must
-have the mirrored insole to 1e-6 mm. Limits of time on the grid of 1 mm: rebuild 120 ms; a drag of
-a rim's handle, pointer event to arrays, 16 ms.
+have the mirrored insole to 1e-6 mm. Limits of time on the grid of 1 mm: rebuild 120 ms; a drag,
+pointer event to arrays, of a rim's handle 16 ms, of a slider, the toe line or the share of the
+foot 50 ms, of a pad 2 ms, and 10 ms where the underside follows it.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import fields, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -24,8 +26,11 @@ from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design import BaseForm, InsoleDesign, Pelott
+from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.prescription.rim_sliders import with_cup_depth
+from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms, find_device
 from insole_core.workflows.edited_insole import EditedInsole
 from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_core.workflows.open_scan import open_scan
@@ -40,6 +45,7 @@ SCANS: tuple[tuple[str, Side | None], ...] = (
     ("feet/foot3d_0044/mesh.obj", Side.RIGHT), ("feet/foot3d_0044/colmap_mesh.obj", Side.RIGHT),
 )  # fmt: skip
 DRAGS, REBUILDS = 200, 30
+DEVICES = "EVA, full length", "Functional, three-quarter", "Sport, full length"
 ARCH = 0.45  # where `random_finish` has its stations
 
 
@@ -121,6 +127,21 @@ def dragged(design: InsoleDesign, i: int) -> InsoleDesign:
     return replace(design, finish=replace(design.finish, rim=tuple(rim)))
 
 
+def with_finish(design: InsoleDesign, **values: Any) -> InsoleDesign:
+    assert design.finish is not None
+    return replace(design, finish=replace(design.finish, **values))
+
+
+def with_cup(design: InsoleDesign, depth_mm: float) -> InsoleDesign:
+    assert design.finish is not None
+    return replace(design, finish=with_cup_depth(design.finish, depth_mm))
+
+
+def with_share(design: InsoleDesign, share: float) -> InsoleDesign:
+    assert design.base is not None
+    return replace(design, base=replace(design.base, contact_share=share))
+
+
 def print_times(foot: Foot) -> None:
     design = designed(foot, np.random.default_rng(3))
     builder = InsoleBuilder()
@@ -130,10 +151,39 @@ def print_times(foot: Foot) -> None:
     drags = times_ms(lambda i: edited.follow(dragged(design, i % 50)), DRAGS)
     rows = [
         ("rebuild of the insole", *insoles, "120"),
-        ("rebuild with its solid", *solids, ""),
+        ("rebuild with its solid", *solids, "120"),
         ("drag of a rim's handle", *drags, "16"),
+        *(row for name in DEVICES for row in device_rows(foot, name)),
     ]
     print_table(("edit, grid of 1 mm", "median CPU ms", "99 % CPU ms", "limit"), rows)
+
+
+def device_rows(foot: Foot, name: str) -> list[tuple[str, str, str, str]]:
+    """Time the edits of a device with a pad and a base form: what a drag does in each step."""
+    device = find_device(clinic_devices(Path("none")).load().items, name)
+    form = next(iter(clinic_forms(Path("none")).load().items.values()))
+    pad = Pelott(centre_mm=(5.0, 0.6 * foot.length_mm), height_mm=4.0)
+    plain = apply_device(device, InsoleDesign(foot.side, (pad,)))
+    start = replace(plain, base=BaseForm(form=form, contact_share=0.7))
+    edits: tuple[tuple[str, str, Callable[[int], InsoleDesign]], ...] = (
+        (
+            "pad",
+            "2" if start.bottom == "flat" else "10",
+            lambda i: start.with_changed(replace(pad, turn_deg=0.1 * i)),
+        ),
+        ("cup", "50", lambda i: with_cup(start, 12 + 0.05 * (i % 90))),
+        ("fill", "50", lambda i: with_finish(start, arch_fill_mm=0.05 * i)),
+        ("toe line", "50", lambda i: with_finish(start, toe_line_mm=3 + 0.1 * i)),
+        ("share of the foot", "50", lambda i: with_share(start, 0.7 + 0.001 * i)),
+    )
+    rows = []
+    for what, limit, edit in edits:
+        builder = InsoleBuilder()
+        edited = EditedInsole(builder.bare(foot, start), start)
+        times = times_ms(lambda i, to=edit, on=edited: on.follow(to(i)), DRAGS)  # type: ignore[misc]
+        rows.append((f"{name}: drag of {what}", *times, limit))
+    rebuilt = times_ms(lambda i: InsoleBuilder().bare(foot, edits[2][2](i)), REBUILDS)
+    return [*rows, (f"{name}: rebuild with its solid", *rebuilt, "120")]
 
 
 def main() -> None:

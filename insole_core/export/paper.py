@@ -172,7 +172,7 @@ def write_job_sheet(sheets: Sequence[JobSheet], path: Path, nesting: Nesting | N
     InputError
         When an exported file or the texts cannot be read.
     """
-    texts = _texts("job_sheet")
+    texts = paper_texts("job_sheet")
     pages = [_sheet(sheet, texts) for sheet in sheets]
     if nesting is not None:
         pages.insert(0, _nesting_page(nesting, sheets[0], texts))
@@ -242,7 +242,7 @@ def write_prescription(
     InputError
         When the texts cannot be read.
     """
-    texts = _texts("prescription")
+    texts = paper_texts("prescription")
     story = [paragraph(texts["title"], TITLE)]
     story += _facts(texts["identification"], identification)
     given = {key: value for key, value in responsible.items() if value}
@@ -343,7 +343,14 @@ def _register_font() -> None:
     pdfmetrics.registerFontFamily(_FONT, **faces)
 
 
-def _texts(name: str) -> dict[str, str]:
+def paper_texts(name: str) -> dict[str, str]:
+    """Return the texts of a paper, which a clinic can edit.
+
+    Raises
+    ------
+    InputError
+        When they cannot be read.
+    """
     path = resource_path(f"texts/{name}.json")
     try:
         content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
@@ -355,7 +362,7 @@ def _texts(name: str) -> dict[str, str]:
 def _facts(title: str, facts: Facts) -> list[Flowable]:
     if not facts:
         return []
-    words = _texts("words")
+    words = paper_texts("words")
     rows = [[paragraph(words.get(text, text)) for text in fact] for fact in facts.items()]
     table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
     table.setStyle(
@@ -417,7 +424,7 @@ def _nesting_picture(nesting: Nesting) -> Image:
     figure = Figure(figsize=(6.4, 6.4), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.subplots()
-    words = _texts("words")
+    words = paper_texts("words")
     for part in nesting.parts:
         _draw_map(axes, part.heights, part.failed_mm, height)
         (left, low, _), (right, high, _) = part.bounds_mm

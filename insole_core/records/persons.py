@@ -78,6 +78,10 @@ class Persons:
         """Return those who were seen or changed last, the latest first."""
         return self._summaries(_listed().order_by(persons.c.last_seq.desc()).limit(limit))
 
+    def everybody(self) -> list[PersonSummary]:
+        """Return all who can be found, to compare a list of others with them."""
+        return self._summaries(_listed())
+
     def with_number(self, personal_number: str) -> list[PersonSummary]:
         """Return those who have a personal number, as it is stored."""
         return self._summaries(_listed().where(persons.c.personal_number == personal_number))
@@ -116,22 +120,8 @@ class Persons:
         InputError
             When a field cannot be right, or the pseudonym is that of somebody else.
         """
-        person = person.checked(date.today())
-        now = utc_now()
         with self._context.writing(Right.WRITE) as connection:
-            person = _with_free_pseudonym(connection, person)
-            person = replace(person, created_at=now, changed_at=now, revision=1)
-            values = {name: getattr(person, name) for name in PERSON_FIELDS}
-            text = search_text_of(
-                person.name, person.birth_date, person.personal_number, [person.pseudonym]
-            )
-            connection.execute(
-                insert(persons).values(
-                    **values, search_text=text, sort_key=sort_key_of(person.name)
-                )
-            )
-            self._context.log(connection, "added", "person", person.id)
-        return person
+            return add_person(self._context, connection, person)
 
     def change(self, person: Person, revision: int) -> Person:
         """Store the changed fields of a person; return them as they are stored.
@@ -200,6 +190,27 @@ class Persons:
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
         with self._context.reading() as connection:
             return _found(connection, query)
+
+
+def add_person(context: RecordsContext, connection: Connection, person: Person) -> Person:
+    """Add a person within a transaction; return them as they are stored.
+
+    Raises
+    ------
+    InputError
+        When a field cannot be right, or the pseudonym is that of somebody else.
+    """
+    now = utc_now()
+    person = _with_free_pseudonym(connection, person.checked(date.today()))
+    person = replace(person, created_at=now, changed_at=now, revision=1)
+    values = {name: getattr(person, name) for name in PERSON_FIELDS}
+    text = search_text_of(
+        person.name, person.birth_date, person.personal_number, [person.pseudonym]
+    )
+    key = sort_key_of(person.name)
+    connection.execute(insert(persons).values(**values, search_text=text, sort_key=key))
+    context.log(connection, "added", "person", person.id)
+    return person
 
 
 def _listed() -> Select[Any]:

@@ -62,7 +62,7 @@ persons = Table(
     _id(),
     Column("name", Text, nullable=False),
     Column("search_text", _bytewise(), nullable=False),
-    Column("sort_key", _bytewise(), nullable=False, index=True),
+    Column("sort_key", _bytewise(), nullable=False, server_default="", index=True),
     Column("birth_date", Date),
     _text("personal_number"),
     _text("number_kind"),

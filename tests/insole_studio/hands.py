@@ -77,8 +77,14 @@ class Hands:
         QTest.keyClick(view.search, Qt.Key.Key_Return)
         self._done()
 
-    def export(self, path: Path) -> None:
-        """Open the stage that checks, and export once the checks are done."""
+    def export(self, path: Path, picture: str = "") -> None:
+        """Open the stage that checks, and export once the checks are done.
+
+        Parameters
+        ----------
+        picture
+            Name of the one that is taken of the stage for the manual; none by default.
+        """
         self.studio.answers.path = path
         self.choose("export")
         stage = self.app.features.export.stage
@@ -87,8 +93,8 @@ class Hands:
         stage.view.export.click()
         self._wait(stage)
         self._done()
-        if MANUAL:
-            grab(stage, [stage.view.model.scene]).save(f"{MANUAL}/6-checked.png")
+        if MANUAL and picture:
+            grab(stage, [stage.view.model.scene]).save(f"{MANUAL}/{picture}.png")
         stage.close()
 
     def _wait(self, stage: ExportStage) -> None:

@@ -16,8 +16,10 @@ from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
+from insole_studio.document.record_keeper import KeepState
+from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.typed_text import commit_typed_text
 
 _STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
@@ -103,11 +105,14 @@ class MainController(QObject):
         features = self._features
         capture, foot, opener = features.capture, features.foot, features.case_files.opener
         capture.captured.connect(opener.open_path)
+        capture.captured_for.connect(features.records.captures.store)
+        features.records.captures.fetched.connect(opener.open_path)
         foot.foot_made.connect(opener.take_scan)
         foot.closed.connect(capture.hand_on, Qt.ConnectionType.QueuedConnection)
         foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)
         foot.unreadable.connect(self._services.messages.show_error)
         features.export.changed.connect(self._show_state)
+        features.export.exported_files.connect(features.records.order_actions.note_export)
         self._stage.counterpart.changed.connect(self._show_choices)
 
     def _connect_records(self) -> None:
@@ -116,8 +121,27 @@ class MainController(QObject):
         records.page_requested.connect(self._show_page)
         records.action_requested.connect(self._run_requested)
         records.recent_file_chosen.connect(self._open_recent)
+        records.compared.connect(self._features.compare.open_visits)
         self._case.opened.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
+        keeper.state_changed.connect(self._show_kept)
+
+    def _show_kept(self) -> None:
+        """Say whether the open visit is in the record."""
+        keeper = self._services.keeper
+        text, warns = {
+            KeepState.NOTHING: ("", False),
+            KeepState.SAVED: (tr("Saved in the record"), False),
+            KeepState.CHANGED: (tr("Saving…"), False),
+            KeepState.WAITING: (
+                tr("Not saved yet: the database does not answer; your work is kept here"),
+                True,
+            ),
+            KeepState.CONFLICT: (tr("Not saved yet: two versions, decide"), True),
+            KeepState.REFUSED: (tr("Not saved in the record; your work is kept here"), True),
+        }[keeper.state]
+        tip = translate_core_message(keeper.trouble)
+        self._window.status.show_kept(text, tip, warns=warns)
 
     def _show_page(self, page: QWidget) -> None:
         self._window.show_page(page)
@@ -225,6 +249,10 @@ class MainController(QObject):
                 window.show_action(record.key, on_panels and case.foot is not None)
             if record.needs_both:
                 window.show_action(record.key, on_panels and len(case.record.feet) == 2)
+        is_file = not self._services.keeper.is_keeping and not case.is_empty
+        window.show_action("add_to_record", on_panels and is_file)
+        for key in OF_PERSON:
+            window.show_action(key, self._is_on_person)
         window.show_action("remove", case.selection is not None)
         is_exported = case.record is self._features.export.exported
         self._stage.steps.show_steps(steps_of(case.record, is_exported))

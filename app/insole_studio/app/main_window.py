@@ -77,6 +77,7 @@ class MainWindow(QMainWindow):
         self._sharing.setSingleShot(True)
         self._sharing.timeout.connect(self._share_width)
         self._panels = stage.panels
+        self.status = status
         self.setStatusBar(status)
         self._records = records
         self.actions_by_key = {record.key: self._make_action(record) for record in records}

@@ -39,6 +39,9 @@ class StatusBar(QStatusBar):
         for widget in (self._work, self._bar, self._cancel):
             self.addPermanentWidget(widget)
             widget.hide()
+        self._kept = QLabel()
+        self._kept.setContentsMargins(8, 0, 8, 0)
+        self.addPermanentWidget(self._kept)
         self._patience = QTimer(self)
         self._patience.setSingleShot(True)
         self._patience.setInterval(SHOW_AFTER_MS)
@@ -53,6 +56,14 @@ class StatusBar(QStatusBar):
     def show_hint(self, text: str) -> None:
         """Show what the user can do next."""
         self._hint.setText(text)
+
+    def show_kept(self, text: str, tip: str, *, warns: bool) -> None:
+        """Show whether the open case is in the clinic's record; empty for a case of a file."""
+        self._kept.setText(text)
+        self._kept.setToolTip(tip)
+        self._kept.setVisible(bool(text))
+        self._kept.setObjectName("warning" if warns else "quiet")
+        self._kept.style().polish(self._kept)  # the style sheet depends on the name
 
     def _progressed(self, news: JobProgress) -> None:
         self._channel = news.channel

@@ -122,6 +122,9 @@ def _style_sheet(colors: Colors) -> str:
     QLabel#quiet {{ color: {colors.quiet}; }}
     QLabel#warning {{ background: {colors.warning}; color: {colors.on_warning};
                       border-radius: 4px; padding: 4px 8px; }}
+    QPushButton#warning_count {{ background: {colors.warning}; color: {colors.on_warning};
+                                 border: none; border-radius: 4px; padding: 2px 8px; }}
+    QPushButton#warning_count:focus {{ border: 2px solid {colors.accent}; }}
     QToolBar {{ border: none; border-bottom: 1px solid {colors.line};
                 spacing: 1px; padding: 2px; }}
     QToolBar QToolButton {{ padding: 4px; border-radius: 4px; }}

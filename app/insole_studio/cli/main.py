@@ -32,6 +32,7 @@ from insole_studio.cli import (
 )
 from insole_studio.cli.argument_parser import Parser
 from insole_studio.cli.path_arguments import check_paths
+from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, stop_on_signals
 from insole_studio.cli.subcommands import Command
 
@@ -47,6 +48,7 @@ COMMANDS: tuple[Command, ...] = (
     devices,
     measure,
     compare,
+    records,
     simulate,
 )
 

@@ -15,13 +15,14 @@ from insole_core.progress import Progress
 from insole_studio.jobs import Jobs
 
 if TYPE_CHECKING:
+    from insole_core.records.author import Author
     from insole_core.records.records import Records
 
 log = logging.getLogger(__name__)
 
 Result = TypeVar("Result")
 OPEN, WATCH, WRITE = "record", "record-changes", "record-write"
-WATCH_MS, RETRY_MS = 1000, 5000
+WATCH_MS, RETRY_MS = 1000, 3000
 
 
 class RecordState(Enum):
@@ -73,6 +74,11 @@ class ClinicRecord(QObject):
         return self.state is RecordState.OPEN
 
     @property
+    def author(self) -> Author | None:
+        """Whose changes these are; None before the record is open."""
+        return None if self._records is None else self._records.who
+
+    @property
     def is_read_only(self) -> bool:
         """Whether nothing can be changed, as in a damaged database."""
         return self._records is not None and self._records.is_read_only
@@ -113,7 +119,7 @@ class ClinicRecord(QObject):
             done(result)
 
         def missed(error: Exception) -> None:
-            self._note_failure(error)
+            self.note_failure(error)
             failed(error)
 
         self.jobs.start(channel, ask, told, missed)
@@ -144,6 +150,13 @@ class ClinicRecord(QObject):
         if self._records is None:
             raise InsoleError("The clinic's record is not open.")
         return question(self._records)
+
+    def note_failure(self, error: Exception) -> None:
+        """Look out for the record to come back if an error says that it does not answer."""
+        if isinstance(error, Unreachable) and self.state is RecordState.OPEN:
+            self.trouble = str(error)
+            self._watch.setInterval(RETRY_MS)
+            self._set_state(RecordState.AWAY)
 
     def close(self) -> None:
         """Stop watching and close the record, after the jobs have ended."""
@@ -188,12 +201,6 @@ class ClinicRecord(QObject):
             self.trouble = ""
             self._watch.setInterval(WATCH_MS)
             self._set_state(RecordState.OPEN)
-
-    def _note_failure(self, error: Exception) -> None:
-        if isinstance(error, Unreachable) and self.state is RecordState.OPEN:
-            self.trouble = str(error)
-            self._watch.setInterval(RETRY_MS)
-            self._set_state(RecordState.AWAY)
 
     def _set_state(self, state: RecordState) -> None:
         self.state = state

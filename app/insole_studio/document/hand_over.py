@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InsoleError, Unreachable
 from insole_studio.document.autosave import Recovered, find_recovered
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 
@@ -88,7 +88,9 @@ class HandOver(QObject):
             self._waiting.append(journal)
             if not isinstance(error, InsoleError):
                 raise error
-            self.failed.emit(error)
+            self._clinic.note_failure(error)
+            if not isinstance(error, Unreachable):
+                self.failed.emit(error)
 
         self._clinic.write(keep, kept, missed)
 

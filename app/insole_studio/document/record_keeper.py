@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, Variant
+from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import Conflict, InsoleError, Unreachable
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
@@ -125,6 +125,11 @@ class RecordKeeper(QObject):
         self._reason = reason
         self._save()
 
+    @property
+    def conflict(self) -> Conflict | None:
+        """What the user has to decide on; None for nothing."""
+        return self._conflict
+
     def settle(self, conflict: Conflict, chosen: FootRecord) -> None:
         """Settle a conflict: the chosen foot becomes the newest version, the other stays too.
 
@@ -230,15 +235,26 @@ class RecordKeeper(QObject):
             raise error
         self.trouble = str(error)
         if isinstance(error, Unreachable):
+            self._clinic.note_failure(error)
             self._set_state(KeepState.WAITING)
             self._timer.start(RETRY_MS)
-            if self._then is not None:
-                self._set_aside()
-            self._go_on()
+            self._leave_unsaved()
         else:
             self._then = None
             self._set_state(KeepState.REFUSED)
             self.failed.emit(error)
+
+    def _leave_unsaved(self) -> None:
+        """Leave the case for another one, once its journal is safe."""
+        if self._then is None:
+            return
+        try:
+            self._set_aside()
+        except InsoleError as error:
+            self._then = None
+            self.failed.emit(error)
+        else:
+            self._go_on()
 
     def _go_on(self) -> None:
         then, self._then = self._then, None
@@ -261,19 +277,3 @@ def _change(
     changed = (f for f in record.feet if all_feet or f is not before.of_side(f.side))
     bases = {foot.side: kept.bases.get(foot.side) for foot in changed}
     return CaseChange(kept.visit.id, before.patient, record, bases)
-
-
-def both_as_variants(mine: FootRecord, theirs: FootRecord, name: str) -> FootRecord:
-    """Return a foot that holds the chosen variant of somebody else beside one's own.
-
-    Parameters
-    ----------
-    name
-        Of the added variant; a number is added where there is one of that name.
-    """
-    taken = {variant.name for variant in mine.variants}
-    free, number = name, 2
-    while free in taken:
-        free, number = f"{name} {number}", number + 1
-    added = mine.with_variant(Variant(free, theirs.design))
-    return added.with_chosen(mine.chosen)

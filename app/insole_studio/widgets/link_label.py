@@ -33,11 +33,6 @@ class LinkLabel(QLabel):
         self.setTextInteractionFlags(by.LinksAccessibleByMouse | by.LinksAccessibleByKeyboard)
         self._write()
 
-    def say(self, words: str) -> None:
-        """Change the text."""
-        self._words = words
-        self._write()
-
     def changeEvent(self, event: QEvent) -> None:
         """Follow changes of the theme."""
         super().changeEvent(event)

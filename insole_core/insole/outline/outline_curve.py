@@ -64,13 +64,19 @@ def inside_curve(curve: FloatArray, places: FloatArray) -> BoolArray:
     -------
     (...) bool
     """
-    x, y = places[..., 0, None], places[..., 1, None]
-    x1, y1 = curve.T
-    x2, y2 = np.roll(curve, -1, axis=0).T
-    spans = (y1 > y) != (y2 > y)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        crossing = x1 + (y - y1) / (y2 - y1) * (x2 - x1)
-    return np.asarray((spans & (crossing > x)).sum(axis=-1) % 2 == 1)
+    by_y = places[..., 1].argsort(axis=None)
+    x, y = places.reshape(-1, 2)[by_y].T
+    start, end = curve, np.roll(curve, -1, axis=0)
+    # An edge meets the horizontal lines of a run of places: few of all pairs have to be looked at.
+    first = y.searchsorted(np.minimum(start[:, 1], end[:, 1]))
+    count = y.searchsorted(np.maximum(start[:, 1], end[:, 1])) - first
+    edge = np.repeat(np.arange(len(curve)), count)
+    place = np.arange(len(edge)) + np.repeat(first - count.cumsum() + count, count)
+    (x1, y1), (x2, y2) = start[edge].T, end[edge].T
+    crossing = x1 + (y[place] - y1) / (y2 - y1) * (x2 - x1)
+    inside = np.zeros(len(by_y), dtype=bool)
+    inside[by_y] = np.bincount(place[crossing > x[place]], minlength=len(by_y)) % 2 == 1
+    return inside.reshape(places.shape[:-1])
 
 
 def way_round(curve: FloatArray) -> FloatArray:

@@ -38,7 +38,8 @@ from insole_core.records.content_store import IDENTITY_VALUE, ContentStore
 from insole_core.records.database import Database
 from insole_core.records.migrate import check_schema, migrate, schema_of
 from insole_core.records.place import RecordsPlace
-from insole_core.records.schema import contents
+from insole_core.records.retention import ErasureReason, erase_in
+from insole_core.records.schema import contents, persons
 
 log = logging.getLogger(__name__)
 
@@ -62,6 +63,8 @@ class RestoreReport:
         Verification of the audit log that was restored.
     set_aside
         Where the record is that was there before.
+    erased_again
+        Persons who were erased after the backup was made.
     files, kept_files
         Settings that were restored, and those that were there already and stay.
     """
@@ -73,6 +76,7 @@ class RestoreReport:
     left_out: tuple[str, ...]
     audit: AuditReport
     set_aside: Path | None = None
+    erased_again: int = 0
     files: int = 0
     kept_files: int = 0
 
@@ -194,8 +198,19 @@ def _fill(
         write_setting(connection, IDENTITY_VALUE, store.identity())
     migrate(database)
     with database.writing() as connection:
+        erased = _erase_again(connection, opened, who)
         AuditLog.append(connection, who, "restored", "record", f"snapshot {opened.snapshot.number}")
-    return report
+    return replace(report, erased_again=erased)
+
+
+def _erase_again(connection: Connection, opened: OpenedSnapshot, who: Author) -> int:
+    """Erase whoever was erased after this snapshot and before the newest one."""
+    query = select(persons.c.id).where(~persons.c.is_erased, persons.c.merged_into.is_(None))
+    there = set(connection.execute(query).scalars())
+    coming = sorted(there.intersection(opened.newest.erased))
+    for person_id in coming:
+        erase_in(connection, who, person_id, ErasureReason.REQUEST, datetime.now(UTC).date())
+    return len(coming)
 
 
 def _insert_tables(connection: Connection, opened: OpenedSnapshot, progress: Progress) -> int:

@@ -8,6 +8,10 @@
             <translation>En kopia skrevs: {name}</translation>
         </message>
         <message>
+            <source>A new capture of this visit has come from {who} at {time}.</source>
+            <translation>En ny avbildning av detta besök har kommit från {who} klockan {time}.</translation>
+        </message>
+        <message>
             <source>Add a patient to the clinic's record</source>
             <translation>Lägg till en patient i klinikens journal</translation>
         </message>
@@ -20,8 +24,28 @@
             <translation>Lägg till ett besök i dag som ordineras som det förra på en ny skanning</translation>
         </message>
         <message>
+            <source>Add as a new patient</source>
+            <translation>Lägg till som ny patient</translation>
+        </message>
+        <message>
+            <source>Add follow-up</source>
+            <translation>Lägg till uppföljning</translation>
+        </message>
+        <message>
             <source>Add patient</source>
             <translation>Lägg till patient</translation>
+        </message>
+        <message>
+            <source>Add to the record</source>
+            <translation>Lägg till i journalen</translation>
+        </message>
+        <message>
+            <source>Add to the record…</source>
+            <translation>Lägg till i journalen…</translation>
+        </message>
+        <message>
+            <source>Add to this patient</source>
+            <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
             <source>Adjusted</source>
@@ -32,12 +56,28 @@
             <translation>Alla patienter</translation>
         </message>
         <message>
+            <source>Another scan</source>
+            <translation>En annan skanning</translation>
+        </message>
+        <message>
             <source>Arch height (mm)</source>
             <translation>Valvhöjd (mm)</translation>
         </message>
         <message>
             <source>Ball width (mm)</source>
             <translation>Trampdynans bredd (mm)</translation>
+        </message>
+        <message>
+            <source>Better, the same, worse; in a word or two</source>
+            <translation>Bättre, oförändrat, sämre; med ett par ord</translation>
+        </message>
+        <message>
+            <source>Bring to this state</source>
+            <translation>Sätt i detta läge</translation>
+        </message>
+        <message>
+            <source>By</source>
+            <translation>Av</translation>
         </message>
         <message>
             <source>Capture: {state}</source>
@@ -52,6 +92,10 @@
             <translation>Fall i filer kan öppnas som förut.</translation>
         </message>
         <message>
+            <source>Changed</source>
+            <translation>Ändrad</translation>
+        </message>
+        <message>
             <source>Checked</source>
             <translation>Kontrollerad</translation>
         </message>
@@ -62,6 +106,10 @@
         <message>
             <source>Choose two visits to compare them</source>
             <translation>Välj två besök för att jämföra dem</translation>
+        </message>
+        <message>
+            <source>Choose what goes on; the other version stays in the history.</source>
+            <translation>Välj vad som gäller; den andra versionen finns kvar i historiken.</translation>
         </message>
         <message>
             <source>Compare</source>
@@ -76,6 +124,18 @@
             <translation>Samtycke den</translation>
         </message>
         <message>
+            <source>Day</source>
+            <translation>Dag</translation>
+        </message>
+        <message>
+            <source>Decide later</source>
+            <translation>Bestäm senare</translation>
+        </message>
+        <message>
+            <source>Decide…</source>
+            <translation>Bestäm…</translation>
+        </message>
+        <message>
             <source>Delivered</source>
             <translation>Levererad</translation>
         </message>
@@ -86,6 +146,22 @@
         <message>
             <source>Due</source>
             <translation>Klar senast</translation>
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation>Redigera…</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Fynd</translation>
+        </message>
+        <message>
+            <source>Follow-up</source>
+            <translation>Uppföljning</translation>
+        </message>
+        <message>
+            <source>Follow-ups so far</source>
+            <translation>Uppföljningar hittills</translation>
         </message>
         <message>
             <source>Follow-up…</source>
@@ -100,6 +176,18 @@
             <translation>Funna patienter</translation>
         </message>
         <message>
+            <source>From theirs to mine</source>
+            <translation>Från deras till min</translation>
+        </message>
+        <message>
+            <source>Go on with mine</source>
+            <translation>Fortsätt med min</translation>
+        </message>
+        <message>
+            <source>Go on with theirs</source>
+            <translation>Fortsätt med deras</translation>
+        </message>
+        <message>
             <source>Heel width (mm)</source>
             <translation>Hälbredd (mm)</translation>
         </message>
@@ -110,6 +198,14 @@
         <message>
             <source>In production</source>
             <translation>I produktion</translation>
+        </message>
+        <message>
+            <source>Keep</source>
+            <translation>Behåll</translation>
+        </message>
+        <message>
+            <source>Keep both as variants</source>
+            <translation>Behåll båda som varianter</translation>
         </message>
         <message>
             <source>Keep this version</source>
@@ -128,8 +224,20 @@
             <translation>Senaste besök</translation>
         </message>
         <message>
+            <source>Make a foot of it</source>
+            <translation>Gör en fot av den</translation>
+        </message>
+        <message>
+            <source>Make a visit of the open case; its file stays as it is</source>
+            <translation>Gör det öppna fallet till ett besök; filen förblir som den är</translation>
+        </message>
+        <message>
             <source>Measure over time</source>
             <translation>Mått över tid</translation>
+        </message>
+        <message>
+            <source>Mine</source>
+            <translation>Min</translation>
         </message>
         <message>
             <source>Name, birth date, personal number or order</source>
@@ -148,12 +256,20 @@
             <translation>Ny patient…</translation>
         </message>
         <message>
+            <source>New state</source>
+            <translation>Nytt läge</translation>
+        </message>
+        <message>
             <source>New visit</source>
             <translation>Nytt besök</translation>
         </message>
         <message>
             <source>New visit, same prescription</source>
             <translation>Nytt besök, samma ordination</translation>
+        </message>
+        <message>
+            <source>No difference that can be seen</source>
+            <translation>Ingen skillnad som syns</translation>
         </message>
         <message>
             <source>No patient yet. Begin with “New patient”, or open a file.</source>
@@ -168,24 +284,84 @@
             <translation>Ingen hittas. Kontrollera stavningen, eller lägg till en ny patient.</translation>
         </message>
         <message>
+            <source>Nobody of the work list</source>
+            <translation>Ingen på arbetslistan</translation>
+        </message>
+        <message>
+            <source>Not saved in the record; your work is kept here</source>
+            <translation>Inte sparat i journalen; ditt arbete finns kvar här</translation>
+        </message>
+        <message>
+            <source>Not saved yet: the database does not answer; your work is kept here</source>
+            <translation>Inte sparat än: databasen svarar inte; ditt arbete finns kvar här</translation>
+        </message>
+        <message>
+            <source>Not saved yet: two versions, decide</source>
+            <translation>Inte sparat än: två versioner, bestäm</translation>
+        </message>
+        <message>
             <source>Number</source>
             <translation>Nummer</translation>
+        </message>
+        <message>
+            <source>Open at the moment: {who}</source>
+            <translation>Öppet just nu: {who}</translation>
         </message>
         <message>
             <source>Open orders</source>
             <translation>Öppna beställningar</translation>
         </message>
         <message>
+            <source>Open the visit</source>
+            <translation>Öppna besöket</translation>
+        </message>
+        <message>
+            <source>Order {number}</source>
+            <translation>Beställning {number}</translation>
+        </message>
+        <message>
+            <source>Order {number} is in the record, with its files.</source>
+            <translation>Beställning {number} finns i journalen, med sina filer.</translation>
+        </message>
+        <message>
             <source>Orders</source>
             <translation>Beställningar</translation>
+        </message>
+        <message>
+            <source>Orders of the patient</source>
+            <translation>Patientens beställningar</translation>
+        </message>
+        <message>
+            <source>Orders of {name}</source>
+            <translation>Beställningar för {name}</translation>
+        </message>
+        <message>
+            <source>Other marks on the foot</source>
+            <translation>Andra märken på foten</translation>
+        </message>
+        <message>
+            <source>Other variants</source>
+            <translation>Andra varianter</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Resultat</translation>
         </message>
         <message>
             <source>Patients</source>
             <translation>Patienter</translation>
         </message>
         <message>
+            <source>Patients whose feet wait to be captured</source>
+            <translation>Patienter vars fötter väntar på avbildning</translation>
+        </message>
+        <message>
             <source>Personal number</source>
             <translation>Personnummer</translation>
+        </message>
+        <message>
+            <source>Prescribe as on the last visit</source>
+            <translation>Ordinera som vid förra besöket</translation>
         </message>
         <message>
             <source>Read only: nothing can be changed.</source>
@@ -200,12 +376,28 @@
             <translation>Senaste patienter</translation>
         </message>
         <message>
+            <source>Remarks</source>
+            <translation>Anmärkningar</translation>
+        </message>
+        <message>
+            <source>Remember the last prescription</source>
+            <translation>Kom ihåg den förra ordinationen</translation>
+        </message>
+        <message>
             <source>Returned</source>
             <translation>Returnerad</translation>
         </message>
         <message>
             <source>Running</source>
             <translation>Pågår</translation>
+        </message>
+        <message>
+            <source>Saved in the record</source>
+            <translation>Sparat i journalen</translation>
+        </message>
+        <message>
+            <source>Saving…</source>
+            <translation>Sparar…</translation>
         </message>
         <message>
             <source>Search for a patient; today's visits and open orders</source>
@@ -220,24 +412,96 @@
             <translation>Skickad</translation>
         </message>
         <message>
+            <source>Shop</source>
+            <translation>Verkstad</translation>
+        </message>
+        <message>
+            <source>Shop and due date…</source>
+            <translation>Verkstad och klardatum…</translation>
+        </message>
+        <message>
+            <source>Sign this version</source>
+            <translation>Signera denna version</translation>
+        </message>
+        <message>
+            <source>Signed</source>
+            <translation>Signerad</translation>
+        </message>
+        <message>
             <source>Sign…</source>
             <translation>Signera…</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the left foot of this visit while you worked on it.</source>
+            <translation>Någon annan har ändrat besökets vänstra fot medan du arbetade med den.</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the right foot of this visit while you worked on it.</source>
+            <translation>Någon annan har ändrat besökets högra fot medan du arbetade med den.</translation>
         </message>
         <message>
             <source>State</source>
             <translation>Läge</translation>
         </message>
         <message>
+            <source>The capture is in the record.</source>
+            <translation>Avbildningen finns i journalen.</translation>
+        </message>
+        <message>
+            <source>The capture room has to capture the feet</source>
+            <translation>Avbildningsrummet ska avbilda fötterna</translation>
+        </message>
+        <message>
+            <source>The first version of this foot.</source>
+            <translation>Fotens första version.</translation>
+        </message>
+        <message>
+            <source>The orders of the clinic by state, the first due on top</source>
+            <translation>Klinikens beställningar efter läge, de som är klara först överst</translation>
+        </message>
+        <message>
+            <source>The orders of the patient on the page</source>
+            <translation>Beställningarna för patienten på sidan</translation>
+        </message>
+        <message>
             <source>The patient agrees that these data are kept (today)</source>
             <translation>Patienten samtycker till att uppgifterna sparas (i dag)</translation>
+        </message>
+        <message>
+            <source>Theirs</source>
+            <translation>Deras</translation>
         </message>
         <message>
             <source>Today's visits</source>
             <translation>Dagens besök</translation>
         </message>
         <message>
+            <source>Two versions of the same foot</source>
+            <translation>Två versioner av samma fot</translation>
+        </message>
+        <message>
+            <source>Two versions of this foot wait for a decision; yours is kept on this computer.</source>
+            <translation>Två versioner av foten väntar på ett beslut; din finns kvar på den här datorn.</translation>
+        </message>
+        <message>
+            <source>Version</source>
+            <translation>Version</translation>
+        </message>
+        <message>
+            <source>Version {number}</source>
+            <translation>Version {number}</translation>
+        </message>
+        <message>
+            <source>Versions</source>
+            <translation>Versioner</translation>
+        </message>
+        <message>
             <source>Versions…</source>
             <translation>Versioner…</translation>
+        </message>
+        <message>
+            <source>Visit</source>
+            <translation>Besök</translation>
         </message>
         <message>
             <source>Waiting</source>
@@ -248,6 +512,22 @@
             <translation>Vikt (kg)</translation>
         </message>
         <message>
+            <source>What became of the insoles of the patient on the page</source>
+            <translation>Hur det gick med inläggen för patienten på sidan</translation>
+        </message>
+        <message>
+            <source>Which orders</source>
+            <translation>Vilka beställningar</translation>
+        </message>
+        <message>
+            <source>Whose case is it? It becomes a visit; the file stays as it is.</source>
+            <translation>Vems fall är det? Det blir ett besök; filen förblir som den är.</translation>
+        </message>
+        <message>
+            <source>Whose feet are captured</source>
+            <translation>Vems fötter som avbildas</translation>
+        </message>
+        <message>
             <source>Why is it kept? The next change begins a new version.</source>
             <translation>Varför behålls den? Nästa ändring börjar en ny version.</translation>
         </message>
@@ -256,8 +536,16 @@
             <translation>Utan patient, eller från filer</translation>
         </message>
         <message>
+            <source>signed by {name}</source>
+            <translation>signerad av {name}</translation>
+        </message>
+        <message>
             <source>{day}, overdue</source>
             <translation>{day}, försenad</translation>
+        </message>
+        <message>
+            <source>{name} (open here)</source>
+            <translation>{name} (öppen här)</translation>
         </message>
         <message>
             <source>{name} has this personal number already.</source>

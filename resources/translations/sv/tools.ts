@@ -4,6 +4,10 @@
     <context>
         <name>studio</name>
         <message>
+            <source>1 warning</source>
+            <translation>1 varning</translation>
+        </message>
+        <message>
             <source>Achilles axis {angle}° {kind} to the sole</source>
             <translation>Akillesaxeln {angle}° {kind} mot fotsulan</translation>
         </message>
@@ -144,6 +148,10 @@
             <translation>Rulla foten över kanten</translation>
         </message>
         <message>
+            <source>Show all warnings</source>
+            <translation>Visa alla varningar</translation>
+        </message>
+        <message>
             <source>Show the insole below the foot, seen through</source>
             <translation>Visa inlägget under foten, genomskinligt</translation>
         </message>
@@ -228,8 +236,8 @@
             <translation>{angle}° {kind}</translation>
         </message>
         <message>
-            <source>{count} warnings: show all</source>
-            <translation>{count} varningar: visa alla</translation>
+            <source>{count} warnings</source>
+            <translation>{count} varningar</translation>
         </message>
         <message>
             <source>{typed} cannot be taken; put in {least} to {greatest}, or 0 if it is not known. It stays {before}.</source>

@@ -51,7 +51,7 @@ def test_the_standard_case_takes_few_actions(
     hands.app.window.actions_by_key["map_thickness"].trigger()
     hands.picture("5-section")
 
-    hands.export(tmp_path / "insole.stl")
+    hands.export(tmp_path / "insole.stl", "6-checked")
     hands.picture("6-exported")
 
     design = case.record.design

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from datetime import date, datetime
 
 from insole_core.records.person import PersonSummary
+from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, VisitSummary
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import TableRow
@@ -33,6 +34,14 @@ def capture_text(state: CaptureState) -> str:
         CaptureState.RUNNING: tr("Running"),
         CaptureState.DONE: tr("Captured"),
     }[state]
+
+
+def version_text(version: VersionSummary) -> str:
+    """Return whose version it is, where it was made, and when it was changed last."""
+    parts = [version.author, version.station, moment_text(version.changed_at)]
+    if version.signed_by is not None:
+        parts.append(tr("signed by {name}").format(name=version.signed_by))
+    return ", ".join(parts)
 
 
 def person_rows(persons: Sequence[PersonSummary]) -> list[TableRow]:

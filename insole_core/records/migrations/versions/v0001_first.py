@@ -163,7 +163,10 @@ def _make_tables() -> None:
             nullable=False,
         ),
         sa.Column(
-            "sort_key", sa.Text().with_variant(sa.Text(collation="C"), "postgresql"), nullable=False
+            "sort_key",
+            sa.Text().with_variant(sa.Text(collation="C"), "postgresql"),
+            server_default="",
+            nullable=False,
         ),
         sa.Column("birth_date", sa.Date(), nullable=True),
         sa.Column("personal_number", sa.Text(), server_default="", nullable=False),

@@ -257,7 +257,7 @@ CREATE TABLE public.persons (
     id text NOT NULL,
     name text NOT NULL,
     search_text text NOT NULL COLLATE pg_catalog."C",
-    sort_key text NOT NULL COLLATE pg_catalog."C",
+    sort_key text DEFAULT ''::text NOT NULL COLLATE pg_catalog."C",
     birth_date date,
     personal_number text DEFAULT ''::text NOT NULL,
     number_kind text DEFAULT ''::text NOT NULL,
@@ -350,18 +350,18 @@ INSERT INTO public.alembic_version VALUES ('0001');
 -- Data for Name: audit; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.audit VALUES (1, '2026-11-22T15:58:29.887605Z', 'anna', 'desk', 'added', 'person', '8bbd4e1f-49b7-442d-bf90-0e8f9d9c9cc4', '{}', '0000000000000000000000000000000000000000000000000000000000000000', 'a569341d91cc2289545efb00047fadb508562e62b88e53f58400a8dcc58a97e6');
-INSERT INTO public.audit VALUES (2, '2026-11-22T15:58:29.901558Z', 'anna', 'desk', 'added', 'visit', 'bf5cffeb-1525-488e-9a78-c0024f96ecb4', '{"person":"8bbd4e1f-49b7-442d-bf90-0e8f9d9c9cc4"}', 'a569341d91cc2289545efb00047fadb508562e62b88e53f58400a8dcc58a97e6', '84b549591f5527053a006e47f3b2409023e523f5b7bd89959c59d194facdcb12');
-INSERT INTO public.audit VALUES (3, '2026-11-22T15:58:29.983962Z', 'anna', 'desk', 'changed', 'prescription', 'ca4819db-65bd-4adf-a1ce-5afaebcb280d', '{"revision":1,"side":"left"}', '84b549591f5527053a006e47f3b2409023e523f5b7bd89959c59d194facdcb12', '955e31f50033cfd65dbb9ba7fbdf3c5426d152997ab9fc124a93c2d826962ecd');
-INSERT INTO public.audit VALUES (4, '2026-11-22T15:58:30.021279Z', 'anna', 'desk', 'added', 'order', '667c811d-661a-4835-a481-20974e2ecc7c', '{"visit":"bf5cffeb-1525-488e-9a78-c0024f96ecb4"}', '955e31f50033cfd65dbb9ba7fbdf3c5426d152997ab9fc124a93c2d826962ecd', '9acf12d3af6327473714fe130e20e48f8169a2f824ca8bab7d2409098ade2c03');
-INSERT INTO public.audit VALUES (5, '2026-11-22T15:58:30.032000Z', 'anna', 'desk', 'seen', 'person', '8bbd4e1f-49b7-442d-bf90-0e8f9d9c9cc4', '{}', '9acf12d3af6327473714fe130e20e48f8169a2f824ca8bab7d2409098ade2c03', 'd73d1e4dfef9a413564bc96c1f41cc780e48711841914d5e112c1c196e05d8b1');
+INSERT INTO public.audit VALUES (1, '2026-11-22T16:15:35.139641Z', 'anna', 'desk', 'added', 'person', '78d90da7-86c2-44d9-b484-8295e88e543b', '{}', '0000000000000000000000000000000000000000000000000000000000000000', 'a0f3a5148b7a11388c55d9ff478a6e436115d9008f4c457dd0c87211827a0f09');
+INSERT INTO public.audit VALUES (2, '2026-11-22T16:15:35.167921Z', 'anna', 'desk', 'added', 'visit', 'c9228e99-9f12-42c6-9cff-04500b2386cb', '{"person":"78d90da7-86c2-44d9-b484-8295e88e543b"}', 'a0f3a5148b7a11388c55d9ff478a6e436115d9008f4c457dd0c87211827a0f09', 'fe9e2542026f60d9ee2cbf4d2f7428c7899f19da7aa60946014d6fd8d5a9e3fd');
+INSERT INTO public.audit VALUES (3, '2026-11-22T16:15:35.291659Z', 'anna', 'desk', 'changed', 'prescription', 'a8c06d9e-55fe-4bed-bc79-19c6314df1ee', '{"revision":1,"side":"left"}', 'fe9e2542026f60d9ee2cbf4d2f7428c7899f19da7aa60946014d6fd8d5a9e3fd', 'ab22e4187701b782cbdc4fe3fb1b62ef08ab35890005e5702e0c76179a77b371');
+INSERT INTO public.audit VALUES (4, '2026-11-22T16:15:35.339396Z', 'anna', 'desk', 'added', 'order', '72f2d570-92d9-4e9c-a048-691f1cabe677', '{"visit":"c9228e99-9f12-42c6-9cff-04500b2386cb"}', 'ab22e4187701b782cbdc4fe3fb1b62ef08ab35890005e5702e0c76179a77b371', 'f8998ce00ceaadffa4dbc3cc28f1fd061aa507fd16834ece66f487467be992ef');
+INSERT INTO public.audit VALUES (5, '2026-11-22T16:15:35.359138Z', 'anna', 'desk', 'seen', 'person', '78d90da7-86c2-44d9-b484-8295e88e543b', '{}', 'f8998ce00ceaadffa4dbc3cc28f1fd061aa507fd16834ece66f487467be992ef', '545455d4c5bbf17bb216f66429321b6f8fd9f41b0664f85cdb9a5df4a038dda4');
 
 
 --
 -- Data for Name: audit_head; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.audit_head VALUES (1, 5, 'd73d1e4dfef9a413564bc96c1f41cc780e48711841914d5e112c1c196e05d8b1');
+INSERT INTO public.audit_head VALUES (1, 5, '545455d4c5bbf17bb216f66429321b6f8fd9f41b0664f85cdb9a5df4a038dda4');
 
 
 --
@@ -374,14 +374,14 @@ INSERT INTO public.audit_head VALUES (1, 5, 'd73d1e4dfef9a413564bc96c1f41cc780e4
 -- Data for Name: clinic; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.clinic VALUES ('contents_identity', '"9ada1543-1e8b-4066-b07b-a5075cd347d8"');
+INSERT INTO public.clinic VALUES ('contents_identity', '"f3bc1a38-c33f-4af1-a536-cfcdea74f54a"');
 
 
 --
 -- Data for Name: contents; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.contents VALUES ('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', 312785, 'mesh', '2026-11-22T15:58:29.974925Z');
+INSERT INTO public.contents VALUES ('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', 312785, 'mesh', '2026-11-22T16:15:35.281053Z');
 
 
 --
@@ -400,14 +400,14 @@ INSERT INTO public.contents VALUES ('f710c3b7842b09462a9125d0529e2337f9411a76608
 -- Data for Name: order_events; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.order_events VALUES ('667c811d-661a-4835-a481-20974e2ecc7c', 1, '2026-11-22T15:58:30.012149Z', 'anna', NULL, 'designed', '');
+INSERT INTO public.order_events VALUES ('72f2d570-92d9-4e9c-a048-691f1cabe677', 1, '2026-11-22T16:15:35.326811Z', 'anna', NULL, 'designed', '');
 
 
 --
 -- Data for Name: order_feet; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.order_feet VALUES ('667c811d-661a-4835-a481-20974e2ecc7c', 'ca4819db-65bd-4adf-a1ce-5afaebcb280d');
+INSERT INTO public.order_feet VALUES ('72f2d570-92d9-4e9c-a048-691f1cabe677', 'a8c06d9e-55fe-4bed-bc79-19c6314df1ee');
 
 
 --
@@ -420,21 +420,21 @@ INSERT INTO public.order_feet VALUES ('667c811d-661a-4835-a481-20974e2ecc7c', 'c
 -- Data for Name: orders; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.orders VALUES ('667c811d-661a-4835-a481-20974e2ecc7c', '26-Y3W89', 'bf5cffeb-1525-488e-9a78-c0024f96ecb4', '8bbd4e1f-49b7-442d-bf90-0e8f9d9c9cc4', 'designed', 'CNC', '2026-12-01', '', '2026-11-22T15:58:29.984976Z', '2026-11-22T15:58:29.984976Z', 1);
+INSERT INTO public.orders VALUES ('72f2d570-92d9-4e9c-a048-691f1cabe677', '26-KC42N', 'c9228e99-9f12-42c6-9cff-04500b2386cb', '78d90da7-86c2-44d9-b484-8295e88e543b', 'designed', 'CNC', '2026-12-01', '', '2026-11-22T16:15:35.294800Z', '2026-11-22T16:15:35.294800Z', 1);
 
 
 --
 -- Data for Name: persons; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.persons VALUES ('8bbd4e1f-49b7-442d-bf90-0e8f9d9c9cc4', 'Anna Berg', ' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-hhcvwgrd 26-y3w89', 'anna berg', '1970-02-28', '19811228-9874', 'se', '', '', NULL, 'P-HHCVWGRD', false, NULL, 5, '2026-11-22T15:58:29.879801Z', '2026-11-22T15:58:29.879801Z', 1);
+INSERT INTO public.persons VALUES ('78d90da7-86c2-44d9-b484-8295e88e543b', 'Anna Berg', ' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-dnpcnjvt 26-kc42n', 'anna berg', '1970-02-28', '19811228-9874', 'se', '', '', NULL, 'P-DNPCNJVT', false, NULL, 5, '2026-11-22T16:15:35.127563Z', '2026-11-22T16:15:35.127563Z', 1);
 
 
 --
 -- Data for Name: prescription_versions; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.prescription_versions VALUES ('ca4819db-65bd-4adf-a1ce-5afaebcb280d', 'bf5cffeb-1525-488e-9a78-c0024f96ecb4', 'left', 1, '{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}', 'f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', NULL, 'anna', 'desk', '', '0.1.0', '2026-11-22T15:58:29.978513Z', '2026-11-22T15:58:29.978513Z', 1, true, NULL, NULL, NULL);
+INSERT INTO public.prescription_versions VALUES ('a8c06d9e-55fe-4bed-bc79-19c6314df1ee', 'c9228e99-9f12-42c6-9cff-04500b2386cb', 'left', 1, '{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}', 'f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', NULL, 'anna', 'desk', '', '0.1.0', '2026-11-22T16:15:35.285094Z', '2026-11-22T16:15:35.285094Z', 1, true, NULL, NULL, NULL);
 
 
 --
@@ -447,7 +447,7 @@ INSERT INTO public.prescription_versions VALUES ('ca4819db-65bd-4adf-a1ce-5afaeb
 -- Data for Name: visits; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.visits VALUES ('bf5cffeb-1525-488e-9a78-c0024f96ecb4', '8bbd4e1f-49b7-442d-bf90-0e8f9d9c9cc4', '2026-11-20', '', 'flat foot', 70.5, NULL, '{}', 'none', '2026-11-22T15:58:29.891750Z', '2026-11-22T15:58:29.891750Z', 1);
+INSERT INTO public.visits VALUES ('c9228e99-9f12-42c6-9cff-04500b2386cb', '78d90da7-86c2-44d9-b484-8295e88e543b', '2026-11-20', '', 'flat foot', 70.5, NULL, '{}', 'none', '2026-11-22T16:15:35.144194Z', '2026-11-22T16:15:35.144194Z', 1);
 
 
 --

@@ -30,18 +30,18 @@ CREATE TABLE audit (
 	hash TEXT NOT NULL, 
 	CONSTRAINT pk_audit PRIMARY KEY (seq)
 );
-INSERT INTO "audit" VALUES(1,'2026-11-22T15:58:27.598247Z','anna','desk','added','person','8ca19217-434f-4246-b230-549153430d36','{}','0000000000000000000000000000000000000000000000000000000000000000','d6be8f4ac25b6d68a4fe1eb9ecc68ae29537e1a544875e57dfeee1a31215283c');
-INSERT INTO "audit" VALUES(2,'2026-11-22T15:58:27.614980Z','anna','desk','added','visit','67a2a4ef-f819-4649-aee2-1cfb06eeff27','{"person":"8ca19217-434f-4246-b230-549153430d36"}','d6be8f4ac25b6d68a4fe1eb9ecc68ae29537e1a544875e57dfeee1a31215283c','9218f7a500cb89de4a64e1f88f18346aa028a8127806feb4cdd2ea924890ca71');
-INSERT INTO "audit" VALUES(3,'2026-11-22T15:58:27.714294Z','anna','desk','changed','prescription','6b7e1fce-e0bc-4d3c-a5f8-e7cbbe434be7','{"revision":1,"side":"left"}','9218f7a500cb89de4a64e1f88f18346aa028a8127806feb4cdd2ea924890ca71','a32fae6a8d0a4c56b198c58b4d508f6e23159fe9c10cd345f4b3cefa6f1c92fd');
-INSERT INTO "audit" VALUES(4,'2026-11-22T15:58:27.734258Z','anna','desk','added','order','4ba62c77-9596-4896-afa5-77fe07ad1b26','{"visit":"67a2a4ef-f819-4649-aee2-1cfb06eeff27"}','a32fae6a8d0a4c56b198c58b4d508f6e23159fe9c10cd345f4b3cefa6f1c92fd','a610ecc60828246b5188b8a3752261bb5a212ab062f2ba5ffe8f853647494897');
-INSERT INTO "audit" VALUES(5,'2026-11-22T15:58:27.756949Z','anna','desk','seen','person','8ca19217-434f-4246-b230-549153430d36','{}','a610ecc60828246b5188b8a3752261bb5a212ab062f2ba5ffe8f853647494897','25de4213c1106414dc3ef449a57ae8f220cde9d3755a31858771811a548a4aa6');
+INSERT INTO "audit" VALUES(1,'2026-11-22T16:15:32.553270Z','anna','desk','added','person','eaf6240a-78a1-454d-b718-a6c97d81d1df','{}','0000000000000000000000000000000000000000000000000000000000000000','1fb58b52a237cfc3e609f980854fee45a3046871287b1fcf6c431f7ec0ddc0b7');
+INSERT INTO "audit" VALUES(2,'2026-11-22T16:15:32.567288Z','anna','desk','added','visit','094bc03c-78f1-4061-b923-d62cc260ad12','{"person":"eaf6240a-78a1-454d-b718-a6c97d81d1df"}','1fb58b52a237cfc3e609f980854fee45a3046871287b1fcf6c431f7ec0ddc0b7','dd70f60c4e6633bdf02f9a2c9c1a1bb60e4863a8a441eaf8bbb9a6cb0b382f35');
+INSERT INTO "audit" VALUES(3,'2026-11-22T16:15:32.693443Z','anna','desk','changed','prescription','2781890f-5432-458e-a80c-bba7e5d77ddd','{"revision":1,"side":"left"}','dd70f60c4e6633bdf02f9a2c9c1a1bb60e4863a8a441eaf8bbb9a6cb0b382f35','10fcd87c498cae1de411a21c10a674f88aec8090e890319a9deb8406bc148eb9');
+INSERT INTO "audit" VALUES(4,'2026-11-22T16:15:32.701113Z','anna','desk','added','order','130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5','{"visit":"094bc03c-78f1-4061-b923-d62cc260ad12"}','10fcd87c498cae1de411a21c10a674f88aec8090e890319a9deb8406bc148eb9','549184ca69f2502e9188294328e2333b555a8da2c15cc2211593ccb36d10bc79');
+INSERT INTO "audit" VALUES(5,'2026-11-22T16:15:32.708596Z','anna','desk','seen','person','eaf6240a-78a1-454d-b718-a6c97d81d1df','{}','549184ca69f2502e9188294328e2333b555a8da2c15cc2211593ccb36d10bc79','9dcf0c1b6a3d65d683e459d5d7113848642ec4ad69fd3c924bdf7e37683820ee');
 CREATE TABLE audit_head (
 	id INTEGER NOT NULL, 
 	seq BIGINT NOT NULL, 
 	hash TEXT NOT NULL, 
 	CONSTRAINT pk_audit_head PRIMARY KEY (id)
 );
-INSERT INTO "audit_head" VALUES(1,5,'25de4213c1106414dc3ef449a57ae8f220cde9d3755a31858771811a548a4aa6');
+INSERT INTO "audit_head" VALUES(1,5,'9dcf0c1b6a3d65d683e459d5d7113848642ec4ad69fd3c924bdf7e37683820ee');
 CREATE TABLE captures (
 	id TEXT NOT NULL, 
 	visit_id TEXT NOT NULL, 
@@ -68,7 +68,7 @@ CREATE TABLE clinic (
 	value TEXT NOT NULL, 
 	CONSTRAINT pk_clinic PRIMARY KEY ("key")
 );
-INSERT INTO "clinic" VALUES('contents_identity','"2cc8a46f-1f55-4436-ad4f-96526f46ec71"');
+INSERT INTO "clinic" VALUES('contents_identity','"a35c9416-0f49-4004-94bb-1f85b74f28d3"');
 CREATE TABLE contents (
 	sha256 TEXT NOT NULL, 
 	size BIGINT NOT NULL, 
@@ -76,7 +76,7 @@ CREATE TABLE contents (
 	created_at TEXT NOT NULL, 
 	CONSTRAINT pk_contents PRIMARY KEY (sha256)
 );
-INSERT INTO "contents" VALUES('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',312785,'mesh','2026-11-22T15:58:27.711558Z');
+INSERT INTO "contents" VALUES('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',312785,'mesh','2026-11-22T16:15:32.690774Z');
 CREATE TABLE follow_ups (
 	id TEXT NOT NULL, 
 	person_id TEXT NOT NULL, 
@@ -115,7 +115,7 @@ CREATE TABLE order_events (
 	CONSTRAINT pk_order_events PRIMARY KEY (order_id, seq), 
 	CONSTRAINT fk_order_events_order_id FOREIGN KEY(order_id) REFERENCES orders (id)
 );
-INSERT INTO "order_events" VALUES('4ba62c77-9596-4896-afa5-77fe07ad1b26',1,'2026-11-22T15:58:27.732330Z','anna',NULL,'designed','');
+INSERT INTO "order_events" VALUES('130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5',1,'2026-11-22T16:15:32.698960Z','anna',NULL,'designed','');
 CREATE TABLE order_feet (
 	order_id TEXT NOT NULL, 
 	prescription_version_id TEXT NOT NULL, 
@@ -123,7 +123,7 @@ CREATE TABLE order_feet (
 	CONSTRAINT fk_order_feet_order_id FOREIGN KEY(order_id) REFERENCES orders (id), 
 	CONSTRAINT fk_order_feet_prescription_version_id FOREIGN KEY(prescription_version_id) REFERENCES prescription_versions (id)
 );
-INSERT INTO "order_feet" VALUES('4ba62c77-9596-4896-afa5-77fe07ad1b26','6b7e1fce-e0bc-4d3c-a5f8-e7cbbe434be7');
+INSERT INTO "order_feet" VALUES('130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5','2781890f-5432-458e-a80c-bba7e5d77ddd');
 CREATE TABLE order_files (
 	order_id TEXT NOT NULL, 
 	name TEXT NOT NULL, 
@@ -150,12 +150,12 @@ CREATE TABLE orders (
 	CONSTRAINT fk_orders_visit_id FOREIGN KEY(visit_id) REFERENCES visits (id), 
 	CONSTRAINT uq_orders_number UNIQUE (number)
 );
-INSERT INTO "orders" VALUES('4ba62c77-9596-4896-afa5-77fe07ad1b26','26-4C7YW','67a2a4ef-f819-4649-aee2-1cfb06eeff27','8ca19217-434f-4246-b230-549153430d36','designed','CNC','2026-12-01','','2026-11-22T15:58:27.727753Z','2026-11-22T15:58:27.727753Z',1);
+INSERT INTO "orders" VALUES('130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5','26-W5NXP','094bc03c-78f1-4061-b923-d62cc260ad12','eaf6240a-78a1-454d-b718-a6c97d81d1df','designed','CNC','2026-12-01','','2026-11-22T16:15:32.695230Z','2026-11-22T16:15:32.695230Z',1);
 CREATE TABLE persons (
 	id TEXT NOT NULL, 
 	name TEXT NOT NULL, 
 	search_text TEXT NOT NULL, 
-	sort_key TEXT NOT NULL, 
+	sort_key TEXT DEFAULT '' NOT NULL, 
 	birth_date DATE, 
 	personal_number TEXT DEFAULT '' NOT NULL, 
 	number_kind TEXT DEFAULT '' NOT NULL, 
@@ -173,7 +173,7 @@ CREATE TABLE persons (
 	CONSTRAINT fk_persons_merged_into FOREIGN KEY(merged_into) REFERENCES persons (id), 
 	CONSTRAINT uq_persons_pseudonym UNIQUE (pseudonym)
 );
-INSERT INTO "persons" VALUES('8ca19217-434f-4246-b230-549153430d36','Anna Berg',' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-xj52hnrk 26-4c7yw','anna berg','1970-02-28','19811228-9874','se','','',NULL,'P-XJ52HNRK',0,NULL,5,'2026-11-22T15:58:27.595772Z','2026-11-22T15:58:27.595772Z',1);
+INSERT INTO "persons" VALUES('eaf6240a-78a1-454d-b718-a6c97d81d1df','Anna Berg',' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-2kf3n227 26-w5nxp','anna berg','1970-02-28','19811228-9874','se','','',NULL,'P-2KF3N227',0,NULL,5,'2026-11-22T16:15:32.542544Z','2026-11-22T16:15:32.542544Z',1);
 CREATE TABLE prescription_versions (
 	id TEXT NOT NULL, 
 	visit_id TEXT NOT NULL, 
@@ -199,7 +199,7 @@ CREATE TABLE prescription_versions (
 	CONSTRAINT fk_prescription_versions_visit_id FOREIGN KEY(visit_id) REFERENCES visits (id), 
 	CONSTRAINT uq_prescription_versions_visit_id_side_number UNIQUE (visit_id, side, number)
 );
-INSERT INTO "prescription_versions" VALUES('6b7e1fce-e0bc-4d3c-a5f8-e7cbbe434be7','67a2a4ef-f819-4649-aee2-1cfb06eeff27','left',1,'{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}','f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',NULL,'anna','desk','','0.1.0','2026-11-22T15:58:27.712192Z','2026-11-22T15:58:27.712192Z',1,1,NULL,NULL,NULL);
+INSERT INTO "prescription_versions" VALUES('2781890f-5432-458e-a80c-bba7e5d77ddd','094bc03c-78f1-4061-b923-d62cc260ad12','left',1,'{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}','f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',NULL,'anna','desk','','0.1.0','2026-11-22T16:15:32.691239Z','2026-11-22T16:15:32.691239Z',1,1,NULL,NULL,NULL);
 CREATE TABLE presence (
 	visit_id TEXT NOT NULL, 
 	station TEXT NOT NULL, 
@@ -225,7 +225,7 @@ CREATE TABLE visits (
 	CONSTRAINT pk_visits PRIMARY KEY (id), 
 	CONSTRAINT fk_visits_person_id FOREIGN KEY(person_id) REFERENCES persons (id)
 );
-INSERT INTO "visits" VALUES('67a2a4ef-f819-4649-aee2-1cfb06eeff27','8ca19217-434f-4246-b230-549153430d36','2026-11-20','','flat foot',70.5,NULL,'{}','none','2026-11-22T15:58:27.611776Z','2026-11-22T15:58:27.611776Z',1);
+INSERT INTO "visits" VALUES('094bc03c-78f1-4061-b923-d62cc260ad12','eaf6240a-78a1-454d-b718-a6c97d81d1df','2026-11-20','','flat foot',70.5,NULL,'{}','none','2026-11-22T16:15:32.563714Z','2026-11-22T16:15:32.563714Z',1);
 CREATE INDEX ix_audit_subject_id ON audit (subject_id);
 CREATE INDEX ix_persons_last_seq ON persons (last_seq);
 CREATE INDEX ix_persons_personal_number ON persons (personal_number);

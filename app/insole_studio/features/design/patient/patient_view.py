@@ -85,9 +85,10 @@ class PatientView(VerticalScroll):
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
         self._warned: list[WarningRow] = []
-        self._count = LinkLabel("", "")
-        self._count.setObjectName("warning")
-        self._count.linkActivated.connect(self._show_all_warnings)
+        self._count = QPushButton()
+        self._count.setObjectName("warning_count")
+        self._count.setToolTip(tr("Show all warnings"))
+        self._count.clicked.connect(self._show_all_warnings)
         self._count.hide()
         self._warnings = QVBoxLayout()
         self._warnings.setSpacing(4)
@@ -168,8 +169,11 @@ class PatientView(VerticalScroll):
         if list(rows) == self._warned:
             return
         self._warned = list(rows)
-        self._count.say(tr("{count} warnings: show all").format(count=len(rows)))
-        self._count.setVisible(len(rows) > 1)
+        one = len(rows) == 1
+        self._count.setText(
+            tr("1 warning") if one else tr("{count} warnings").format(count=len(rows))
+        )
+        self._count.setVisible(bool(rows))
         while (item := self._warnings.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -183,10 +187,10 @@ class PatientView(VerticalScroll):
 
     def _show_all_warnings(self) -> None:
         """Scroll until all warnings are visible, or the first ones if not all have room."""
-        last = self._warnings.itemAt(self._warnings.count() - 1)
-        if last is not None and (widget := last.widget()) is not None:
-            self.ensureWidgetVisible(widget)
-        self.ensureWidgetVisible(self._count)
+        for place in (self._warnings.count() - 1, 0):
+            item = self._warnings.itemAt(place)
+            if item is not None and (warning := item.widget()) is not None:
+                self.ensureWidgetVisible(warning)
 
     def _choose_warning(self, number: str) -> None:
         self.warning_chosen.emit(int(number))
@@ -217,11 +221,14 @@ class PatientView(VerticalScroll):
         layout = QVBoxLayout(self._of_foot)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(8)
-        layout.addWidget(_heading(tr("Corrections")))
+        title = QHBoxLayout()
+        title.addWidget(_heading(tr("Corrections")))
+        title.addStretch(1)
+        title.addWidget(self._count)  # here, since the warnings themselves may be below the panel
+        layout.addLayout(title)
         layout.addWidget(self.variants)
         layout.addWidget(self._device)
         layout.addLayout(self._corrections)
-        layout.addWidget(self._count)
         layout.addLayout(self._warnings)
         layout.addWidget(_heading(tr("Measures")))
         layout.addWidget(self._measures)

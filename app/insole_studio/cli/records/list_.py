@@ -1,0 +1,105 @@
+"""``insole-studio records list``: find persons, orders, and the visits of a day."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import sys
+from collections.abc import Mapping, Sequence
+from datetime import date
+from typing import TYPE_CHECKING
+
+from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import whole
+from insole_studio.cli.records.place import add_place, opened
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+
+NAME = "list"
+HELP = "list persons, found by words as in the window; or open orders, or the visits of a day"
+Row = Mapping[str, str]
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments."""
+    parser.add_argument(
+        "words", nargs="*", metavar="WORD",
+        help="of name, birth date, personal number, pseudonym or order (default: the recent ones)",
+    )  # fmt: skip
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--orders", action="store_true", help="open orders, the first due first")
+    what.add_argument(
+        "--visits", type=_day, metavar="DAY", help="visits of a day: 2026-11-20, or today"
+    )
+    parser.add_argument(
+        "--limit", type=whole, default=50, metavar="N", help="most persons (default: 50)"
+    )
+    parser.add_argument("--json", action="store_true", help="as JSON, for other programs")
+    add_place(parser)
+
+
+def run(arguments: argparse.Namespace, _progress: Progress) -> None:
+    """Print a line for each."""
+    from insole_core.records.rights import Right
+
+    with opened(arguments, Right.SEE) as records:
+        rows = _rows(records, arguments)
+    if arguments.json:
+        json.dump(rows, sys.stdout, indent=1, ensure_ascii=False)
+        print()
+        return
+    writer = csv.writer(sys.stdout, delimiter="\t", lineterminator="\n")
+    if rows:
+        writer.writerow(rows[0])
+    writer.writerows(row.values() for row in rows)
+
+
+def _rows(records: Records, arguments: argparse.Namespace) -> Sequence[Row]:
+    if arguments.orders:
+        return [
+            {
+                "order": order.number,
+                "state": str(order.state),
+                "due": _written(order.due_on),
+                "shop": order.shop,
+                "name": order.person_name,
+            }
+            for order in records.orders.open()
+        ]
+    if arguments.visits is not None:
+        return [
+            {
+                "day": _written(visit.visited_on),
+                "name": visit.person_name,
+                "born": _written(visit.birth_date),
+                "reason": " ".join(visit.reason.split()),
+                "capture": str(visit.capture_state),
+            }
+            for visit in records.visits.on(arguments.visits)
+        ]
+    found = records.persons.search(" ".join(arguments.words), arguments.limit)
+    return [
+        {
+            "pseudonym": person.pseudonym,
+            "name": person.name,
+            "born": _written(person.birth_date),
+            "personal number": person.personal_number,
+            "last visit": _written(person.last_visit),
+        }
+        for person in found
+    ]
+
+
+def _written(day: date | None) -> str:
+    return "" if day is None else day.isoformat()
+
+
+def _day(text: str) -> date:
+    try:
+        return date.today() if text == "today" else date.fromisoformat(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"{text} is no day; write it as 2026-11-20, or today"
+        ) from None

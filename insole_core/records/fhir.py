@@ -1,0 +1,140 @@
+"""A person and their prescriptions as FHIR R4 (4.0.1) resources, for other systems of a clinic.
+
+Only what the record knows is stated: free texts stay texts, and no code is added that nobody chose.
+https://hl7.org/fhir/R4/patient.html, https://hl7.org/fhir/R4/devicerequest.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
+from insole_core.records.order import Order, OrderState
+from insole_core.records.person import Person
+from insole_core.records.prescription import VersionSummary
+from insole_core.records.visit import Visit
+
+Resource = dict[str, Any]
+
+_PSEUDONYM: Final = {
+    "system": "http://terminology.hl7.org/CodeSystem/v3-ObservationValue",
+    "code": "PSEUDED",
+    "display": "pseudonymized",
+}
+_SWEDISH: Final = "http://electronichealth.se/identifier/"
+"""Naming systems of the Swedish base profiles: personnummer and samordningsnummer, 12 digits."""
+_LEAST_COORDINATION_DAY: Final = 61
+STATUS_OF: Final[Mapping[OrderState, str]] = {
+    OrderState.DESIGNED: "draft",
+    OrderState.CHECKED: "draft",
+    OrderState.SENT: "active",
+    OrderState.IN_PRODUCTION: "active",
+    OrderState.DELIVERED: "completed",
+    OrderState.ADJUSTED: "completed",
+    OrderState.RETURNED: "active",
+}
+"""Code of RequestStatus by the state of the order."""
+
+
+@dataclass(frozen=True)
+class PrescribedDevice:
+    """An insole as it was prescribed for one foot.
+
+    Parameters
+    ----------
+    order
+        None while it is not ordered.
+    """
+
+    version: VersionSummary
+    design: InsoleDesign
+    visit: Visit
+    order: Order | None = None
+
+
+def patient_resource(person: Person, *, is_pseudonymous: bool = False) -> Resource:
+    """Return a FHIR `Patient`.
+
+    Parameters
+    ----------
+    is_pseudonymous
+        Whether the pseudonym stands in place of all that identifies the person.
+    """
+    pseudonym = {"type": {"coding": [_PSEUDONYM]}, "value": person.pseudonym}
+    resource: Resource = {"resourceType": "Patient", "id": person.id}
+    if is_pseudonymous:
+        return resource | {"identifier": [pseudonym]}
+    numbers = [_personal_number(person)] if person.personal_number else []
+    resource |= {
+        "identifier": [*numbers, pseudonym],
+        "active": person.merged_into is None and not person.is_erased,
+        "name": [{"use": "official", "text": person.name}],
+    }
+    if person.contact:
+        lines = [line.strip() for line in person.contact.splitlines() if line.strip()]
+        resource["telecom"] = [{"system": "other", "value": line} for line in lines]
+    if person.birth_date is not None:
+        resource["birthDate"] = person.birth_date.isoformat()
+    return resource
+
+
+def device_request_resource(person: Person, device: PrescribedDevice) -> Resource:
+    """Return a FHIR `DeviceRequest` for the insole of one foot.
+
+    It refers to the person by ``Patient/<id>`` and names nobody but the prescriber.
+    """
+    version, design, visit, order = device.version, device.design, device.visit, device.order
+    resource: Resource = {
+        "resourceType": "DeviceRequest",
+        "id": version.id,
+        "status": _status(device),
+        "intent": "order",
+        "codeCodeableConcept": _words(f"Custom-made foot insole, {version.side} foot"),
+        "parameter": _parameters(design),
+        "subject": {"reference": f"Patient/{person.id}"},
+        "authoredOn": version.signed_at or version.changed_at,
+        "requester": {"display": version.signed_by or version.author},
+    }
+    if order is not None:
+        resource["groupIdentifier"] = {"value": order.number}
+    if order is not None and order.shop:
+        resource["performer"] = {"display": order.shop}
+    reasons = [text for text in (visit.reason, visit.findings) if text]
+    if reasons:
+        resource["reasonCode"] = [_words(text) for text in reasons]
+    lines = correction_lines(design)
+    if lines:
+        resource["note"] = [{"text": line} for line in lines]
+    return resource
+
+
+def _personal_number(person: Person) -> Resource:
+    identifier: Resource = {"use": "official", "value": person.personal_number}
+    if person.number_kind != "se":
+        return identifier
+    digits = person.personal_number.replace("-", "")
+    is_coordination = int(digits[6:8]) >= _LEAST_COORDINATION_DAY
+    name = "samordningsnummer" if is_coordination else "personnummer"
+    return identifier | {"system": f"{_SWEDISH}{name}", "value": digits}
+
+
+def _status(device: PrescribedDevice) -> str:
+    """Return the code of RequestStatus; signing makes a prescription that was not ordered valid."""
+    if device.order is not None:
+        return STATUS_OF[device.order.state]
+    return "active" if device.version.signed_by else "draft"
+
+
+def _parameters(design: InsoleDesign) -> Sequence[Resource]:
+    facts = {"side": str(design.side), **make_facts(design)}
+    return [
+        {"code": _words(name), "valueCodeableConcept": _words(value)}
+        for name, value in facts.items()
+    ]
+
+
+def _words(text: str) -> Resource:
+    return {"text": text}

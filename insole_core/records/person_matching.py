@@ -1,0 +1,138 @@
+"""Whether somebody of a list is in the record already."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from insole_core.messages import Message
+from insole_core.records.person import Person, PersonSummary
+from insole_core.records.search_text import fold
+
+
+@dataclass(frozen=True)
+class Match:
+    """Somebody of the record who is, or may be, the same person.
+
+    Parameters
+    ----------
+    is_certain
+        Whether personal number, pseudonym, or name and birth date say so, and nothing contradicts.
+    reason
+        Why it is not certain; empty when it is.
+    """
+
+    person: PersonSummary
+    is_certain: bool
+    reason: Message
+
+
+class PersonIndex:
+    """Persons by what tells them apart.
+
+    Parameters
+    ----------
+    persons
+        Of the record.
+    """
+
+    def __init__(self, persons: Iterable[PersonSummary]) -> None:
+        self._by_number: dict[str, list[PersonSummary]] = defaultdict(list)
+        self._by_pseudonym: dict[str, PersonSummary] = {}
+        self._by_name: dict[str, list[PersonSummary]] = defaultdict(list)
+        for person in persons:
+            self.add(person)
+
+    def add(self, person: PersonSummary) -> None:
+        """Add somebody, to be found from now on."""
+        if person.personal_number:
+            self._by_number[person.personal_number].append(person)
+        self._by_pseudonym[person.pseudonym] = person
+        self._by_name[_name_key(person.name)].append(person)
+
+    def with_pseudonym(self, pseudonym: str) -> PersonSummary | None:
+        """Return whom a pseudonym stands for; None when it is free."""
+        return self._by_pseudonym.get(pseudonym)
+
+    def find(self, person: Person) -> Match | None:
+        """Return who is the same person, or may be; None when nobody resembles them.
+
+        Parameters
+        ----------
+        person
+            Not in the index.
+        """
+        matches = list(self.matches(person))
+        return next((match for match in matches if match.is_certain), next(iter(matches), None))
+
+    def matches(self, person: Person) -> Iterator[Match]:
+        """Yield everybody who is the same person, or may be."""
+        of_number = (
+            self._by_number.get(person.personal_number, ()) if person.personal_number else ()
+        )
+        same_pseudonym = self._by_pseudonym.get(person.pseudonym)
+        for known in of_number:
+            yield _identified(person, known, "personal number")
+        if same_pseudonym is not None:
+            yield _identified(person, same_pseudonym, "pseudonym")
+        for known in self._by_name.get(_name_key(person.name), ()):
+            match = _namesake(person, known)
+            if match is not None:
+                yield match
+
+
+def summary_of(person: Person) -> PersonSummary:
+    """Return a person as they stand in a list."""
+    return PersonSummary(
+        person.id, person.name, person.birth_date, person.personal_number, person.pseudonym
+    )
+
+
+def _identified(person: Person, known: PersonSummary, what: str) -> Match:
+    """Return the match of somebody with the same number; name or birth date must agree, too."""
+    same_name = _name_key(person.name) == _name_key(known.name)
+    dates = {person.birth_date, known.birth_date} - {None}
+    if len(dates) < 2 and (same_name or person.birth_date == known.birth_date is not None):
+        return Match(known, is_certain=True, reason=Message(""))
+    return Match(
+        known,
+        is_certain=False,
+        reason=Message(
+            "The {what} is that of {name}, {born}; name or birth date differ.",
+            what=what,
+            name=known.name,
+            born=_born(known),
+        ),
+    )
+
+
+def _namesake(person: Person, known: PersonSummary) -> Match | None:
+    """Return the match of somebody of the same name; None when they were born on another day."""
+    if None in (person.birth_date, known.birth_date):
+        reason = Message(
+            "There is somebody of this name, {born}, and a birth date is missing to tell whether "
+            "it is the same person.",
+            born=_born(known),
+        )
+        return Match(known, is_certain=False, reason=reason)
+    if person.birth_date != known.birth_date:
+        return None
+    numbers = {person.personal_number, known.personal_number} - {""}
+    if len(numbers) < 2:
+        return Match(known, is_certain=True, reason=Message(""))
+    reason = Message(
+        "There is somebody with this name and birth date, and another personal number."
+    )
+    return Match(known, is_certain=False, reason=reason)
+
+
+def _born(person: PersonSummary) -> Message:
+    if person.birth_date is None:
+        return Message("birth date unknown")
+    return Message("born {day}", day=person.birth_date.isoformat())
+
+
+def _name_key(name: str) -> str:
+    """Return the words of a name in one order: "Berg, Anna" is "Anna Berg"."""
+    return " ".join(sorted(fold(name).replace(",", " ").split()))

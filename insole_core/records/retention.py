@@ -1,0 +1,331 @@
+"""How long the record is kept, and what is erased when a patient asks for it (decision 0045).
+
+The documentation of a custom-made device is kept for at least ten years (Regulation (EU) 2017/745,
+Annex XIII, section 4), and so is a patient's record in most countries. While the law keeps it, a
+request erases what the documentation does not need: all that says who the patient is, and free
+text. The device stays documented under the pseudonym, which the annex allows. After that time
+everything goes but the pseudonym's row, so that the audit log still tells that there was somebody.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from contextlib import closing
+from dataclasses import dataclass
+from datetime import UTC, date, datetime
+from enum import StrEnum
+from typing import Any, Final
+
+from sqlalchemy import (
+    Connection,
+    Select,
+    Table,
+    and_,
+    delete,
+    exists,
+    func,
+    select,
+    text,
+    update,
+)
+
+from insole_core.errors import RecordsError
+from insole_core.records.audit import AuditLog
+from insole_core.records.author import Author
+from insole_core.records.clinic import setting_of
+from insole_core.records.content_store import GRACE_S, SweptContents
+from insole_core.records.context import RecordsContext
+from insole_core.records.rights import Right, require
+from insole_core.records.schema import (
+    captures,
+    contents,
+    follow_ups,
+    order_events,
+    order_feet,
+    order_files,
+    orders,
+    persons,
+    prescription_versions,
+    presence,
+    visits,
+)
+from insole_core.records.signing import ERASED, PRESCRIPTION
+from insole_core.records.times import utc_now
+
+YEARS_VALUE: Final = "retention_years"
+"""Key of the clinic's settings."""
+LEAST_YEARS: Final = 10
+"""Annex XIII, section 4, for devices that are not implanted."""
+_REFERRING: Final = (
+    captures.c.content_sha256,
+    prescription_versions.c.mesh_sha256,
+    order_files.c.content_sha256,
+)
+
+
+class ErasureReason(StrEnum):
+    """Why somebody is erased; no other words, which might be about the patient."""
+
+    REQUEST = "request"
+    RETENTION_OVER = "retention over"
+
+
+@dataclass(frozen=True)
+class Erasure:
+    """What was erased.
+
+    Parameters
+    ----------
+    kept_until
+        Until when the law keeps the devices, now under the pseudonym; None when nothing is left.
+    visits, prescriptions, captures, orders
+        Numbers of rows that were removed.
+    """
+
+    person_id: str
+    kept_until: date | None
+    visits: int = 0
+    prescriptions: int = 0
+    captures: int = 0
+    orders: int = 0
+
+
+def retention_years(connection: Connection) -> int:
+    """Return for how many years the clinic keeps its record; never less than the law asks for."""
+    return max(int(setting_of(connection, YEARS_VALUE, LEAST_YEARS)), LEAST_YEARS)
+
+
+def kept_until(connection: Connection, person_id: str) -> date:
+    """Return until when a person's record is kept: some years after the last entry."""
+    last = max(_last_days(connection, person_id))
+    return _years_later(last, retention_years(connection))
+
+
+def over_retention(context: RecordsContext, today: date, limit: int = 100) -> list[str]:
+    """Return the ids of persons whose record need not be kept any longer, the oldest first.
+
+    Raises
+    ------
+    NotAllowed
+    """
+    with context.database.reading() as connection:
+        require(connection, context.author, Right.ERASE)
+        years = retention_years(connection)
+        before = _years_later(today, -years)
+        last_visit = func.max(visits.c.visited_on)
+        # By visits first, which are indexed; other entries are looked at one by one.
+        candidates = connection.execute(
+            select(persons.c.id)
+            .outerjoin(visits, visits.c.person_id == persons.c.id)
+            .where(persons.c.merged_into.is_(None), persons.c.created_at < before.isoformat())
+            .group_by(persons.c.id)
+            .having(func.coalesce(last_visit, before) <= before)
+            .order_by(last_visit, persons.c.id)
+        ).scalars()
+        found: list[str] = []
+        for person_id in candidates.all():
+            if len(found) == limit:
+                break
+            if _has_entries(connection, person_id) and kept_until(connection, person_id) <= today:
+                found.append(person_id)
+        return found
+
+
+def erase_person(
+    context: RecordsContext, person_id: str, reason: ErasureReason, today: date
+) -> Erasure:
+    """Erase a person, on request or after the time of keeping.
+
+    The audit log keeps that it was done, when and by whom. Large files that nothing refers to any
+    more leave the disk with the next sweeps. Backups of before hold the person until they are
+    removed; restoring one of them erases the person again.
+
+    Raises
+    ------
+    NotAllowed
+    RecordsError
+        When there is no such person, or the person was merged into another one.
+    """
+    with context.database.writing() as connection:
+        require(connection, context.author, Right.ERASE)
+        if context.database.is_sqlite:  # which else leaves deleted text in the file
+            connection.execute(text("PRAGMA secure_delete = ON"))
+        erasure = erase_in(connection, context.author, person_id, reason, today)
+    if context.database.is_sqlite:
+        with closing(context.database.engine.raw_connection()) as unbegun:
+            unbegun.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)")
+    return erasure
+
+
+def erase_in(
+    connection: Connection, author: Author, person_id: str, reason: ErasureReason, today: date
+) -> Erasure:
+    """Do the same in a transaction of the caller, who has the right to it."""
+    _lock(connection, person_id)
+    until = kept_until(connection, person_id)
+    erase_identity(connection, person_id)
+    if until > today:
+        erasure = Erasure(person_id, until)
+        captured = _unused_captures(connection, person_id)
+    else:
+        erasure = _remove_all(connection, author, person_id)
+        captured = 0
+    AuditLog.append(
+        connection,
+        author,
+        ERASED,
+        "person",
+        person_id,
+        reason=str(reason),
+        kept_until=None if erasure.kept_until is None else erasure.kept_until.isoformat(),
+        visits=erasure.visits,
+        prescriptions=erasure.prescriptions,
+        captures=erasure.captures + captured,
+        orders=erasure.orders,
+    )
+    return erasure
+
+
+def erase_identity(connection: Connection, person_id: str) -> None:
+    """Remove what says who a person is, and free text, also of those merged into the person."""
+    now = utc_now()
+    connection.execute(
+        update(persons)
+        .where((persons.c.id == person_id) | (persons.c.merged_into == person_id))
+        .values(
+            name=persons.c.pseudonym,
+            search_text="",
+            sort_key="",
+            birth_date=None,
+            personal_number="",
+            number_kind="",
+            contact="",
+            notes="",
+            consent_on=None,
+            is_erased=True,
+            changed_at=now,
+            revision=persons.c.revision + 1,
+        )
+    )
+    texts: tuple[tuple[Table, dict[str, Any]], ...] = (
+        (visits, {"reason": "", "findings": "", "weight_kg": None, "changed_at": now}),
+        (orders, {"remarks": "", "changed_at": now}),
+        (follow_ups, {"notes": ""}),
+    )
+    for table, values in texts:
+        connection.execute(update(table).where(table.c.person_id == person_id).values(values))
+    of_person = order_events.c.order_id.in_(_ids(orders, person_id))
+    connection.execute(update(order_events).where(of_person).values(remarks=""))
+
+
+def sweep_contents(
+    context: RecordsContext, now: datetime | None = None, grace_s: float = GRACE_S
+) -> SweptContents:
+    """Let large files go that nothing refers to any more, as after an erasure.
+
+    Raises
+    ------
+    RecordsError
+        When somebody refers to one of them at the same moment: the next sweep is in time.
+    """
+    now = datetime.now(UTC) if now is None else now
+    before = datetime.fromtimestamp(now.timestamp() - grace_s, UTC).isoformat()
+    with context.database.writing() as connection:
+        require(connection, context.author, Right.BACK_UP)
+        unused = and_(*(~exists().where(column == contents.c.sha256) for column in _REFERRING))
+        old = contents.c.created_at < before
+        removed = connection.execute(delete(contents).where(unused, old)).rowcount
+        if removed:
+            AuditLog.append(connection, context.author, "swept", "contents", "all", files=removed)
+        used: Collection[str] = set(connection.execute(select(contents.c.sha256)).scalars())
+    return context.contents.sweep(used, now.timestamp(), grace_s)
+
+
+def _lock(connection: Connection, person_id: str) -> None:
+    query = select(persons.c.merged_into).where(persons.c.id == person_id).with_for_update()
+    row = connection.execute(query).one_or_none()
+    if row is None:
+        raise RecordsError("This person is no longer in the record; search for them again.")
+    if row.merged_into is not None:
+        raise RecordsError("This person was merged with another one; erase the other one.")
+
+
+def _last_days(connection: Connection, person_id: str) -> list[date]:
+    """Return the days of the last entries of each kind about a person."""
+    own_visits = _ids(visits, person_id)
+    queries = (
+        select(persons.c.created_at).where(persons.c.id == person_id),
+        select(func.max(visits.c.visited_on)).where(visits.c.person_id == person_id),
+        select(func.max(follow_ups.c.on_date)).where(follow_ups.c.person_id == person_id),
+        select(func.max(prescription_versions.c.created_at)).where(
+            prescription_versions.c.visit_id.in_(own_visits)
+        ),
+        select(func.max(order_events.c.at)).where(
+            order_events.c.order_id.in_(_ids(orders, person_id))
+        ),
+    )
+    values = [connection.execute(query).scalar() for query in queries]
+    return [_day(value) for value in values if value is not None]
+
+
+def _has_entries(connection: Connection, person_id: str) -> bool:
+    """Return whether there is still something of a person to erase."""
+    row = connection.execute(select(persons.c.is_erased).where(persons.c.id == person_id)).one()
+    some_visit = select(visits.c.id).where(visits.c.person_id == person_id).limit(1)
+    return not row.is_erased or connection.execute(some_visit).first() is not None
+
+
+def _unused_captures(connection: Connection, person_id: str) -> int:
+    """Remove captures that no prescription was made from: they document no device."""
+    row = delete(captures).where(
+        captures.c.visit_id.in_(_ids(visits, person_id)),
+        ~exists().where(prescription_versions.c.capture_id == captures.c.id),
+    )
+    return connection.execute(row).rowcount
+
+
+def _remove_all(connection: Connection, author: Author, person_id: str) -> Erasure:
+    of_visits, of_orders = _ids(visits, person_id), _ids(orders, person_id)
+    versions = prescription_versions.c
+    signed = connection.execute(
+        select(versions.id).where(versions.visit_id.in_(of_visits), versions.signed_at.is_not(None))
+    ).scalars()
+    signed_ids = signed.all()
+    counts = {}
+    for table, of_person in (
+        (order_feet, order_feet.c.order_id.in_(of_orders)),
+        (order_files, order_files.c.order_id.in_(of_orders)),
+        (order_events, order_events.c.order_id.in_(of_orders)),
+        (follow_ups, follow_ups.c.person_id == person_id),
+        (orders, orders.c.person_id == person_id),
+        (presence, presence.c.visit_id.in_(of_visits)),
+        (prescription_versions, versions.visit_id.in_(of_visits)),
+        (captures, captures.c.visit_id.in_(of_visits)),
+        (visits, visits.c.person_id == person_id),
+    ):
+        counts[table.name] = connection.execute(delete(table).where(of_person)).rowcount
+    for version_id in signed_ids:
+        AuditLog.append(connection, author, ERASED, PRESCRIPTION, version_id)
+    return Erasure(
+        person_id,
+        None,
+        counts[visits.name],
+        counts[prescription_versions.name],
+        counts[captures.name],
+        counts[orders.name],
+    )
+
+
+def _ids(table: Table, person_id: str) -> Select[Any]:
+    return select(table.c.id).where(table.c.person_id == person_id)
+
+
+def _day(value: str | date) -> date:
+    return value if isinstance(value, date) else date.fromisoformat(value[:10])
+
+
+def _years_later(day: date, years: int) -> date:
+    try:
+        return day.replace(year=day.year + years)
+    except ValueError:  # the 29th of February
+        return date(day.year + years, 3, 1)

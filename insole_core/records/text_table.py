@@ -1,0 +1,201 @@
+"""Tables that other programs export as text: CSV with commas, semicolons or tabs.
+
+Encoding and delimiter are found by looking at the file. Nothing is mended: what cannot be read is
+refused, and says where.
+"""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import io
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from insole_core.errors import InputError
+from insole_core.given_file import read_given
+
+MOST_BYTES: Final = 64 * 2**20
+MOST_COLUMNS: Final = 1000
+MOST_ROWS: Final = 200_000
+DELIMITERS: Final = (",", ";", "\t", "|")
+_MARKS: Final = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+_SAMPLE_ROWS: Final = 200
+_SAMPLE_BYTES: Final = 4096
+_DECLARED: Final = re.compile(r"sep=(.)\r?\n", re.IGNORECASE)
+"""First line by which Excel is told the delimiter."""
+
+
+@dataclass(frozen=True)
+class TableRow:
+    """One row.
+
+    Parameters
+    ----------
+    line
+        Of the file, from 1, on which the row begins.
+    cells
+        As many as there are headings, unless the file has more in this row.
+    """
+
+    line: int
+    cells: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class TextTable:
+    """The rows of a file under its headings, with the way in which it was read.
+
+    Parameters
+    ----------
+    headings
+        Of the first row; "" where a column has none.
+    encoding
+        Name of Python's codec.
+    """
+
+    headings: tuple[str, ...]
+    rows: tuple[TableRow, ...]
+    encoding: str
+    delimiter: str
+
+    def column(self, number: int) -> list[str]:
+        """Return the cells of a column that are not empty, without spaces around them."""
+        cells = (row.cells[number].strip() for row in self.rows)
+        return [cell for cell in cells if cell]
+
+
+def read_table(path: Path) -> TextTable:
+    """Read a table whose first row holds the headings.
+
+    Raises
+    ------
+    InputError
+        When it is no such table, damaged, or larger than any list of a clinic's patients.
+    """
+    text, encoding = _decoded(path, read_given(path, MOST_BYTES))
+    declared = _DECLARED.match(text)
+    skipped = 0
+    if declared:
+        text, skipped = text[declared.end() :], 1
+    delimiter = declared.group(1) if declared else _delimiter_of(text)
+    rows = _read_rows(path, text, delimiter, skipped)
+    if not rows:
+        raise InputError("{path} is empty; choose a table with one row for a person.", path=path)
+    headings = tuple(cell.strip() for cell in rows[0].cells)
+    count = len(headings)
+    filled = tuple(TableRow(row.line, _of_width(row.cells, count)) for row in rows[1:])
+    return TextTable(headings, filled, encoding, delimiter)
+
+
+def _decoded(path: Path, content: bytes) -> tuple[str, str]:
+    encoding = _encoding_of(content)
+    try:
+        text = content.decode(encoding)
+    except UnicodeDecodeError as error:
+        raise InputError(
+            "{path} is in a character set that is not known, or damaged (at byte {place}); save it "
+            "again as CSV UTF-8.",
+            path=path,
+            place=error.start,
+        ) from error
+    if "\0" in text:
+        raise InputError(
+            "{path} is no table of text; save it again as CSV UTF-8.",
+            path=path,
+        )
+    return text, encoding
+
+
+def _encoding_of(content: bytes) -> str:
+    """Return the codec of a text: by its mark, by its zeros, as UTF-8 if it is, or Windows-1252."""
+    for mark, encoding in _MARKS:
+        if content.startswith(mark):
+            return encoding
+    sample = content[:_SAMPLE_BYTES]
+    if len(sample) > 1:
+        # Headings are mostly Latin letters, every other byte of which is zero in UTF-16.
+        for encoding, zeros, letters in (
+            ("utf-16-le", sample[1::2], sample[::2]),
+            ("utf-16-be", sample[::2], sample[1::2]),
+        ):
+            if zeros.count(0) > len(zeros) // 2 and not letters.count(0):
+                return encoding
+    try:
+        content.decode("utf-8")
+    except UnicodeDecodeError:
+        return "cp1252"
+    return "utf-8"
+
+
+def _delimiter_of(text: str) -> str:
+    """Return the delimiter that gives most columns, the same number in nearly all rows."""
+
+    def likeness(delimiter: str) -> tuple[float, int]:
+        try:
+            rows = [cells for _, cells in _records(text, delimiter, _SAMPLE_ROWS)]
+        except csv.Error:
+            return 0.0, 0
+        width = len(rows[0]) if rows else 0
+        if width < 2:
+            return 0.0, width
+        return sum(len(cells) == width for cells in rows) / len(rows), width
+
+    # Rows of one width tell a delimiter from a comma in the texts; then the more columns.
+    return max(DELIMITERS, key=likeness)
+
+
+def _read_rows(path: Path, text: str, delimiter: str, skipped: int) -> list[TableRow]:
+    rows: list[TableRow] = []
+    line = 0
+    try:
+        for line, cells in _records(text, delimiter):
+            if len(cells) > MOST_COLUMNS:
+                raise InputError(
+                    "Line {line} of {path} has {count} columns, and a table may have {most}; "
+                    "check its quotation marks.",
+                    line=line + skipped,
+                    path=path,
+                    count=len(cells),
+                    most=MOST_COLUMNS,
+                )
+            if len(rows) > MOST_ROWS:
+                raise InputError(
+                    "{path} has more than {most} rows; divide it.", path=path, most=MOST_ROWS
+                )
+            rows.append(TableRow(line + skipped, tuple(cells)))
+    except csv.Error as error:
+        raise InputError(
+            "{path} cannot be read after line {line}: a quotation mark is not closed, or a text is "
+            "too long; correct it, or export it again.",
+            path=path,
+            line=line + skipped,
+        ) from error
+    return rows
+
+
+def _records(text: str, delimiter: str, most: int | None = None) -> Iterator[tuple[int, list[str]]]:
+    """Yield the rows that are not empty, each with the line on which it begins."""
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
+    begin, count = 1, 0
+    for cells in reader:
+        if any(cell.strip() for cell in cells):
+            yield begin, cells
+            count += 1
+        begin = reader.line_num + 1
+        if count == most:
+            return
+
+
+def _of_width(cells: tuple[str, ...], count: int) -> tuple[str, ...]:
+    """Fill up a row, as some programs leave out empty cells at its end; cut empty ones beyond."""
+    used = next((n for n in range(len(cells), 0, -1) if cells[n - 1].strip()), 0)
+    width = max(count, used)
+    return (*cells[:width], *[""] * (width - len(cells)))

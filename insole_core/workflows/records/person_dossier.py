@@ -1,0 +1,203 @@
+"""All that the record holds of one person, for export."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from insole_core.cases.case_json import foot_to_json
+from insole_core.cases.case_record import FootRecord, Patient
+from insole_core.errors import InputError
+from insole_core.geometry.side import Side
+from insole_core.messages import Message
+from insole_core.records.capture import Capture
+from insole_core.records.follow_up import FollowUp
+from insole_core.records.order import Order, OrderFile
+from insole_core.records.person import Person
+from insole_core.records.prescription import VersionSummary
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+from insole_core.workflows.nameless import require_nameless
+
+_TYPED_KEYS = frozenset({"name", "device", "material", "notes"})
+"""Of a case, the texts that somebody may have typed; authors are not the patient."""
+_SHOP_SUFFIXES = (".stl", ".3mf", ".obj", ".ply", "-job-sheet.pdf", "-checks.json")
+"""Endings of the files of an order that name nobody (decision 0030)."""
+
+
+@dataclass(frozen=True)
+class VisitDossier:
+    """A visit with all versions of its prescriptions and its captures.
+
+    Parameters
+    ----------
+    versions
+        Of both feet, the left one first, the oldest first.
+    captures
+        The oldest first.
+    """
+
+    visit: Visit
+    versions: tuple[VersionSummary, ...]
+    captures: tuple[Capture, ...]
+
+    def newest(self, side: Side) -> VersionSummary | None:
+        """Return the newest version of a foot; None when there is none."""
+        return next((v for v in reversed(self.versions) if v.side is side), None)
+
+
+@dataclass(frozen=True)
+class PersonDossier:
+    """A person with everything that refers to them.
+
+    Parameters
+    ----------
+    visits
+        The oldest first.
+    is_pseudonymous
+        Whether all that names or describes the person was left out.
+    withheld
+        A sentence for each file that was left out for that.
+    """
+
+    person: Person
+    visits: tuple[VisitDossier, ...]
+    orders: tuple[Order, ...]
+    follow_ups: tuple[FollowUp, ...]
+    is_pseudonymous: bool = False
+    withheld: tuple[Message, ...] = ()
+
+    def order_of(self, version_id: str) -> Order | None:
+        """Return the order in which a version was made; None when there is none."""
+        return next((order for order in self.orders if version_id in order.version_ids), None)
+
+
+def read_dossier(records: Records, person_id: str) -> PersonDossier:
+    """Read all that the record holds of a person but the large files.
+
+    Raises
+    ------
+    RecordsError
+        When there is no such person.
+    """
+    person = records.persons.get(person_id)
+    visits = reversed(records.visits.of_person(person.id))
+    orders = (records.orders.get(order.id) for order in records.orders.of_person(person.id))
+    return PersonDossier(
+        person,
+        tuple(_visit_dossier(records, visit) for visit in visits),
+        tuple(sorted(orders, key=lambda order: order.created_at)),
+        tuple(reversed(records.follow_ups.of_person(person.id))),
+    )
+
+
+def _visit_dossier(records: Records, visit: Visit) -> VisitDossier:
+    versions = (
+        version
+        for side in Side
+        for version in reversed(records.prescriptions.versions(visit.id, side))
+    )
+    captures = reversed(records.captures.of_visit(visit.id))
+    return VisitDossier(visit, tuple(versions), tuple(captures))
+
+
+def pseudonymous(dossier: PersonDossier) -> PersonDossier:
+    """Return a dossier that names and describes nobody (decision 0048).
+
+    Left out are name, birth date, personal number, contact, consent, every text that somebody has
+    typed about the person, captures (files of other programs may hold a name) and the papers of
+    orders that name the patient.
+
+    Raises
+    ------
+    InputError
+        When the number of an order holds the name.
+    """
+    person = dossier.person
+    numbers = " ".join(order.number for order in dossier.orders)
+    require_nameless(Patient(name=person.name), {"number of an order": numbers})
+    orders = [_pseudonymous_order(order, person.name) for order in dossier.orders]
+    captures = sum(len(visit.captures) for visit in dossier.visits)
+    return PersonDossier(
+        Person(
+            name="",
+            pseudonym=person.pseudonym,
+            id=person.id,
+            created_at=person.created_at,
+            changed_at=person.changed_at,
+            revision=person.revision,
+        ),
+        tuple(_pseudonymous_visit(visit) for visit in dossier.visits),
+        tuple(orders),
+        (),
+        is_pseudonymous=True,
+        withheld=tuple(_withheld(dossier.orders, orders, captures)),
+    )
+
+
+def _pseudonymous_visit(dossier: VisitDossier) -> VisitDossier:
+    versions = tuple(replace(version, reason="") for version in dossier.versions)
+    return VisitDossier(replace(dossier.visit, reason="", findings=""), versions, ())
+
+
+def _pseudonymous_order(order: Order, name: str) -> Order:
+    return replace(
+        order,
+        remarks="",
+        events=tuple(replace(event, remarks="") for event in order.events),
+        files=tuple(file for file in order.files if _is_for_the_shop(file, name)),
+    )
+
+
+def _is_for_the_shop(file: OrderFile, name: str) -> bool:
+    """Return whether a file is of a kind that names nobody, and is not named after the patient."""
+    try:
+        require_nameless(Patient(name=name), {"file": file.name})
+    except InputError:
+        return False
+    return file.name.lower().endswith(_SHOP_SUFFIXES)
+
+
+def _withheld(
+    orders: Iterable[Order], pseudonymous_orders: Iterable[Order], captures: int
+) -> Iterator[Message]:
+    for order, kept in zip(orders, pseudonymous_orders, strict=True):
+        count = len(order.files) - len(kept.files)
+        if count:
+            yield Message(
+                "Order {number}: {count} files that may name the patient",
+                number=order.number,
+                count=count,
+            )
+    if captures:
+        yield Message("{count} captures, which may show or name the patient", count=captures)
+
+
+def pseudonymous_foot(foot: FootRecord, name: str) -> FootRecord:
+    """Return a foot that does not tell where its scan was: folders are named after patients.
+
+    Parameters
+    ----------
+    name
+        Of the patient.
+
+    Raises
+    ------
+    InputError
+        When a text of the prescription, such as the name of a variant, holds it.
+    """
+    texts = " ".join(_typed_texts(foot_to_json(foot)))
+    require_nameless(Patient(name=name), {"prescription": texts})
+    return replace(foot, source=replace(foot.source, path=foot.source.kind))
+
+
+def _typed_texts(values: Any, key: str = "") -> Iterator[str]:
+    if isinstance(values, dict):
+        for inner, value in values.items():
+            yield from _typed_texts(value, inner)
+    elif isinstance(values, list):
+        for value in values:
+            yield from _typed_texts(value, key)
+    elif isinstance(values, str) and key in _TYPED_KEYS:
+        yield values

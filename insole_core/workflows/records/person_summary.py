@@ -1,0 +1,191 @@
+"""The record of a person to read and to print, without any program of ours."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from insole_core.cases.case_record import FootRecord
+from insole_core.evaluation.report import Plot, Report, ReportSection, Table
+from insole_core.export.paper import paper_texts
+from insole_core.geometry.height_map import HeightMap
+from insole_core.insole.prescription.prescription_lines import (
+    correction_lines,
+    make_facts,
+    plain_number,
+)
+from insole_core.records.order import Order
+from insole_core.records.person import Person
+from insole_core.records.prescription import VersionSummary
+from insole_core.records.times import utc_now
+from insole_core.workflows.records.person_dossier import PersonDossier, VisitDossier
+
+Texts = Mapping[str, str]
+_SOLE_MM = 40.0
+"""What is higher of a foot is no longer the sole."""
+
+
+@dataclass(frozen=True, eq=False)
+class FootPicture:
+    """What is drawn of one foot on one visit.
+
+    Parameters
+    ----------
+    foot
+        Of the newest version.
+    sole : mm
+        Heights of the foot.
+    insole : mm
+        Heights of the solid; None where it cannot be made.
+    """
+
+    foot: FootRecord
+    sole: HeightMap
+    insole: HeightMap | None
+
+
+def person_report(
+    dossier: PersonDossier,
+    pictures: Mapping[str, Sequence[FootPicture]],
+    files: Sequence[str],
+    left_out: Sequence[str],
+) -> Report:
+    """Return the record of a person as a report, the newest visit first.
+
+    Parameters
+    ----------
+    pictures
+        By the id of a visit, the left foot first.
+    files
+        Paths within the folder.
+    left_out
+        A sentence for each thing that could not be exported.
+
+    Raises
+    ------
+    InputError
+        When the texts of the paper cannot be read.
+    """
+    texts = paper_texts("person_summary")
+    visits = [
+        _visit_section(visit, pictures.get(visit.visit.id, ()), texts)
+        for visit in reversed(dossier.visits)
+    ]
+    orders = [line for order in dossier.orders for line in _order_lines(order, texts)]
+    follow_ups = [
+        line
+        for follow_up in dossier.follow_ups
+        for line in _lines(f"{follow_up.on_date}: {follow_up.outcome}", follow_up.notes)
+    ]
+    lists = {"orders": orders, "follow_ups": follow_ups, "left_out": left_out, "files": files}
+    sections = [_section("person", texts["person"], _person_lines(dossier.person, texts)), *visits]
+    sections += [_section(key, texts[key], lines) for key, lines in lists.items() if lines]
+    return Report(texts["title"], "", utc_now(), tuple(sections))
+
+
+def _section(key: str, title: str, lines: Iterable[str]) -> ReportSection:
+    return ReportSection(key, title, sentences=tuple(lines))
+
+
+def _person_lines(person: Person, texts: Texts) -> list[str]:
+    keys = ("name", "birth_date", "personal_number", "pseudonym", "contact", "consent_on", "notes")
+    return [line for key in keys for line in _fact(texts[key], getattr(person, key))]
+
+
+def _visit_section(
+    dossier: VisitDossier, pictures: Sequence[FootPicture], texts: Texts
+) -> ReportSection:
+    visit = dossier.visit
+    day = visit.visited_on.isoformat()
+    keys = ("reason", "findings", "weight_kg", "shoe_size_eu")
+    lines = [line for key in keys for line in _fact(texts[key], getattr(visit, key))]
+    for picture in pictures:
+        version = dossier.newest(picture.foot.side)
+        lines += [] if version is None else _prescription_lines(picture.foot, version, texts)
+    captures = (f"{c.file_name}, {c.facts.recorded_at or c.created_at}" for c in dossier.captures)
+    lines += [f"{texts['captures']}: {line}" for line in captures]
+    rows = tuple((name.replace("_", " "), f"{mm:g}") for name, mm in visit.measures.items())
+    tables = (Table(texts["measures"], (texts["measure"], texts["value"]), rows),) if rows else ()
+    plots = (_plot(pictures, texts),) if pictures else ()
+    title = texts["visit"].replace("{day}", day)
+    return ReportSection(visit.id, title, sentences=tuple(lines), tables=tables, plots=plots)
+
+
+def _prescription_lines(foot: FootRecord, version: VersionSummary, texts: Texts) -> list[str]:
+    head = [
+        _filled(texts["variant"], name=foot.chosen),
+        _filled(
+            texts["version"],
+            number=str(version.number),
+            day=version.changed_at[:10],
+            author=version.author,
+        ),
+    ]
+    if version.signed_by and version.signed_at:
+        head.append(_filled(texts["signed"], name=version.signed_by, day=version.signed_at[:10]))
+    facts = (f"{name} {value}" for name, value in make_facts(foot.design).items())
+    return [
+        f"{texts[str(foot.side)]}: {', '.join(head)}",
+        *(f"– {line}" for line in correction_lines(foot.design)),
+        f"– {'; '.join(facts)}",
+    ]
+
+
+def _order_lines(order: Order, texts: Texts) -> list[str]:
+    due = [] if order.due_on is None else [_filled(texts["due"], day=order.due_on.isoformat())]
+    head = [order.number, str(order.state), order.shop, *due, order.remarks]
+    events = (
+        _lines(f"– {event.at[:10]}: {event.to_state}, {event.author}", event.remarks)
+        for event in order.events
+    )
+    return [", ".join(filter(None, head)), *(line for lines in events for line in lines)]
+
+
+def _fact(name: str, value: object) -> list[str]:
+    """Return a fact, each line of a longer text as a line of its own; nothing where it is empty."""
+    if value is None or value == "":
+        return []
+    text = plain_number(value) if isinstance(value, float) else str(value)
+    first, *others = text.splitlines()
+    return [f"{name}: {first}", *others]
+
+
+def _lines(head: str, text: str) -> list[str]:
+    return [head, *text.splitlines()]
+
+
+def _filled(text: str, **values: str) -> str:
+    """Replace names in braces; other braces of the clinic's text stay."""
+    for key, value in values.items():
+        text = text.replace(f"{{{key}}}", value)
+    return text
+
+
+def _plot(pictures: Sequence[FootPicture], texts: Texts) -> Plot:
+    return Plot(texts["feet and insoles"], partial(_draw, pictures=tuple(pictures), texts=texts))
+
+
+def _draw(figure: Figure, *, pictures: Sequence[FootPicture], texts: Texts) -> None:
+    """Draw the feet and then the insoles, the left one on the left, both to one scale."""
+    insoles = [(p.foot.side, p.insole) for p in pictures if p.insole is not None]
+    highest_mm = max((float(np.nanmax(i.top_mm)) for _, i in insoles), default=0.0)
+    maps = [(f"{p.foot.side} foot", p.sole.bottom_mm, p.sole, _SOLE_MM) for p in pictures]
+    maps += [(f"{side} insole", i.top_mm, i, highest_mm) for side, i in insoles]
+    for axes, (title, heights_mm, height_map, most_mm) in zip(
+        figure.subplots(1, len(maps), squeeze=False)[0], maps, strict=True
+    ):
+        image = axes.imshow(
+            heights_mm,
+            origin="lower",
+            cmap="viridis",
+            extent=height_map.extent_mm,
+            vmin=0,
+            vmax=most_mm,
+        )
+        axes.set_title(texts[title], fontsize=8)
+        axes.tick_params(labelsize=6)
+        figure.colorbar(image, ax=axes, shrink=0.7).ax.tick_params(labelsize=6)

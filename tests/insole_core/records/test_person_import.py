@@ -1,0 +1,195 @@
+"""Persons of a table: columns, rows, who is there already, and adding them in one transaction."""
+
+from __future__ import annotations
+
+from datetime import date
+from pathlib import Path
+
+import pytest
+
+from insole_core.errors import InputError
+from insole_core.progress import Cancelled, Progress
+from insole_core.records.author import Author
+from insole_core.records.open import open_records
+from insole_core.records.person import Person
+from insole_core.records.person_columns import (
+    ColumnMapping,
+    PersonField,
+    asks_date_order,
+    propose_mapping,
+)
+from insole_core.records.person_import import Outcome, import_persons, plan_import
+from insole_core.records.persons_of_table import read_persons
+from insole_core.records.text_table import read_table
+from insole_core.records.written_dates import DateOrder
+
+_TODAY = date(2026, 11, 22)
+_F = PersonField
+
+
+@pytest.fixture
+def records(local_place):
+    opened = open_records(local_place, Author("eva", "desk"))
+    yield opened
+    opened.close()
+
+
+@pytest.mark.parametrize(
+    ("headings", "fields"),
+    [
+        ("Name,Date of birth,E-mail", (_F.NAME, _F.BIRTH_DATE, _F.CONTACT)),
+        ("Förnamn,Efternamn,Personnummer,Ort", (_F.GIVEN_NAME, _F.FAMILY_NAME,
+                                                _F.PERSONAL_NUMBER, _F.CONTACT)),
+        ("Nachname,Vorname,Geb.,PLZ", (_F.FAMILY_NAME, _F.GIVEN_NAME, _F.BIRTH_DATE, _F.CONTACT)),
+        ("Patient,First name,Last name,Ålder", (None, _F.GIVEN_NAME, _F.FAMILY_NAME, None)),
+        ("Name,Name,,Notes 1,Notes 2", (_F.NAME, None, None, _F.NOTES, _F.NOTES)),
+    ],
+)  # fmt: skip
+def test_headings_of_three_languages_propose_the_columns(tmp_path, headings, fields):
+    assert propose_mapping(_table(tmp_path, headings + "\n")).fields == fields
+
+
+def test_one_date_tells_the_order_of_a_column_and_numbers_their_kind(tmp_path):
+    text = "Name,Born,Personnummer\nA B,02/03/1964,640823-3234\nC D,31/01/1970,\n"
+    table = _table(tmp_path, text)
+    mapping = propose_mapping(table)
+    assert (mapping.date_order, mapping.number_kind) == (DateOrder.DAY_FIRST, "se")
+    assert asks_date_order(table, mapping)
+
+
+def test_an_ambiguous_day_is_refused_until_its_order_is_said(tmp_path):
+    table = _table(tmp_path, "Name,Born\nAnna Berg,02/03/1970\n")
+    mapping = propose_mapping(table)
+    assert mapping.date_order is None
+    refused = read_persons(table, mapping, _TODAY).refused
+    assert "1970-02-03 or 1970-03-02" in refused[0].reason
+    said = ColumnMapping(mapping.fields, DateOrder.MONTH_FIRST)
+    (row,) = read_persons(table, said, _TODAY).accepted
+    assert row.person.birth_date == date(1970, 2, 3)
+
+
+def test_all_that_is_mapped_arrives_and_several_columns_become_lines(tmp_path):
+    text = (
+        "Vorname;Nachname;Geb.;Telefon;Ort;Notizen;Bemerkung;Einwilligung\n"
+        "Jürgen;Groß;28.02.1970;+49 1;Köln;Plattfuß;;01.02.2026\n"
+    )
+    table = _table(tmp_path, text, "cp1252")
+    (row,) = read_persons(table, propose_mapping(table), _TODAY).accepted
+    person = row.person
+    assert (person.name, person.birth_date) == ("Jürgen Groß", date(1970, 2, 28))
+    assert (person.contact, person.notes) == ("+49 1\nKöln", "Notizen: Plattfuß")
+    assert person.consent_on == date(2026, 2, 1)
+
+
+@pytest.mark.parametrize(
+    ("row", "words"),
+    [
+        (",1970-02-28,", "name is missing"),
+        ("x" * 10_000 + ",1970-02-28,", "10000 characters"),
+        ("Anna\x07Berg,,", "cannot be seen"),
+        ("Anna \u202eBerg,,", "cannot be seen"),
+        ("Anna Berg,1970-02-30,", "is no date"),
+        ("Anna Berg,2970-02-28,", "not between"),
+        ("Anna Berg,1970-02-28,640823-3234", "not that of the personal number"),
+        ("Anna Berg,,640823-3235", "last digit"),
+        ("Anna Berg,1970-02-28,,more", "4 cells under 3 headings"),
+    ],
+)
+def test_rows_that_cannot_be_right_are_refused_with_their_line_and_reason(tmp_path, row, words):
+    table = _table(tmp_path, f"Name,Born,Pnr\nPer Ek,1980-01-01,\n{row}\n")
+    mapping = ColumnMapping((_F.NAME, _F.BIRTH_DATE, _F.PERSONAL_NUMBER), number_kind="se")
+    rows = read_persons(table, mapping, _TODAY)
+    assert [row.person.name for row in rows.accepted] == ["Per Ek"]
+    (refused,) = rows.refused
+    assert refused.line == 3
+    assert words in refused.reason
+
+
+def test_names_in_any_script_and_commands_are_only_texts(tmp_path, records):
+    names = [
+        "'; DROP TABLE persons; --",
+        "محمد علي",
+        "דוד כהן",
+        "李小龍",
+        "<script>x</script>",
+        "=1+1",
+    ]
+    table = _table(tmp_path, "Name\n" + "\n".join(names) + "\n", "utf-16")
+    import_persons(records, read_persons(table, propose_mapping(table), _TODAY))
+    assert {person.name for person in records.persons.everybody()} == set(names)
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [
+        (None, _F.NOTES, None),
+        (_F.NAME, _F.GIVEN_NAME, None),
+        (_F.NAME, _F.BIRTH_DATE, _F.BIRTH_DATE),
+    ],
+)
+def test_columns_that_make_no_person_are_refused(tmp_path, fields):
+    table = _table(tmp_path, "a,b,c\n1,2,3\n")
+    with pytest.raises(InputError, match="column"):
+        read_persons(table, ColumnMapping(fields), _TODAY)
+
+
+def test_the_dry_run_tells_new_present_repeated_doubtful_and_refused(tmp_path, records):
+    records.persons.add(Person("Anna Berg", date(1970, 2, 28), pseudonym="P-1"))
+    records.persons.add(Person("Per Ek", date(1980, 1, 1), personal_number="7"))
+    text = (
+        "Name,Born,Personal number,Pseudonym\n"
+        '"BERG, Anna",1970-02-28,,\n'  # the same words of the name
+        "Lena Holm,1990-05-05,,\n"
+        "Lena Holm,1990-05-05,,\n"
+        "Anna Berg,,,\n"  # without a birth date
+        "Per Ek,1980-01-01,8,\n"  # with another number
+        "Olle Ek,1950-01-01,7,\n"  # with the number of another person
+        "Ulla Ny,1951-01-01,,P-1\n"  # with the pseudonym of another person
+        "Anna Berg,1971-01-01,,\n"  # born on another day
+        ",1970-01-01,,\n"
+    )
+    rows = _rows(tmp_path, text)
+    plan = plan_import(rows, records.persons.everybody())
+    assert [line.outcome for line in plan.lines] == [
+        Outcome.PRESENT, Outcome.NEW, Outcome.REPEATED, Outcome.DOUBTFUL, Outcome.DOUBTFUL,
+        Outcome.DOUBTFUL, Outcome.REFUSED, Outcome.NEW, Outcome.REFUSED,
+    ]  # fmt: skip
+    assert [line.line for line in plan.lines] == list(range(2, 11))
+    assert len(records.persons.everybody()) == 2
+
+
+def test_an_import_adds_the_new_ones_and_the_doubtful_only_on_demand(tmp_path, records):
+    records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    rows = _rows(tmp_path, "Name,Born\nAnna Berg,\nLena Holm,1990-05-05\n")
+    import_persons(records, rows)
+    assert sorted(p.name for p in records.persons.everybody()) == ["Anna Berg", "Lena Holm"]
+    import_persons(records, rows, with_doubtful=True)
+    names = sorted(p.name for p in records.persons.everybody())
+    assert names == ["Anna Berg", "Anna Berg", "Lena Holm"]
+
+
+def test_importing_the_same_file_twice_adds_nobody(tmp_path, records):
+    text = "Name,Born\n" + "".join(f"Person {n},19{n:02d}-01-01\n" for n in range(50))
+    import_persons(records, _rows(tmp_path, text))
+    again = import_persons(records, _rows(tmp_path, text))
+    assert len(again.of(Outcome.PRESENT)) == 50
+    assert len(records.persons.everybody()) == 50
+
+
+def test_an_interrupted_import_adds_nobody(tmp_path, records):
+    rows = _rows(tmp_path, "Name\n" + "".join(f"Person {n}\n" for n in range(300)))
+    answers = iter([False, False, True])
+    with pytest.raises(Cancelled):
+        import_persons(records, rows, progress=Progress(is_cancelled=lambda: next(answers)))
+    assert records.persons.everybody() == []
+
+
+def _rows(folder: Path, text: str):
+    table = _table(folder, text)
+    return read_persons(table, propose_mapping(table), _TODAY)
+
+
+def _table(folder: Path, text: str, encoding: str = "utf-8"):
+    path = folder / "persons.csv"
+    path.write_bytes(text.encode(encoding))
+    return read_table(path)

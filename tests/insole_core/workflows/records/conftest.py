@@ -1,0 +1,73 @@
+"""A record with one person: two visits, both feet, a capture, an order and a follow-up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from datetime import date
+
+import pytest
+
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.export.stl import write_stl
+from insole_core.foot.foot import Foot
+from insole_core.insole.prescription.design import Pelott
+from insole_core.records.author import Author
+from insole_core.records.captures import MESH
+from insole_core.records.follow_up import FollowUp
+from insole_core.records.open import open_records
+from insole_core.records.person import Person
+from insole_core.records.place import RecordsPlace
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+
+NAME = "Åsa </h1><script>alert(1)</script> Öberg"
+
+
+@dataclass(frozen=True)
+class Clinic:
+    """The open record, its person and their visits, the older one first."""
+
+    records: Records
+    person: Person
+    visits: tuple[Visit, Visit]
+
+
+@pytest.fixture(scope="session")
+def clinic(
+    tmp_path_factory: pytest.TempPathFactory, left_foot: Foot, right_foot: Foot
+) -> Iterator[Clinic]:
+    folder = tmp_path_factory.mktemp("clinic")
+    records = open_records(RecordsPlace.local(folder / "record"), Author("anna", "desk"))
+    person = records.persons.add(
+        Person(NAME, date(1964, 8, 23), "19640823-3234", "se", contact="070 1", notes="Öberg, shy")
+    )
+    visits = tuple(
+        records.visits.add(
+            Visit(person.id, day, reason="heel spur", findings="Åsa Öberg: plattfot <foot>")
+        )
+        for day in (date(2026, 3, 1), date(2026, 11, 20))
+    )
+    left = FootRecord.begun(left_foot, ScanSource("mesh", "/scans/Öberg/left.stl", "a" * 64))
+    right = FootRecord.begun(right_foot, ScanSource("mesh", "/scans/Öberg/right.stl", "b" * 64))
+    records.prescriptions.save(visits[0].id, left, None)
+    base = records.prescriptions.save(visits[1].id, left, None, reason="Öberg wants it so")
+    design = replace(
+        left.design,
+        corrections=(Pelott(centre_mm=(-5.0, 160.0), author="anna", created_at="2026-11-20"),),
+    )
+    base = records.prescriptions.save(visits[1].id, left.with_design(design), base)
+    records.prescriptions.save(visits[1].id, right, None)
+    scan = folder / "Åsa Öberg.stl"
+    write_stl(left_foot.mesh, scan)
+    records.captures.add(visits[1].id, MESH, scan)
+    papers = [folder / name for name in ("26-7KQ4M-left.stl", "26-7KQ4M-left-prescription.pdf")]
+    for paper in papers:
+        paper.write_bytes(b"of the shop")
+    records.orders.add(
+        visits[1].id, [base.version_id], shop="Shop", remarks="for Öberg", files=papers,
+        number="26-7KQ4M",
+    )  # fmt: skip
+    records.follow_ups.add(FollowUp(person.id, date(2026, 11, 21), "better", "Öberg runs"))
+    yield Clinic(records, records.persons.get(person.id), (visits[0], visits[1]))
+    records.close()

@@ -1,0 +1,234 @@
+"""A visit keeps itself in the record, also while the database is away and where two change it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.case_file import read_case
+from insole_core.errors import Unreachable
+from insole_core.geometry.side import Side
+from insole_core.records.prescriptions import Prescriptions
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+from insole_studio.app.bootstrap import Application
+from insole_studio.document import record_keeper
+from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
+from insole_studio.features.records.conflict_dialog import Choice, ConflictDialog
+
+SAVED_WITHIN_MS = 2000
+"""After the last change; the timer takes one second of it."""
+
+
+@pytest.fixture
+def opened(clinic: Application, visit: Visit, qtbot: QtBot) -> Application:
+    """The window with the visit on its panels."""
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    return clinic
+
+
+def thicken(app: Application, thickness_mm: float) -> None:
+    design = app.case.record.design
+    assert design is not None
+    app.case.apply(replace(design, thickness_mm=thickness_mm), "Thickness")
+
+
+def newest_mm(records: Records, visit: Visit) -> float:
+    newest = records.prescriptions.versions(visit.id, Side.LEFT)[0]
+    return records.prescriptions.read(newest.id).design.thickness_mm
+
+
+def wait_until_saved(app: Application, qtbot: QtBot) -> None:
+    keeper = app.services.keeper
+    qtbot.waitUntil(lambda: keeper.state is KeepState.SAVED, timeout=10_000)
+
+
+def conflict_dialog(app: Application, qtbot: QtBot) -> ConflictDialog:
+    qtbot.waitUntil(lambda: bool(app.window.findChildren(ConflictDialog)), timeout=10_000)
+    (dialog,) = app.window.findChildren(ConflictDialog)
+    return dialog
+
+
+def change_elsewhere(station: Records, visit: Visit, thickness_mm: float) -> None:
+    found = station.visits.open_case(visit.id)
+    foot = found.record.of_side(Side.LEFT)
+    assert foot is not None
+    foot = foot.with_design(replace(foot.design, thickness_mm=thickness_mm))
+    station.prescriptions.save(visit.id, foot, found.bases[Side.LEFT])
+
+
+@pytest.fixture
+def away(monkeypatch: pytest.MonkeyPatch) -> Callable[[bool], None]:
+    """Let the database not answer what is to be stored, or answer again."""
+    save = Prescriptions.save
+
+    def fail(*_given: object) -> None:
+        raise Unreachable("The database does not answer.")
+
+    def switch(is_away: bool) -> None:
+        monkeypatch.setattr(Prescriptions, "save", fail if is_away else save)
+
+    return switch
+
+
+def test_a_visit_opens_on_the_panels(opened: Application, visit: Visit) -> None:
+    assert opened.window.page is None
+    assert opened.case.record.patient.name == "Anna Berg"
+    assert opened.case.side is Side.LEFT
+    assert not opened.case.has_unsaved_changes
+
+
+def test_a_change_is_in_the_record_within_two_seconds(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(record_keeper, "SAVE_AFTER_MS", SAVE_AFTER_MS)
+    thicken(opened, 4.5)
+    assert opened.window.status._kept.text() == "Saving…"
+    qtbot.waitUntil(lambda: newest_mm(records, visit) == 4.5, timeout=SAVED_WITHIN_MS)
+    wait_until_saved(opened, qtbot)
+    assert opened.window.status._kept.text() == "Saved in the record"
+    assert not opened.case.has_unsaved_changes
+
+
+def test_one_editing_is_one_version(
+    opened: Application, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    for thickness_mm in (4.0, 5.0):
+        thicken(opened, thickness_mm)
+        wait_until_saved(opened, qtbot)
+    versions = records.prescriptions.versions(visit.id, Side.LEFT)
+    assert [version.number for version in versions] == [2, 1]
+    assert newest_mm(records, visit) == 5.0
+
+
+def test_the_patients_fields_are_those_of_the_person(
+    opened: Application, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    patient = replace(opened.case.record.patient, name="Anna Dal", notes="Pain at night")
+    opened.case.apply(patient, "Edit")
+    wait_until_saved(opened, qtbot)
+    assert records.persons.get(visit.person_id).name == "Anna Dal"
+    stored = records.visits.get(visit.id)
+    assert stored.findings == "Pain at night"
+
+
+def test_a_change_is_saved_before_the_visit_is_left(
+    opened: Application, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    thicken(opened, 6.0)
+    opened.controller.run_action("new_case", False)
+    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=10_000)
+    assert newest_mm(records, visit) == 6.0
+    assert opened.window.status._kept.text() == ""
+
+
+def test_saving_keeps_a_version_for_a_reason(
+    opened: Application, records: Records, visit: Visit, questions, qtbot: QtBot
+) -> None:
+    questions.typed = "Before the new shoe"
+    opened.controller.run_action("save", False)
+    qtbot.waitUntil(
+        lambda: (
+            "Before the new shoe"
+            in [v.reason for v in records.prescriptions.versions(visit.id, Side.LEFT)]
+        ),
+        timeout=10_000,
+    )
+
+
+def test_saving_under_another_name_writes_a_copy_to_send(
+    opened: Application, questions, tmp_path: Path, qtbot: QtBot
+) -> None:
+    questions.path = tmp_path / "copy.insole"
+    opened.controller.run_action("save_as", False)
+    qtbot.waitUntil(lambda: not opened.jobs.is_running(), timeout=10_000)
+    assert read_case(tmp_path / "copy.insole").patient.name == "Anna Berg"
+    assert opened.case.path is None
+    assert opened.case.kept is not None
+
+
+@pytest.mark.parametrize(
+    ("choice", "shown_mm", "variants"),
+    [(Choice.MINE, 5.0, ["A"]), (Choice.THEIRS, 7.0, ["A"]), (Choice.BOTH, 5.0, ["A", "Dr. Dal"])],
+)
+def test_who_saves_second_sees_both_versions_and_loses_none(
+    opened: Application,
+    records: Records,
+    other_station: Records,
+    visit: Visit,
+    qtbot: QtBot,
+    choice: Choice,
+    shown_mm: float,
+    variants: list[str],
+) -> None:
+    change_elsewhere(other_station, visit, 7.0)
+    thicken(opened, 5.0)
+    dialog = conflict_dialog(opened, qtbot)
+    texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
+    assert "Dr. Dal, capture-room" in texts
+    assert "7 mm → 5 mm" in texts
+    QTest.mouseClick(dialog.buttons[choice], Qt.MouseButton.LeftButton)
+    wait_until_saved(opened, qtbot)
+    foot = opened.case.record.current
+    assert foot is not None
+    assert foot.design.thickness_mm == newest_mm(records, visit) == shown_mm
+    assert [variant.name for variant in foot.variants] == variants
+    kept = {
+        records.prescriptions.read(version.id).design.thickness_mm
+        for version in records.prescriptions.versions(visit.id, Side.LEFT)
+    }
+    assert {5.0, 7.0} <= kept
+
+
+def test_a_decision_can_wait(
+    opened: Application, other_station: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    change_elsewhere(other_station, visit, 7.0)
+    thicken(opened, 5.0)
+    conflict_dialog(opened, qtbot).reject()
+    assert opened.services.keeper.state is KeepState.CONFLICT
+    assert [notice.offers for notice in opened.services.notices.notices] == [("Decide…",)]
+    QTest.qWait(0)
+    opened.services.notices.take("record-conflict")
+    dialog = conflict_dialog(opened, qtbot)
+    QTest.mouseClick(dialog.buttons[Choice.MINE], Qt.MouseButton.LeftButton)
+    wait_until_saved(opened, qtbot)
+
+
+def test_work_waits_for_a_database_that_is_away(
+    opened: Application, records: Records, visit: Visit, away: Callable[[bool], None], qtbot: QtBot
+) -> None:
+    away(True)
+    thicken(opened, 5.5)
+    keeper = opened.services.keeper
+    qtbot.waitUntil(lambda: keeper.state is KeepState.WAITING, timeout=10_000)
+    assert "your work is kept here" in opened.window.status._kept.text()
+    away(False)
+    wait_until_saved(opened, qtbot)
+    assert newest_mm(records, visit) == 5.5
+
+
+def test_a_visit_left_meanwhile_is_handed_over_when_the_database_is_back(
+    opened: Application, records: Records, visit: Visit, away: Callable[[bool], None], qtbot: QtBot
+) -> None:
+    away(True)
+    thicken(opened, 5.5)
+    opened.controller.run_action("new_case", False)
+    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=10_000)
+    away(False)
+    qtbot.waitUntil(lambda: newest_mm(records, visit) == 5.5, timeout=10_000)
+    notices = opened.services.notices
+    said = "Anna Berg: what was not saved yet is now in the record."
+    qtbot.waitUntil(lambda: [notice.text for notice in notices.notices] == [said])
