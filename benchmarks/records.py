@@ -112,13 +112,15 @@ def _each(ids: list[str], call: Callable[[str], object]) -> Callable[[], object]
 
 def _person_page(records: Records, person_id: str) -> None:
     records.persons.open(person_id)
-    for visit in records.visits.of_person(person_id):
-        for side in Side:
-            records.prescriptions.versions(visit.id, side)
-        records.captures.of_visit(visit.id)
-    records.orders.of_person(person_id)
-    records.follow_ups.of_person(person_id)
-    records.persons.merges_into(person_id)
+    with records.snapshot():
+        for visit in records.visits.of_person(person_id):
+            for side in Side:
+                records.prescriptions.versions(visit.id, side)
+            records.captures.of_visit(visit.id)
+            records.presence.others(visit.id)
+        records.orders.of_person(person_id)
+        records.follow_ups.of_person(person_id)
+        records.persons.merges_into(person_id)
 
 
 def _start_page(records: Records) -> None:

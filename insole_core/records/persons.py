@@ -26,6 +26,7 @@ from insole_core.records.person_rows import (
     PERSON_FIELDS,
     locked_person,
     person_of,
+    touch_person,
     write_search_text,
 )
 from insole_core.records.rights import Right
@@ -107,8 +108,9 @@ class Persons:
         """
         if self._context.database.is_read_only:
             return self.get(person_id)
-        with self._context.writing(Right.SEE, person_id) as connection:
+        with self._context.writing(Right.SEE) as connection:
             person = person_of(connection, person_id)
+            touch_person(connection, person.id)
             self._context.log(connection, "seen", "person", person.id)
         return person
 
