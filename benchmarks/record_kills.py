@@ -18,6 +18,7 @@ must be what their names say. The faults must be 0.
 
 from __future__ import annotations
 
+import errno
 import os
 import random
 import resource
@@ -51,7 +52,7 @@ from benchmarks._record_writers import (
 from insole_core.records.place import RecordsPlace
 
 FAULTS = ("lost", "torn", "broken", "traceback", "not opened")
-_MB = 2**20
+_PAGES = 2**16
 _MOST_LEFT = 300_000
 _FULL_S = 1.5
 
@@ -166,9 +167,18 @@ def _fill(site: Site, _number: int) -> list[int]:
 
 
 def _occupy(filler: Path, left: int) -> None:
-    free = shutil.disk_usage(filler.parent).free
+    """Leave only so many bytes on a disk, to which others write meanwhile."""
     with filler.open("wb") as file:
-        os.posix_fallocate(file.fileno(), 0, max(free - left, 1))
+        size = max(shutil.disk_usage(filler.parent).free - left, 1)
+        while True:
+            try:
+                os.posix_fallocate(file.fileno(), 0, size)
+            except OSError as error:
+                if error.errno != errno.ENOSPC:
+                    raise
+                size -= min(size - 1, _PAGES)
+            else:
+                return
 
 
 def _limit_files(site: Site, left: int | None) -> None:
