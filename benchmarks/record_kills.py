@@ -169,14 +169,14 @@ def _fill(site: Site, _number: int) -> list[int]:
 def _occupy(filler: Path, left: int) -> None:
     """Leave only so many bytes on a disk, to which others write meanwhile."""
     with filler.open("wb") as file:
-        size = max(shutil.disk_usage(filler.parent).free - left, 1)
-        while True:
+        size = shutil.disk_usage(filler.parent).free - left
+        while size > 0:
             try:
                 os.posix_fallocate(file.fileno(), 0, size)
             except OSError as error:
                 if error.errno != errno.ENOSPC:
                     raise
-                size -= min(size - 1, _PAGES)
+                size -= _PAGES
             else:
                 return
 
