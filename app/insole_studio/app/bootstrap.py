@@ -107,6 +107,7 @@ class Application:
         self.events.close()
         self.features.close_windows()
         self.hand_over.close()
+        self.features.records.close()
         self.services.clinic.close()
         self.jobs.close()
         self.autosave.close()

@@ -472,6 +472,10 @@
             <translation>Deras</translation>
         </message>
         <message>
+            <source>This visit is open elsewhere too: {who}. Nothing gets lost.</source>
+            <translation>Besöket är öppet även på annat håll: {who}. Inget går förlorat.</translation>
+        </message>
+        <message>
             <source>Today's visits</source>
             <translation>Dagens besök</translation>
         </message>
