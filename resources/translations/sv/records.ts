@@ -48,6 +48,10 @@
             <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
+            <source>Address, phone</source>
+            <translation>Adress, telefon</translation>
+        </message>
+        <message>
             <source>Adjusted</source>
             <translation>Justerad</translation>
         </message>
