@@ -1184,6 +1184,10 @@
             <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
         <message>
+            <source>The clinic's record is not open.</source>
+            <translation>Klinikens journal är inte öppen.</translation>
+        </message>
+        <message>
             <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>
             <translation>Sensorns färgkamera är inte kalibrerad ännu, så brädet på väggarna kan inte visa var de är; kalibrera den, och djup mot färg, först.</translation>
         </message>

@@ -43,6 +43,7 @@ from insole_studio.features.records.same_prescription import (
 )
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
+from insole_studio.features.records.station_lock import StationLock
 from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.features.records.visit_presence import VisitPresence
@@ -86,6 +87,7 @@ class PatientRecords(QObject):
         self._same_prescription = SamePrescription(services)
         self.captures = VisitCaptures(services)
         self._presence = VisitPresence(services)
+        self.lock = StationLock(services.clinic, self)
         self.order_actions = OrderActions(services)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
@@ -94,6 +96,7 @@ class PatientRecords(QObject):
 
     def close(self) -> None:
         """Leave the open visit to other stations."""
+        self.lock.close()
         self._presence.close()
 
     def show_start(self) -> None:
