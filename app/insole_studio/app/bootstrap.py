@@ -241,8 +241,7 @@ def run_application(
     QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
-    if not app.settings.tour_seen:
-        QTimer.singleShot(0, app.window, app.main.help.begin_tour)
+    app.main.help.begin_tour_with_first_case()
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
     _quit_on_signals(qt)

@@ -251,7 +251,7 @@ def test_a_journal_left_by_a_crash_is_handed_over(
     away(False)
     opened.hand_over.take(find_recovered(paths.autosave_folder))
     qtbot.waitUntil(lambda: newest_mm(records, visit) == 5.5, timeout=10_000)
-    assert not list(paths.autosave_folder.glob("*.insole"))
+    qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")), timeout=10_000)
 
 
 def test_a_journal_of_what_is_stored_already_is_no_conflict(
