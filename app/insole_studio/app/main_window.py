@@ -98,6 +98,7 @@ class MainWindow(QMainWindow):
         self._behind: QWidget | None = None
         self._was_on_panels = False
         """What the lock hides: a page, or the panels."""
+        self._is_locked = self._has_notices = False
         self.setCentralWidget(self._pages)
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
@@ -136,9 +137,8 @@ class MainWindow(QMainWindow):
             return
         before, self._of_stage = self._of_stage, None
         self._bring(self._insole)
-        has_notices = not self._notices.isHidden()
         self.restoreState(before)
-        self._notices.setVisible(has_notices)
+        self._show_notices(self._has_notices)
         for dock in self._docks:
             dock.toggleViewAction().setEnabled(True)
         for chart in (self._section, self._rim):
@@ -164,7 +164,13 @@ class MainWindow(QMainWindow):
         for bar in self.findChildren(QToolBar):
             bar.setEnabled(usable)
         self._steps.setVisible(usable)
-        self._notices.toggleViewAction().setEnabled(usable)
+        self._is_locked = not usable
+        self._show_notices(self._has_notices)
+
+    def _show_notices(self, filled: bool) -> None:
+        """Show the notices, which may name patients, unless the window is locked."""
+        self._has_notices = filled
+        self._notices.setVisible(filled and not self._is_locked)
 
     def _bring(self, page: QWidget) -> None:
         """Show a page; the others ask for no space meanwhile."""
@@ -353,7 +359,7 @@ class MainWindow(QMainWindow):
         self._notices.setMovable(False)
         self._notices.addWidget(stage.notices)
         self._notices.hide()
-        stage.notices.filled.connect(self._notices.setVisible)
+        stage.notices.filled.connect(self._show_notices)
 
     def _fit_toolbar(self) -> None:
         """Hide as many labels of the toolbar, from its end, as the window is too narrow for."""

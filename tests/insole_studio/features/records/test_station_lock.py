@@ -95,7 +95,10 @@ def test_a_visit_stays_open_behind_the_lock(locked: Application, qtbot: QtBot) -
     clinic = locked.services.clinic
     qtbot.waitUntil(lambda: clinic.is_open, timeout=10_000)
     locked.controller.run_action("new_case", False)
+    locked.services.notices.put("patient", "Anna Berg")
+    assert locked.stage.notices.isVisible()
     clinic.lock()
+    assert not locked.stage.notices.isVisible()
     assert locked.window.page is page_of(locked)
     assert not locked.stage.patient.isVisible()
     assert locked.window.windowTitle() == "Locked[*] – Insole Studio"
@@ -103,6 +106,7 @@ def test_a_visit_stays_open_behind_the_lock(locked: Application, qtbot: QtBot) -
     qtbot.waitUntil(lambda: clinic.is_open, timeout=10_000)
     assert locked.window.page is None
     assert locked.stage.patient.isVisible()
+    assert locked.stage.notices.isVisible()
 
 
 def test_minutes_without_input_lock(locked: Application, qtbot: QtBot) -> None:
