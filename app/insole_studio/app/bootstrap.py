@@ -138,6 +138,7 @@ def build_application(
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
+    events = ApplicationEvents(application)  # before any label could be polished without it
     case, jobs = Case(), Jobs()
     # Once all that listens has let go of the case before.
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
@@ -171,7 +172,6 @@ def build_application(
         complaints.append(
             Message("The arrangement of the window is damaged, so it has its usual one.")
         )
-    events = ApplicationEvents(application)
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
     return Application(
