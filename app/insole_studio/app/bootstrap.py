@@ -107,6 +107,7 @@ class Application:
         self.events.close()
         self.features.close_windows()
         self.hand_over.close()
+        self.features.records.close()
         self.services.clinic.close()
         self.jobs.close()
         self.autosave.close()
@@ -137,6 +138,7 @@ def build_application(
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
+    events = ApplicationEvents(application)  # before any label could be polished without it
     case, jobs = Case(), Jobs()
     # Once all that listens has let go of the case before.
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
@@ -170,7 +172,6 @@ def build_application(
         complaints.append(
             Message("The arrangement of the window is damaged, so it has its usual one.")
         )
-    events = ApplicationEvents(application)
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
     return Application(
@@ -240,8 +241,7 @@ def run_application(
     QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
-    if not app.settings.tour_seen:
-        QTimer.singleShot(0, app.window, app.main.help.begin_tour)
+    app.main.help.begin_tour_with_first_case()
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
     _quit_on_signals(qt)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
@@ -119,6 +119,8 @@ class MainController(QObject):
         """Connect the pages of the record, which take the place of the panels."""
         records, keeper = self._features.records, self._services.keeper
         records.page_requested.connect(self._show_page)
+        records.lock.locked.connect(self._lock)
+        records.lock.unlocked.connect(self._unlock)
         records.action_requested.connect(self._run_requested)
         records.recent_file_chosen.connect(self._open_recent)
         records.compared.connect(self._features.compare.open_visits)
@@ -142,6 +144,18 @@ class MainController(QObject):
         }[keeper.state]
         tip = translate_core_message(keeper.trouble)
         self._window.status.show_kept(text, tip, warns=warns)
+
+    def _lock(self, page: QWidget) -> None:
+        """Hide the patients' data until somebody signs in; dialogs and stages are closed."""
+        for dialog in self._window.findChildren(QDialog):
+            dialog.reject()
+        self._features.close_windows()
+        self._window.lock(page)
+        self._window.show_title(tr("Locked"), False)
+
+    def _unlock(self) -> None:
+        self._window.unlock()
+        self._show_state()
 
     def _show_page(self, page: QWidget) -> None:
         self._window.show_page(page)

@@ -232,6 +232,10 @@
             <translation>Ett annat program gör en säkerhetskopia i {folder}; vänta tills det är klart.</translation>
         </message>
         <message>
+            <source>Any number</source>
+            <translation>Valfritt nummer</translation>
+        </message>
+        <message>
             <source>Arch fill</source>
             <translation>Valvfyllnad</translation>
         </message>
@@ -1056,6 +1060,10 @@
             <translation>SureFit; orthoscan</translation>
         </message>
         <message>
+            <source>Swedish personal number</source>
+            <translation>Svenskt personnummer</translation>
+        </message>
+        <message>
             <source>TPU, printed</source>
             <translation>TPU, utskriven</translation>
         </message>
@@ -1174,6 +1182,10 @@
         <message>
             <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
             <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
+        </message>
+        <message>
+            <source>The clinic's record is not open.</source>
+            <translation>Klinikens journal är inte öppen.</translation>
         </message>
         <message>
             <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>

@@ -43,8 +43,10 @@ from insole_studio.features.records.same_prescription import (
 )
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
+from insole_studio.features.records.station_lock import StationLock
 from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_dialog import VisitDialog
+from insole_studio.features.records.visit_presence import VisitPresence
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
@@ -84,11 +86,18 @@ class PatientRecords(QObject):
         self._orders_presenter: OrdersPresenter | None = None
         self._same_prescription = SamePrescription(services)
         self.captures = VisitCaptures(services)
+        self._presence = VisitPresence(services)
+        self.lock = StationLock(services.clinic, self)
         self.order_actions = OrderActions(services)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
         self._keeper.conflicted.connect(self.decide)
         services.recent.changed.connect(self._show_recent_files)
+
+    def close(self) -> None:
+        """Leave the open visit to other stations."""
+        self.lock.close()
+        self._presence.close()
 
     def show_start(self) -> None:
         """Show the start page, its search line empty and with the focus."""
