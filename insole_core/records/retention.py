@@ -149,7 +149,7 @@ def erase_person(
     with context.database.writing() as connection:
         require(connection, context.author, Right.ERASE)
         if context.database.is_sqlite:  # which else leaves deleted text in the file
-            connection.execute(text("PRAGMA secure_delete = ON"))
+            connection.execute(text("PRAGMA secure_delete=ON"))
         erasure = erase_in(connection, context.author, person_id, reason, today)
     if context.database.is_sqlite:
         with closing(context.database.engine.raw_connection()) as unbegun:

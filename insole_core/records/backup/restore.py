@@ -326,7 +326,7 @@ def _close_journal(path: Path) -> None:
     """
     try:
         with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=rw", uri=True)) as file:
-            file.execute("PRAGMA journal_mode = DELETE")
+            file.execute("PRAGMA journal_mode=DELETE")
     except sqlite3.OperationalError as error:
         if getattr(error, "sqlite_errorcode", None) == sqlite3.SQLITE_BUSY:
             raise RecordsError(
