@@ -4544,6 +4544,10 @@
             <translation>{text} är inget datum; skriv år, månad och dag, till exempel 1970-02-28.</translation>
         </message>
         <message>
+            <source>{text} is no number; write it such as 72.5.</source>
+            <translation>{text} är inget tal; skriv det till exempel som 72.5.</translation>
+        </message>
+        <message>
             <source>{text} is not between {first} and {last}; check the year.</source>
             <translation>{text} ligger inte mellan {first} och {last}; kontrollera året.</translation>
         </message>
