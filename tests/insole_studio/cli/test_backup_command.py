@@ -9,6 +9,7 @@ import pyrage
 import pytest
 
 from insole_core.records.author import Author
+from insole_core.records.backup.schedule import BackupSchedule, schedule_of
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
@@ -126,6 +127,20 @@ def test_what_is_wrong_with_the_arguments_is_told(
     given = [str(key) if argument == "KEY" else argument for argument in arguments]
     assert run(["records", *given]) == code
     assert sentence in capsys.readouterr().err.splitlines()[-1]
+
+
+def test_backups_by_the_window_are_switched_on_and_off(record: Path, tmp_path: Path) -> None:
+    def schedule() -> BackupSchedule | None:
+        records = open_records(RecordsPlace.local(record), ANNA)
+        found = schedule_of(records.context)
+        records.close()
+        return found
+
+    folder = tmp_path / "backups"
+    assert back_up(folder, "--every", "24") == 0
+    assert schedule() == BackupSchedule(folder, 24, Author.of_user().station)
+    assert back_up(folder, "--every", "0") == 0
+    assert schedule() is None
 
 
 @pytest.mark.slow
