@@ -34,6 +34,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import RecordKeeper
+from insole_studio.document.scheduled_backups import ScheduledBackups
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
@@ -65,6 +66,7 @@ class Application:
     controller: MainController
     autosave: Autosave
     hand_over: HandOver
+    backups: ScheduledBackups
     complaints: list[Message]
     """What was set aside at the start because it could not be read, to be told to the user."""
     events: ApplicationEvents
@@ -107,6 +109,7 @@ class Application:
         self.events.close()
         self.features.close_windows()
         self.hand_over.close()
+        self.backups.close()
         self.services.clinic.close()
         self.jobs.close()
         self.autosave.close()
@@ -173,8 +176,10 @@ def build_application(
     events = ApplicationEvents(application)
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
+    backups = ScheduledBackups(clinic, paths.backed_up, Jobs(window), window)
+    controller.connect_backups(backups)
     return Application(
-        services, features, main, controller, autosave, hand_over, complaints, events
+        services, features, main, controller, autosave, hand_over, backups, complaints, events
     )
 
 

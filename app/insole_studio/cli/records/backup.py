@@ -11,8 +11,8 @@ from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.place import add_place, opened
-from insole_studio.cli.records.saved_settings import saved_settings
 from insole_studio.cli.records.secrets import ask
+from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
     from insole_core.records.backup.backup_key import BackupKey
@@ -53,7 +53,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     with opened(arguments, Right.BACK_UP) as records:
         if key_of_backups(records.context) is None:
             set_up_backups(records.context, _new_key(arguments))
-        report = back_up(records.context, arguments.folder, saved_settings(), progress)
+        report = back_up(records.context, arguments.folder, UserPaths.of_user().backed_up, progress)
         if arguments.every is not None:
             schedule = BackupSchedule(
                 arguments.folder.resolve(), arguments.every, records.who.station
