@@ -34,7 +34,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import RecordKeeper
-from insole_studio.document.scheduled_backups import ScheduledBackups
+from insole_studio.document.record_maintenance import RecordMaintenance
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
@@ -66,7 +66,7 @@ class Application:
     controller: MainController
     autosave: Autosave
     hand_over: HandOver
-    backups: ScheduledBackups
+    maintenance: RecordMaintenance
     complaints: list[Message]
     """What was set aside at the start because it could not be read, to be told to the user."""
     events: ApplicationEvents
@@ -109,7 +109,7 @@ class Application:
         self.events.close()
         self.features.close_windows()
         self.hand_over.close()
-        self.backups.close()
+        self.maintenance.close()
         self.services.clinic.close()
         self.jobs.close()
         self.autosave.close()
@@ -176,10 +176,10 @@ def build_application(
     events = ApplicationEvents(application)
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
-    backups = ScheduledBackups(clinic, paths.backed_up, Jobs(window), window)
-    controller.connect_backups(backups)
+    maintenance = RecordMaintenance(clinic, paths.backed_up, Jobs(window), window)
+    controller.connect_maintenance(maintenance)
     return Application(
-        services, features, main, controller, autosave, hand_over, backups, complaints, events
+        services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )
 
 

@@ -1,9 +1,10 @@
-"""Backups that the window makes by itself, as the clinic's schedule says."""
+"""What the window does for the record by itself: backups, and files that nobody needs."""
 
 from __future__ import annotations
 
 import logging
 from collections.abc import Mapping
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,8 +24,8 @@ BACKUP = "backup"
 LOOK_MS = 5 * 60 * 1000
 
 
-class ScheduledBackups(QObject):
-    """Looks now and then whether a backup is due at this station, and makes it.
+class RecordMaintenance(QObject):
+    """Makes the backups that are due at this station, and once a day lets unused files go.
 
     Parameters
     ----------
@@ -36,7 +37,7 @@ class ScheduledBackups(QObject):
 
     made = Signal()
     failed = Signal(object)
-    """Emitted with the error that kept a backup from being made."""
+    """Emitted with the error that kept it from the record."""
 
     def __init__(
         self,
@@ -49,23 +50,30 @@ class ScheduledBackups(QObject):
         self._clinic = clinic
         self._settings = settings
         self._jobs = jobs
+        self._swept_on: date | None = None
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
         self._timer.timeout.connect(self.look)
         self._timer.start()
 
     def look(self) -> None:
-        """Make the backup that is due, in the background."""
+        """Make the backup that is due, in the background, after the sweep of the day."""
         if not self._clinic.is_open or self._jobs.is_running(BACKUP):
             return
-        settings = self._settings
+        settings, today = self._settings, date.today()
+        sweeps, self._swept_on = self._swept_on != today, today
 
-        def back_up(records: Records, progress: Progress) -> BackupReport | None:
+        def maintain(records: Records, progress: Progress) -> BackupReport | None:
             from insole_core.records.backup.schedule import back_up_if_due
+            from insole_core.records.retention import sweep_contents
 
+            if records.is_read_only:
+                return None
+            if sweeps:
+                sweep_contents(records.context)
             return back_up_if_due(records.context, settings, progress)
 
-        self._clinic.start_work(self._jobs, BACKUP, back_up, self._tell, self._fail)
+        self._clinic.start_work(self._jobs, BACKUP, maintain, self._tell, self._fail)
 
     def close(self) -> None:
         """Cancel a running backup; the next one goes on where it was."""
@@ -77,5 +85,5 @@ class ScheduledBackups(QObject):
             self.made.emit()
 
     def _fail(self, error: Exception) -> None:
-        log.warning("no backup was made: %s", error)
+        log.warning("the record was not maintained: %s", error)
         self.failed.emit(error)

@@ -1,7 +1,8 @@
-"""The window makes the backups of the clinic's schedule, and says why it could not."""
+"""The window makes the clinic's backups, says why it could not, and lets unused files go."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,12 +19,12 @@ from insole_core.records.backup.schedule import BackupSchedule, set_schedule
 from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.document.scheduled_backups import BACKUP, ScheduledBackups
+from insole_studio.document.record_maintenance import BACKUP, RecordMaintenance
 from insole_studio.jobs import Jobs
 
 
 @pytest.fixture
-def backups(qtbot: QtBot, tmp_path: Path) -> Iterator[ScheduledBackups]:
+def backups(qtbot: QtBot, tmp_path: Path) -> Iterator[RecordMaintenance]:
     """Of a record whose first backup is a year old."""
     records = open_records(RecordsPlace.local(tmp_path / "records"), Author.of_user())
     recipient = pyrage.x25519.Identity.generate().to_public()
@@ -32,10 +33,12 @@ def backups(qtbot: QtBot, tmp_path: Path) -> Iterator[ScheduledBackups]:
     back_up(records.context, folder)
     (first,) = (folder / "snapshots").iterdir()
     first.rename(first.with_name("000001-2025-01-01T00-00-00Z.age"))
+    unused = records.contents.path(records.contents.put(b"nobody needs it"))
+    os.utime(unused, (0, 0))
     set_schedule(records.context, BackupSchedule(folder, 24, records.who.station))
     records.close()
     clinic = ClinicRecord(tmp_path / "records", Jobs())
-    backups = ScheduledBackups(clinic, {}, Jobs())
+    backups = RecordMaintenance(clinic, {}, Jobs())
     backups.look()  # nothing is done before the record is open
     clinic.open()
     qtbot.waitUntil(lambda: clinic.is_open)
@@ -45,7 +48,7 @@ def backups(qtbot: QtBot, tmp_path: Path) -> Iterator[ScheduledBackups]:
 
 
 def test_a_backup_that_is_due_is_made_once(
-    backups: ScheduledBackups, qtbot: QtBot, tmp_path: Path
+    backups: RecordMaintenance, qtbot: QtBot, tmp_path: Path
 ) -> None:
     with qtbot.waitSignal(backups.made):
         backups.look()
@@ -56,8 +59,19 @@ def test_a_backup_that_is_due_is_made_once(
     assert len(folder.snapshots()) == 2
 
 
+def test_unused_files_are_set_aside(
+    backups: RecordMaintenance, qtbot: QtBot, tmp_path: Path
+) -> None:
+    contents = tmp_path / "records" / "contents"
+    assert not (contents / "removed").exists()
+    with qtbot.waitSignal(backups.made):
+        backups.look()
+    (aside,) = (contents / "removed").iterdir()
+    assert aside.read_bytes() == b"nobody needs it"
+
+
 def test_a_disk_that_is_not_connected_is_told(
-    backups: ScheduledBackups, qtbot: QtBot, tmp_path: Path
+    backups: RecordMaintenance, qtbot: QtBot, tmp_path: Path
 ) -> None:
     (tmp_path / "backups").rename(tmp_path / "away")
     with qtbot.waitSignal(backups.failed) as failed:
