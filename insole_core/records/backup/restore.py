@@ -234,7 +234,7 @@ def _insert_table(
             count = replace_pieces(connection, table, saved.columns, pieces)
         else:
             count = insert_pieces(connection, table, saved.columns, pieces)
-    except (ValueError, KeyError) as error:
+    except (ValueError, KeyError, TypeError) as error:
         raise damaged(f"{opened.snapshot.file_name}, {table.name}") from error
     if count != saved.rows:
         raise damaged(f"{opened.snapshot.file_name}, {table.name}")
