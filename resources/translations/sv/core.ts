@@ -1868,6 +1868,10 @@
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
         </message>
         <message>
+            <source>There is no order {number} in the record; check the number.</source>
+            <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
             <source>There is no such account any more; look at the list again.</source>
             <translation>Kontot finns inte längre; titta i listan igen.</translation>
         </message>
