@@ -30,6 +30,7 @@ LONGEST_DETAIL: Final = 200
 _WORD: Final = re.compile(r"[a-z][a-z_ ]{0,39}")
 _HEAD_ROW: Final = 1
 _BATCH: Final = 5000
+_ENCODER: Final = json.JSONEncoder(separators=(",", ":"))
 _COLUMNS: Final = (
     audit.c.seq,
     audit.c.at,
@@ -213,7 +214,7 @@ def hash_of_line(fields: tuple[Any, ...]) -> str:
     fields
         seq, at, author, station, action, subject_kind, subject_id, details, previous_hash.
     """
-    return hashlib.sha256(json.dumps(fields, separators=(",", ":")).encode("ascii")).hexdigest()
+    return hashlib.sha256(_ENCODER.encode(fields).encode("ascii")).hexdigest()
 
 
 def verify_chain(

@@ -34,6 +34,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import RecordKeeper
+from insole_studio.document.record_maintenance import RecordMaintenance
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
@@ -65,6 +66,7 @@ class Application:
     controller: MainController
     autosave: Autosave
     hand_over: HandOver
+    maintenance: RecordMaintenance
     complaints: list[Message]
     """What was set aside at the start because it could not be read, to be told to the user."""
     events: ApplicationEvents
@@ -108,6 +110,7 @@ class Application:
         self.features.close_windows()
         self.hand_over.close()
         self.features.records.close()
+        self.maintenance.close()
         self.services.clinic.close()
         self.jobs.close()
         self.autosave.close()
@@ -174,8 +177,10 @@ def build_application(
         )
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
+    maintenance = RecordMaintenance(clinic, paths.backed_up, Jobs(window), window)
+    controller.connect_maintenance(maintenance)
     return Application(
-        services, features, main, controller, autosave, hand_over, complaints, events
+        services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )
 
 

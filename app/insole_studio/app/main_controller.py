@@ -17,6 +17,7 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
+from insole_studio.document.record_maintenance import BACKUP, RecordMaintenance
 from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
@@ -82,6 +83,14 @@ class MainController(QObject):
         hand_over.refused.connect(self._features.case_files.recovery.offer)
         hand_over.handed_over.connect(self._tell_handed_over)
         hand_over.failed.connect(self._services.messages.show_error)
+
+    def connect_maintenance(self, maintenance: RecordMaintenance) -> None:
+        """Tell of backups that could not be made, until one is."""
+        notices = self._services.notices
+        maintenance.failed.connect(
+            lambda error: notices.put(BACKUP, translate_core_message(str(error)), stays=True)
+        )
+        maintenance.made.connect(lambda: notices.drop(BACKUP))
 
     def quit(self) -> None:
         """Close the window after unsaved work has been dealt with."""

@@ -147,6 +147,19 @@ class ClinicRecord(QObject):
 
         self.ask(f"{WRITE}-{self._writes}", change, told, failed)
 
+    def start_work(
+        self,
+        jobs: Jobs,
+        channel: str,
+        work: Callable[[Records, Progress], Result],
+        done: Callable[[Result], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Start long work with the open record in other jobs, which end before it is closed."""
+        records = self._records
+        if records is not None:
+            jobs.start(channel, lambda progress: work(records, progress), done, failed)
+
     def ask_now(self, question: Callable[[Records], Result]) -> Result:
         """Ask in the calling thread, as the program ends.
 

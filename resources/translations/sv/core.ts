@@ -268,6 +268,10 @@
             <translation>Säkerhetskopierar tabellerna ({rows} rader av {table})</translation>
         </message>
         <message>
+            <source>Backups are made every {least} to {most} hours; choose such a number.</source>
+            <translation>Säkerhetskopior görs varje {least} till {most} timmar; välj ett sådant tal.</translation>
+        </message>
+        <message>
             <source>Backups have no passphrase yet; choose one first.</source>
             <translation>Säkerhetskopiorna har ännu ingen lösenfras; välj en först.</translation>
         </message>
@@ -790,6 +794,10 @@
         <message>
             <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
             <translation>Ingen Kinect är ansluten; anslut dess USB-kabel och dess 12 V-aggregat.</translation>
+        </message>
+        <message>
+            <source>No backup can be made, since {folder} holds none yet; connect its disk, or make the first backup there by hand.</source>
+            <translation>Ingen säkerhetskopia kan göras, eftersom {folder} ännu inte innehåller någon; anslut dess disk, eller gör den första säkerhetskopian där för hand.</translation>
         </message>
         <message>
             <source>No board has depth at its corners; hold it 600 to 1500 mm from the sensor.</source>
@@ -1870,6 +1878,10 @@
         <message>
             <source>There is no marker dictionary {dictionary}; the printed board of this program uses DICT_5X5_250.</source>
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
+        </message>
+        <message>
+            <source>There is no order {number} in the record; check the number.</source>
+            <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
         </message>
         <message>
             <source>There is no such account any more; look at the list again.</source>
