@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -47,11 +46,10 @@ from insole_core.workflows.records.person_dossier import (
 )
 from insole_core.workflows.records.person_json import ExportedFile, person_json
 from insole_core.workflows.records.person_summary import FootPicture, person_report
+from insole_core.workflows.records.plain_name import plain_name
 
 SUMS_NAME: Final = "SHA256SUMS"
 _PERSON_NAME: Final = "person.json"
-_PLAIN_NAME: Final = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]{0,99}")
-"""Names of files that every system takes as they are."""
 
 
 @dataclass(frozen=True)
@@ -154,7 +152,7 @@ class _ExportWriter:
             self._write_visit(visit, f"visits/{name}", step)
         progress.step(0.8, "Exporting orders")
         orders = self._dossier.orders
-        numbers = _numbered([_plain_name(order.number, "order") for order in orders])
+        numbers = _numbered([plain_name(order.number, "order") for order in orders])
         for order, name in zip(orders, numbers, strict=True):
             self._write_order(order, f"orders/{name}")
         self._write_fhir()
@@ -219,7 +217,7 @@ class _ExportWriter:
         return survey_heights(solid)
 
     def _write_order(self, order: Order, place: str) -> None:
-        names = _numbered([_plain_name(file.name, "file") for file in order.files])
+        names = _numbered([plain_name(file.name, "file") for file in order.files])
         for file, name in zip(order.files, names, strict=True):
             with self._told(f"{place}/{name}"):
                 path = self._new_folder(place) / name
@@ -282,11 +280,3 @@ def _numbered(names: Sequence[str]) -> list[str]:
         stem, dot, suffix = name.partition(".")
         unique.append(name if count == 1 else f"{stem}-{count}{dot}{suffix}")
     return unique
-
-
-def _plain_name(name: str, otherwise: str) -> str:
-    """Return a name if it can be that of a file everywhere; what people typed becomes no path."""
-    if _PLAIN_NAME.fullmatch(name) and not name.endswith("."):
-        return name
-    suffix = PurePosixPath(name).suffix
-    return f"{otherwise}{suffix}" if _PLAIN_NAME.fullmatch(suffix[1:]) else otherwise
