@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from sqlalchemy import Connection, create_engine, event, text
+from sqlalchemy import Connection, column, create_engine, event, func, select, table
 from sqlalchemy.engine import Engine
 from sqlalchemy.exc import DBAPIError
 from sqlalchemy.exc import TimeoutError as PoolTimeoutError
@@ -28,6 +28,8 @@ BUSY_S: Final = 10.0
 """How long to wait for another writer."""
 MIGRATION_LOCK: Final = 1_502_600_001
 """Key of the advisory lock that keeps writers and a migration of PostgreSQL apart."""
+SCHEMA_TABLE: Final = table("alembic_version", column("version_num"))
+SCHEMA_COLUMN: Final = SCHEMA_TABLE.c.version_num
 _WRITES: Final = "insole_studio_writes"
 _SERVER_ARGUMENTS: Final[dict[str, Any]] = {
     "connect_timeout": 10,
@@ -37,7 +39,7 @@ _SERVER_ARGUMENTS: Final[dict[str, Any]] = {
     "keepalives_interval": 5,
     "keepalives_count": 3,
     "tcp_user_timeout": 20_000,
-    "options": f"-c synchronous_commit=on -c lock_timeout={BUSY_S * 1000:.0f}",
+    "options": f"-csynchronous_commit=on -clock_timeout={BUSY_S * 1000:.0f}",
 }
 
 
@@ -139,8 +141,8 @@ class Database:
         if self.schema is None:
             return
         if not self.is_sqlite:
-            connection.execute(text(f"SELECT pg_advisory_xact_lock_shared({MIGRATION_LOCK})"))
-        found = connection.execute(text("SELECT version_num FROM alembic_version")).scalar()
+            connection.execute(select(func.pg_advisory_xact_lock_shared(MIGRATION_LOCK)))
+        found = connection.execute(select(SCHEMA_COLUMN)).scalar()
         if found != self.schema:
             raise RecordsError(
                 "A newer Insole Studio has changed {place} meanwhile; install the newest version "
@@ -194,13 +196,13 @@ def _connect_file(path: Path, read_only: bool) -> sqlite3.Connection:
         check_same_thread=False,
     )
     try:
-        connection.execute("PRAGMA foreign_keys = ON")
+        connection.execute("PRAGMA foreign_keys=ON")
         if read_only:
-            connection.execute("PRAGMA query_only = ON")
+            connection.execute("PRAGMA query_only=ON")
         else:
-            connection.execute("PRAGMA journal_mode = WAL")
+            connection.execute("PRAGMA journal_mode=WAL")
             # Every commit is synced: WAL with NORMAL may lose the last ones with the power.
-            connection.execute("PRAGMA synchronous = FULL")
+            connection.execute("PRAGMA synchronous=FULL")
     except BaseException:
         connection.close()
         raise

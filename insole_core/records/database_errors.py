@@ -23,7 +23,10 @@ _DAMAGED: Final = (
     "{place} is damaged; restore the record from a backup, and keep the damaged file until that "
     "has been checked."
 )
-_FULL: Final = "Nothing was written to {place}: its disk is full; free some space and try again."
+_FULL: Final = (
+    "Nothing was written to {place}: its disk is full, or takes no more from you; free some space "
+    "and try again."
+)
 _BUSY: Final = "{place} is held by another program; wait until that has finished, and try again."
 _AWAY: Final = (
     "{place} does not answer ({reason}); check the network, the address and that the database is "

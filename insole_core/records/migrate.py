@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from typing import Final
 
-from sqlalchemy import Connection, inspect, text
+from sqlalchemy import Connection, func, inspect, select
 
 from insole_core.errors import RecordsError
-from insole_core.records.database import MIGRATION_LOCK, Database
+from insole_core.records.database import MIGRATION_LOCK, SCHEMA_COLUMN, SCHEMA_TABLE, Database
 
 SCHEMA: Final = "0001"
 """The newest revision in `migrations/versions`; revisions are numbered."""
-_TABLE: Final = "alembic_version"
 
 
 def schema_of(connection: Connection) -> str | None:
     """Return the revision of a database; None where it has no tables yet."""
-    if not inspect(connection).has_table(_TABLE):
+    if not inspect(connection).has_table(SCHEMA_TABLE.name):
         return None
-    found: str | None = connection.execute(text(f"SELECT version_num FROM {_TABLE}")).scalar()
+    found: str | None = connection.execute(select(SCHEMA_COLUMN)).scalar()
     return found
 
 
@@ -62,7 +61,7 @@ def migrate(database: Database, schema: str = SCHEMA) -> bool:
         return False
     with database.writing() as connection:
         if not database.is_sqlite:
-            connection.execute(text(f"SELECT pg_advisory_xact_lock({MIGRATION_LOCK})"))
+            connection.execute(select(func.pg_advisory_xact_lock(MIGRATION_LOCK)))
         found = schema_of(connection)
         check_schema(found, database.place.name)
         _upgrade(connection, schema)

@@ -10,6 +10,7 @@ everything goes but the pseudonym's row, so that the audit log still tells that 
 from __future__ import annotations
 
 from collections.abc import Collection
+from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, date, datetime
 from enum import StrEnum
@@ -151,8 +152,8 @@ def erase_person(
             connection.execute(text("PRAGMA secure_delete = ON"))
         erasure = erase_in(connection, context.author, person_id, reason, today)
     if context.database.is_sqlite:
-        with context.database.engine.connect() as unbegun:
-            unbegun.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
+        with closing(context.database.engine.raw_connection()) as unbegun:
+            unbegun.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)")
     return erasure
 
 

@@ -13,6 +13,7 @@ from datetime import date
 from pathlib import Path
 
 from insole_core.errors import InputError
+from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.messages import joined
@@ -89,6 +90,7 @@ def write_prescription_paper(
     identification: Mapping[str, str],
     material: str,
     day: date,
+    provenance: Mapping[Side, Mapping[str, str]] | None = None,
 ) -> None:
     """Write the prescription of one foot or of both, with the statement.
 
@@ -98,6 +100,8 @@ def write_prescription_paper(
         Of patient and device: name, birth date, visit, pseudonym or order number.
     day
         Date of the paper.
+    provenance
+        How the device of each foot came about, as the clinic's record knows it.
 
     Raises
     ------
@@ -112,7 +116,8 @@ def write_prescription_paper(
     lines, make = [], {}
     for design in designs:
         lines += [f"{str(design.side).capitalize()}. {line}" for line in correction_lines(design)]
-        for key, value in make_facts(design).items():
+        known = (provenance or {}).get(design.side, {})
+        for key, value in {**make_facts(design), **known}.items():
             make[f"{design.side}, {key}"] = value
     sides = " and ".join(str(design.side) for design in designs)
     write_prescription(

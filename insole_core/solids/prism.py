@@ -90,7 +90,7 @@ def prism(
     lean = _lean(plan, faces, outline, draft)
     if shaped is not None:
         lean[_inner(plan, draft > 0)] = 0
-        top = top - np.minimum(shaped.cut_mm(plan.carry(outline.inside_mm)), (top - bottom) / 2)
+        top = top - np.minimum(shaped.cut_mm(plan.inside_mm), (top - bottom) / 2)
     places, top, bottom = (
         np.concatenate([places, faces.tips[:, :2]]),
         np.concatenate([top, faces.tips[:, 2]]),

@@ -23,6 +23,8 @@ from insole_core.solids.prism import Walls
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
+_FLATTENED_MM = 0.04
+"""By how much the facets of a rounded edge may lie inside of it."""
 _FILLET_MM = (0.5, 8.0)
 """Difference of height within which the wall of a post is rounded into the shell above it, least
 and greatest: as much as the shell is above the ground, so that the post's sole does not grow."""
@@ -213,6 +215,17 @@ def shell_walls(shell: Shell, medial_sign: float, edge: OutlineDistance) -> Wall
     medial = (1 + medial_sign * edge.outward[..., 0]) / 2
     draft = shell.draft_lateral_deg + (shell.draft_medial_deg - shell.draft_lateral_deg) * medial
     return Walls(draft, partial(_cut_mm, shell.edge_radius_mm, shell.chamfer_mm))
+
+
+def edge_contours_mm(shell: Shell) -> tuple[float, ...]:
+    """Return the distances from the outline at which the upper edge bends, in ascending order."""
+    radius_mm = shell.edge_radius_mm
+    bends = {shell.chamfer_mm} if shell.chamfer_mm > 0 else set()
+    if radius_mm > _FLATTENED_MM:
+        half_angle = np.arccos(1 - _FLATTENED_MM / radius_mm)
+        count = int(np.ceil(np.pi / 4 / half_angle))
+        bends |= {radius_mm * (1 - np.cos(np.pi / 2 * k / count)) for k in range(1, count + 1)}
+    return tuple(sorted(float(bend) for bend in bends))
 
 
 def taper_length_mm(shell: Shell, outline: FloatArray) -> float:

@@ -16,7 +16,13 @@ from insole_core.insole.surface.block import apexes, block_solid
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.posts import POST_BAND_MM
 from insole_core.solids.prism import LEAST_WALL_MM, Faces, band_mm, prism
-from insole_core.solids.shell_body import Body, BodyPlan, made_surface, shell_walls
+from insole_core.solids.shell_body import (
+    Body,
+    BodyPlan,
+    edge_contours_mm,
+    made_surface,
+    shell_walls,
+)
 from insole_core.solids.solid_outline import (
     OutlineDistance,
     checked_outline,
@@ -187,7 +193,8 @@ def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedIn
     distance = _distance_within(made, polygon, reach)
     body_plan = BodyPlan.of(insole, polygon, distance)
     body = body_plan.body(insole.contact, made_mm=field.heights_mm)
-    plan, tips = _plan(made, distance, max(shell.edge_radius_mm, shell.chamfer_mm))
+    contours_mm = edge_contours_mm(shell)
+    plan, tips = _plan(made, distance, max(contours_mm, default=0.0), contours_mm)
     at = tips[:, :2]
     top, bottom = (
         replace(field, heights_mm=side).height_at(at) for side in (body.top_mm, body.bottom_mm)
@@ -263,9 +270,14 @@ def _distance_within(insole: Insole, polygon: FloatArray, reach_mm: float) -> Ou
     return distance
 
 
-def _plan(insole: Insole, distance: OutlineDistance, clear_mm: float) -> tuple[Plan, FloatArray]:
+def _plan(
+    insole: Insole,
+    distance: OutlineDistance,
+    clear_mm: float,
+    contours_mm: tuple[float, ...] = (),
+) -> tuple[Plan, FloatArray]:
     """Trim the lattice; the apexes (k, 3) that are clear of the rim become vertices."""
-    tips = apexes(insole)
-    clear = {cell: tip for cell, tip in tips.items() if distance.inside_mm[cell] > clear_mm + 2}
-    plan = trim(distance.inside_mm, tuple(clear))
+    tips, beside_mm = apexes(insole), clear_mm + max(2.0, 1.5 * insole.contact.step_mm)
+    clear = {cell: tip for cell, tip in tips.items() if distance.inside_mm[cell] > beside_mm}
+    plan = trim(distance.inside_mm, tuple(clear), contours_mm)
     return plan, np.array([clear[cell] for cell in plan.fans]).reshape(-1, 3)

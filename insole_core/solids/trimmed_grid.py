@@ -7,11 +7,12 @@ neither gap nor overlap, whatever the outline's shape.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
+from insole_core.solids.contour_splits import Split, split_along
 
 FULL = 15
 """The case of a cell with all corners inside."""
@@ -25,33 +26,66 @@ class Plan:
 
     Parameters
     ----------
-    ends : (n, 2) int64
-        Flat indices of the two lattice nodes between which each vertex lies.
-    share : (n,) float64
+    ends : (k, 2) int64
+        Flat indices of the two lattice nodes between which each of the first vertices lies.
+    share : (k,) float64
         Its position between them, 0 at the first; a vertex on a node has 0 and that node twice.
+    inside_mm : (n,) float64
+        Distance of every vertex from the outline; 0 on the border.
     triangles : (m, 3) int32
         Counter-clockwise. Index n + k is the centre of the k-th cell of `fans`.
     border : (k, 2) int32
         Edges of the border, the inside on their left.
     fans
         Cells (row, column) with an additional vertex, in the order of their indices.
+    splits
+        The other vertices, between earlier ones, in the order in which they were added.
     """
 
     ends: IntArray
     share: FloatArray
+    inside_mm: FloatArray
     triangles: IndexArray
     border: IndexArray
     fans: tuple[tuple[int, int], ...] = ()
+    splits: tuple[Split, ...] = ()
 
     def carry(self, values: FloatArray) -> FloatArray:
         """Interpolate values at the lattice's nodes (ny, nx, ...) to the vertices (n, ...)."""
         flat = values.reshape(-1, *values.shape[2:])
         first, last = flat[self.ends[:, 0]], flat[self.ends[:, 1]]
         share = self.share.reshape(-1, *(1,) * (values.ndim - 2))
-        return np.asarray(first + share * (last - first))
+        carried = first + share * (last - first)
+        for split in self.splits:
+            carried = split.carry(carried)
+        return np.asarray(carried)
+
+    def split_along(self, contour_mm: float) -> Plan:
+        """Return the plan with edges where the distance from the outline has a value.
+
+        No fan may lie there.
+        """
+        count, fans = len(self.inside_mm), len(self.fans)
+        known_mm = np.concatenate([self.inside_mm, np.full(fans, np.inf)])
+        split, triangles = split_along(self.triangles, known_mm, contour_mm)
+        added = len(split.ends)
+        # The centres of the fans stay the last.
+        number = np.concatenate(
+            [np.arange(count), count + added + np.arange(fans), count + np.arange(added)]
+        ).astype(np.int32)
+        return replace(
+            self,
+            inside_mm=split.carry(self.inside_mm),
+            triangles=number[triangles],
+            splits=(*self.splits, split),
+        )
 
 
-def trim(inside_mm: FloatArray, fans: tuple[tuple[int, int], ...] = ()) -> Plan:
+def trim(
+    inside_mm: FloatArray,
+    fans: tuple[tuple[int, int], ...] = (),
+    contours_mm: tuple[float, ...] = (),
+) -> Plan:
     """Triangulate where a signed distance to an outline is positive.
 
     Parameters
@@ -60,25 +94,33 @@ def trim(inside_mm: FloatArray, fans: tuple[tuple[int, int], ...] = ()) -> Plan:
         Positive inside; where the outline leaves the lattice, the plan ends at its edge.
     fans
         Cells (row, column) that get an additional vertex, if they lie wholly inside.
+    contours_mm
+        Distances from the outline along which the plan has edges, nearer to it than all fans.
     """
     inside_mm = _closed_at_the_rim(inside_mm)
     cells = _Cells(inside_mm > 0)
     crossing_at, ends, share = _crossings(inside_mm)
     tips = tuple(cell for cell in fans if cells.case[cell] == FULL)
     first_tip = inside_mm.size + len(ends)
-    triangles, border = cells.triangulate(crossing_at, tips, first_tip)
+    known_mm = np.concatenate([inside_mm.ravel(), np.zeros(len(ends))])
+    farthest_mm = max(contours_mm, default=-np.inf)
+    triangles, border = cells.triangulate(crossing_at, tips, known_mm, farthest_mm)
     used = np.zeros(first_tip + len(tips), dtype=bool)
     used[triangles] = True
     number = np.cumsum(used, dtype=np.int32) - 1
     nodes = np.flatnonzero(used[: inside_mm.size])
     crossing = used[inside_mm.size : first_tip]
-    return Plan(
+    plan = Plan(
         np.concatenate([np.stack([nodes, nodes], axis=1), ends[crossing]]),
         np.concatenate([np.zeros(len(nodes)), share[crossing]]),
+        known_mm[used[:first_tip]],
         number[triangles],
         number[border],
         tips,
     )
+    for contour_mm in contours_mm:
+        plan = plan.split_along(contour_mm)
+    return plan
 
 
 def _closed_at_the_rim(inside_mm: FloatArray) -> FloatArray:
@@ -102,24 +144,33 @@ class _Cells:
         self,
         crossing_at: tuple[IndexArray, IndexArray],
         tips: tuple[tuple[int, int], ...],
-        first_tip: int,
+        known_mm: FloatArray,
+        farthest_mm: float,
     ) -> tuple[IndexArray, IndexArray]:
-        """Return triangles and border edges: nodes first, then crossings, then centres of fans."""
+        """Return triangles and border edges: nodes first, then crossings, then centres of fans.
+
+        Parameters
+        ----------
+        known_mm : (n,) float64
+            Distances of nodes and crossings from the outline.
+        farthest_mm
+            Up to which cells are halved along the outline rather than all in one direction.
+        """
         case = self.case.copy()
         fans = [np.zeros((0, 3), np.int32)]
         for number, cell in enumerate(tips):
             case[cell] = 0
             a, b, c, d = self._corners_of(cell)
-            tip = first_tip + number
+            tip = len(known_mm) + number
             fans.append(np.array([[a, b, tip], [b, c, tip], [c, d, tip], [d, a, tip]], np.int32))
         triangles, border = fans, [np.zeros((0, 2), np.int32)]
         for kind in range(1, FULL + 1):
             corners = self._corners(case == kind, crossing_at)
             polygon, cuts = _TEMPLATES[kind]
-            triangles += [
-                corners[:, [polygon[0], polygon[k], polygon[k + 1]]]
-                for k in range(1, len(polygon) - 1)
-            ]
+            ring = corners[:, polygon]
+            if len(polygon) == 4:
+                ring = _turned_along(ring, known_mm[ring], farthest_mm)
+            triangles += [ring[:, [0, k, k + 1]] for k in range(1, len(polygon) - 1)]
             border += [corners[:, cut] for cut in cuts]
         return np.concatenate(triangles), np.concatenate(border)
 
@@ -136,6 +187,13 @@ class _Cells:
             flat[:-1], steep[:, 1:], flat[1:], steep[:, :-1],
         ]  # fmt: skip
         return np.stack([column[chosen] for column in columns], axis=1)
+
+
+def _turned_along(ring: IndexArray, inside_mm: FloatArray, farthest_mm: float) -> IndexArray:
+    """Turn quadrilaterals (n, 4) near the outline to be halved where it changes least."""
+    apart = np.abs(inside_mm[:, :2] - inside_mm[:, 2:])
+    turn = (apart[:, 1] < apart[:, 0]) & (inside_mm.min(axis=1) <= farthest_mm)
+    return np.where(turn[:, None], np.roll(ring, -1, axis=1), ring)
 
 
 def _crossings(
@@ -169,6 +227,9 @@ def _template(case: int) -> tuple[list[int], list[list[int]]]:
             polygon.append(4 + corner)
     sides = zip(polygon, polygon[1:] + polygon[:1], strict=True)
     cuts = [[a, b] for a, b in sides if a >= 4 and b >= 4 and inside[a - 4]]
+    if len(polygon) == 5:  # from the node opposite the cut: a mirror image is divided alike
+        first = polygon.index((inside.index(False) + 2) % 4)
+        polygon = polygon[first:] + polygon[:first]
     return polygon, cuts
 
 

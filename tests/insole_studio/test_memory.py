@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
@@ -78,6 +79,7 @@ def test_an_application_is_freed_when_it_is_closed(
     assert living(watched) == []
 
 
+@pytest.mark.slow
 def test_a_closed_case_leaves_nothing_behind_in_an_empty_window(
     app: Application, make_foot: MakeFoot, settle: Settle, export, tmp_path: Path
 ) -> None:

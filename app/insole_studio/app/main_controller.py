@@ -17,6 +17,7 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
+from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.typed_text import commit_typed_text
@@ -104,11 +105,14 @@ class MainController(QObject):
         features = self._features
         capture, foot, opener = features.capture, features.foot, features.case_files.opener
         capture.captured.connect(opener.open_path)
+        capture.captured_for.connect(features.records.captures.store)
+        features.records.captures.fetched.connect(opener.open_path)
         foot.foot_made.connect(opener.take_scan)
         foot.closed.connect(capture.hand_on, Qt.ConnectionType.QueuedConnection)
         foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)
         foot.unreadable.connect(self._services.messages.show_error)
         features.export.changed.connect(self._show_state)
+        features.export.exported_files.connect(features.records.order_actions.note_export)
         self._stage.counterpart.changed.connect(self._show_choices)
 
     def _connect_records(self) -> None:
@@ -117,6 +121,7 @@ class MainController(QObject):
         records.page_requested.connect(self._show_page)
         records.action_requested.connect(self._run_requested)
         records.recent_file_chosen.connect(self._open_recent)
+        records.compared.connect(self._features.compare.open_visits)
         self._case.opened.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
         keeper.state_changed.connect(self._show_kept)
@@ -244,6 +249,10 @@ class MainController(QObject):
                 window.show_action(record.key, on_panels and case.foot is not None)
             if record.needs_both:
                 window.show_action(record.key, on_panels and len(case.record.feet) == 2)
+        is_file = not self._services.keeper.is_keeping and not case.is_empty
+        window.show_action("add_to_record", on_panels and is_file)
+        for key in OF_PERSON:
+            window.show_action(key, self._is_on_person)
         window.show_action("remove", case.selection is not None)
         is_exported = case.record is self._features.export.exported
         self._stage.steps.show_steps(steps_of(case.record, is_exported))

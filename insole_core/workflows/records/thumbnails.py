@@ -23,6 +23,8 @@ _PITCH_MM = 2.0
 _SKIN, _MATERIAL = (214.0, 178.0, 158.0), (196.0, 202.0, 208.0)
 _LIGHT = np.array([-0.4, 0.5, 0.77])
 _LEAST_LIGHT = 0.35
+_LEAST_BESIDE = 3
+"""Of four neighbours that have a height, so that a node between them has one too."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +61,7 @@ def _picture(mesh: TriangleMesh, *, from_above: bool, color: tuple[float, float,
     From below it is mirrored as a sole is that one looks at.
     """
     heights = np.asarray(height_map(mesh, grid_over(mesh, _PITCH_MM), from_above=from_above))
+    heights = _without_holes(heights)
     if not from_above:
         heights = -heights[:, ::-1]
     shade = _shade(heights[::-1])
@@ -68,6 +71,17 @@ def _picture(mesh: TriangleMesh, *, from_above: bool, color: tuple[float, float,
     picture[..., :3] = np.clip(lit, 0, 255)
     picture[..., 3] = np.where(seen, 255, 0)
     return picture
+
+
+def _without_holes(heights_mm: FloatArray) -> FloatArray:
+    """Return heights with single missing nodes filled: steep flanks are missed by some rays."""
+    missing = ~np.isfinite(heights_mm)
+    around = np.pad(heights_mm, 1, constant_values=np.nan)
+    beside = np.stack([around[:-2, 1:-1], around[2:, 1:-1], around[1:-1, :-2], around[1:-1, 2:]])
+    count = np.isfinite(beside).sum(axis=0)
+    filled = missing & (count >= _LEAST_BESIDE)
+    mean = np.nansum(beside, axis=0) / np.maximum(count, 1)
+    return np.where(filled, mean, heights_mm)
 
 
 def _shade(heights_mm: FloatArray) -> FloatArray:

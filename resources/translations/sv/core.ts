@@ -116,6 +116,10 @@
             <translation>Ett namn måste ha 1 till {most} tecken, varav minst en bokstav eller siffra; skriv ett annat.</translation>
         </message>
         <message>
+            <source>A newer Insole Studio has changed {place} meanwhile; install the newest version on this computer, too.</source>
+            <translation>Ett nyare Insole Studio har under tiden ändrat {place}; installera den nyaste versionen även på den här datorn.</translation>
+        </message>
+        <message>
             <source>A plane</source>
             <translation>En plan yta</translation>
         </message>
@@ -126,6 +130,10 @@
         <message>
             <source>A point is marked outside of the depth image of {width}×{height}; correct its pixel.</source>
             <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
+        </message>
+        <message>
+            <source>A recipient of backups is named by its public key of age; give it as age1… .</source>
+            <translation>En mottagare av säkerhetskopior anges med sin öppna age-nyckel; ange den som age1… .</translation>
         </message>
         <message>
             <source>A relief under each head that carries too much; no hard edges.</source>
@@ -164,6 +172,14 @@
             <translation>En {side} fot enligt formen: {reason} (marginal {ratio:.1f} till 1).</translation>
         </message>
         <message>
+            <source>Accounts are switched off; switch them on with the first administrator.</source>
+            <translation>Kontona är avstängda; slå på dem med den första administratören.</translation>
+        </message>
+        <message>
+            <source>Accounts are switched on already; sign in.</source>
+            <translation>Kontona är redan påslagna; logga in.</translation>
+        </message>
+        <message>
             <source>Achilles axis against the normal of the sole; &gt; 0 leans medially (valgus)</source>
             <translation>akillesaxeln mot fotsulans normal; &gt; 0 lutar medialt (valgus)</translation>
         </message>
@@ -192,16 +208,36 @@
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
         </message>
         <message>
+            <source>An account is named by up to 60 letters, digits and the signs . _ - @, and begins with a letter or digit; choose such a name.</source>
+            <translation>Ett konto har ett namn av högst 60 bokstäver, siffror och tecknen . _ - @, och börjar med en bokstav eller siffra; välj ett sådant namn.</translation>
+        </message>
+        <message>
+            <source>An account needs the full name of its owner, of at most {most} characters; type it as papers print it.</source>
+            <translation>Ett konto behöver ägarens fullständiga namn, högst {most} tecken; skriv det som det ska stå på papper.</translation>
+        </message>
+        <message>
             <source>An edge radius of {radius_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are rounded. Make the radius smaller.</source>
             <translation>En kantradie på {radius_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt rundas bara {half_mm:g} mm av kanten. Gör radien mindre.</translation>
+        </message>
+        <message>
+            <source>An order needs one version of one or both feet of its visit; choose them again.</source>
+            <translation>En beställning behöver en version av en fot eller av båda fötterna från sitt besök; välj dem igen.</translation>
         </message>
         <message>
             <source>Another capture is to be written to {path}; wait until it has ended, or choose another name.</source>
             <translation>En annan avbildning ska skrivas till {path}; vänta tills den är klar, eller välj ett annat namn.</translation>
         </message>
         <message>
+            <source>Another person has the pseudonym {pseudonym}; choose another one.</source>
+            <translation>En annan person har pseudonymen {pseudonym}; välj en annan.</translation>
+        </message>
+        <message>
             <source>Another person has the pseudonym {pseudonym}; correct it.</source>
             <translation>En annan person har pseudonymen {pseudonym}; rätta den.</translation>
+        </message>
+        <message>
+            <source>Another program is making a backup in {folder}; wait until it is done.</source>
+            <translation>Ett annat program gör en säkerhetskopia i {folder}; vänta tills det är klart.</translation>
         </message>
         <message>
             <source>Arch fill</source>
@@ -226,6 +262,18 @@
         <message>
             <source>Averaging the frames of the view {view}</source>
             <translation>Tar medel av bilderna i vyn {view}</translation>
+        </message>
+        <message>
+            <source>Backing up files ({done} of {all})</source>
+            <translation>Säkerhetskopierar filer ({done} av {all})</translation>
+        </message>
+        <message>
+            <source>Backing up the tables ({rows} rows of {table})</source>
+            <translation>Säkerhetskopierar tabellerna ({rows} rader av {table})</translation>
+        </message>
+        <message>
+            <source>Backups have no passphrase yet; choose one first.</source>
+            <translation>Säkerhetskopiorna har ännu ingen lösenfras; välj en först.</translation>
         </message>
         <message>
             <source>Bar of 1 to 5; little fill.</source>
@@ -290,6 +338,14 @@
         <message>
             <source>Changed: {correction}, {before} → {after}</source>
             <translation>Ändrat: {correction}, {before} → {after}</translation>
+        </message>
+        <message>
+            <source>Checking the files of the backup</source>
+            <translation>Kontrollerar säkerhetskopians filer</translation>
+        </message>
+        <message>
+            <source>Checking the tables of the backup</source>
+            <translation>Kontrollerar säkerhetskopians tabeller</translation>
         </message>
         <message>
             <source>Checking view {views}</source>
@@ -616,6 +672,10 @@
             <translation>Bedömer kartan</translation>
         </message>
         <message>
+            <source>Kept beside the version of another station</source>
+            <translation>Behållen bredvid versionen från en annan station</translation>
+        </message>
+        <message>
             <source>Kevin Root Medical, forum</source>
             <translation>Kevin Root Medical, forum</translation>
         </message>
@@ -670,6 +730,18 @@
         <message>
             <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
             <translation>Rad {line} i {path} har {count} kolumner, och en tabell får ha {most}; kontrollera citattecknen.</translation>
+        </message>
+        <message>
+            <source>Line {number} of the audit log ({at}) is not what was written; compare it with a backup.</source>
+            <translation>Rad {number} i loggen ({at}) är inte vad som skrevs; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>Line {number} of the audit log is missing; compare it with a backup.</source>
+            <translation>Rad {number} i loggen saknas; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>Line {number} of the audit log is not the last one that was written; compare it with a backup.</source>
+            <translation>Rad {number} i loggen är inte den sista som skrevs; jämför med en säkerhetskopia.</translation>
         </message>
         <message>
             <source>Looking at both surfaces</source>
@@ -816,6 +888,10 @@
             <translation>Inget förbinder {groups}: var och en mättes för sig, och deras läge till varandra förblir som planerat.</translation>
         </message>
         <message>
+            <source>Nothing was written to {place}: its disk is full, or takes no more from you; free some space and try again.</source>
+            <translation>Inget skrevs till {place}: dess disk är full eller tar inte emot mer från dig; frigör utrymme och försök igen.</translation>
+        </message>
+        <message>
             <source>One column holds the whole name, and another a part of it; choose either the whole name, or given name and family name.</source>
             <translation>En kolumn innehåller hela namnet och en annan en del av det; välj antingen hela namnet eller förnamn och efternamn.</translation>
         </message>
@@ -944,6 +1020,14 @@
             <translation>Borttaget: {correction}</translation>
         </message>
         <message>
+            <source>Restoring files ({done} of {all})</source>
+            <translation>Återställer filer ({done} av {all})</translation>
+        </message>
+        <message>
+            <source>Restoring the table {table}</source>
+            <translation>Återställer tabellen {table}</translation>
+        </message>
+        <message>
             <source>Root</source>
             <translation>Root</translation>
         </message>
@@ -1000,6 +1084,18 @@
             <translation>Vissa datum kan läsas på två sätt; ange om dagen eller månaden kommer först.</translation>
         </message>
         <message>
+            <source>Somebody else has changed the fields of this person meanwhile; choose which to keep.</source>
+            <translation>Någon annan har under tiden ändrat den här personens fält; välj vilka som ska behållas.</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the fields of this visit meanwhile; choose which to keep.</source>
+            <translation>Någon annan har under tiden ändrat det här besökets fält; välj vilka som ska behållas.</translation>
+        </message>
+        <message>
+            <source>Somebody else has changed the order {number} meanwhile; look at it again.</source>
+            <translation>Någon annan har under tiden ändrat beställningen {number}; titta på den igen.</translation>
+        </message>
+        <message>
             <source>Something moved while view {view} was captured; hold the foot still and capture this view again.</source>
             <translation>Något rörde sig medan vyn {view} togs; håll foten stilla och ta vyn igen.</translation>
         </message>
@@ -1032,6 +1128,18 @@
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
         <message>
+            <source>The account {account} ({role}) may not {action}; ask somebody who may: {who}.</source>
+            <translation>Kontot {account} ({role}) får inte {action}; fråga någon som får: {who}.</translation>
+        </message>
+        <message>
+            <source>The address of the database asks for sslmode={mode}, with which patients' data could be read on the way; remove it, or write sslmode=verify-full.</source>
+            <translation>Databasens adress begär sslmode={mode}, och då kan patientuppgifter läsas på vägen; ta bort det eller skriv sslmode=verify-full.</translation>
+        </message>
+        <message>
+            <source>The address of the database cannot be read; write it as postgresql+psycopg://user@server/database.</source>
+            <translation>Databasens adress kan inte läsas; skriv den som postgresql+psycopg://user@server/database.</translation>
+        </message>
+        <message>
             <source>The arch is only {height_mm:g} mm high where {target_mm:g} mm are prescribed; a recess or a stroke lowers it there.</source>
             <translation>Fotvalvet är bara {height_mm:g} mm högt där {target_mm:g} mm är ordinerat; ett urtag eller ett penseldrag sänker det där.</translation>
         </message>
@@ -1050,6 +1158,26 @@
         <message>
             <source>The arrangement of the window is damaged, so it has its usual one.</source>
             <translation>Fönstrets uppställning är skadad, så det har den vanliga.</translation>
+        </message>
+        <message>
+            <source>The audit log ends with line {last}, but {count} lines were written; compare it with a backup.</source>
+            <translation>Loggen slutar med rad {last}, men {count} rader har skrivits; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>The backup in {folder} comes from a newer Insole Studio; install the newest version.</source>
+            <translation>Säkerhetskopian i {folder} kommer från en nyare Insole Studio; installera den senaste versionen.</translation>
+        </message>
+        <message>
+            <source>The backup is damaged: {name} is not what was written; use an earlier backup or another copy.</source>
+            <translation>Säkerhetskopian är skadad: {name} är inte vad som skrevs; använd en tidigare säkerhetskopia eller ett annat exemplar.</translation>
+        </message>
+        <message>
+            <source>The backup is incomplete: {name} is missing; use an earlier backup or another copy.</source>
+            <translation>Säkerhetskopian är ofullständig: {name} saknas; använd en tidigare säkerhetskopia eller ett annat exemplar.</translation>
+        </message>
+        <message>
+            <source>The backup {name} comes from a newer Insole Studio; install the newest version.</source>
+            <translation>Säkerhetskopian {name} kommer från en nyare Insole Studio; installera den senaste versionen.</translation>
         </message>
         <message>
             <source>The birth date {born} is not that of the personal number, {of_number}; correct one of them.</source>
@@ -1134,6 +1262,22 @@
         <message>
             <source>The correction was measured on sensor {owner}, not on {serial}</source>
             <translation>Korrektionen mättes på sensor {owner}, inte på {serial}</translation>
+        </message>
+        <message>
+            <source>The data of this person were erased; nothing can be added to them.</source>
+            <translation>Den här personens uppgifter har raderats; inget kan läggas till.</translation>
+        </message>
+        <message>
+            <source>The data of this person were erased; the merge cannot be undone.</source>
+            <translation>Den här personens uppgifter har raderats; sammanslagningen kan inte ångras.</translation>
+        </message>
+        <message>
+            <source>The database is damaged ({reason}); restore it from a backup.</source>
+            <translation>Databasen är skadad ({reason}); återställ den från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>The database {file} is missing, but the files of the record beside it are there; restore the record from a backup, or bring the database back to its place.</source>
+            <translation>Databasen {file} saknas, men journalens filer bredvid den finns kvar; återställ journalen från en säkerhetskopia eller lägg tillbaka databasen.</translation>
         </message>
         <message>
             <source>The depth image has no readings; capture it again.</source>
@@ -1292,6 +1436,10 @@
             <translation>Landmärkena {landmark} och {other_landmark} står i en ordning som ingen fot har; dra dem dit de hör.</translation>
         </message>
         <message>
+            <source>The last digit of {text} does not fit the others; compare it with the patient's card.</source>
+            <translation>Den sista siffran i {text} stämmer inte med de andra; jämför med patientens legitimation.</translation>
+        </message>
+        <message>
             <source>The left foot is {left_mm:.0f} mm long and the right one {right_mm:.0f} mm; check that both scans are of this patient, and in the same unit.</source>
             <translation>Vänster fot är {left_mm:.0f} mm lång och höger {right_mm:.0f} mm; kontrollera att båda skanningarna är av denna patient, och i samma enhet.</translation>
         </message>
@@ -1320,12 +1468,24 @@
             <translation>Modellen behöver väggar på {count} tydligt olika avstånd; ta fler, till exempel på 600, 800 och 1000 mm.</translation>
         </message>
         <message>
+            <source>The name or the password is wrong; try again, or ask the administrator for another password.</source>
+            <translation>Namnet eller lösenordet är fel; försök igen, eller be administratören om ett nytt lösenord.</translation>
+        </message>
+        <message>
             <source>The noise needs at least two frames with readings; record more.</source>
             <translation>Bruset behöver minst två bilder med mätvärden; spela in fler.</translation>
         </message>
         <message>
             <source>The only variant of a foot cannot be deleted; empty it instead.</source>
             <translation>En fots enda variant kan inte tas bort; töm den i stället.</translation>
+        </message>
+        <message>
+            <source>The order has a file {name} already; give this one another name.</source>
+            <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
+        </message>
+        <message>
+            <source>The order {number} is {state} already; choose another state.</source>
+            <translation>Beställningen {number} är redan {state}; välj ett annat läge.</translation>
         </message>
         <message>
             <source>The outline encloses only {area_mm2:.0f} mm², which leaves no insole; draw it round the foot.</source>
@@ -1342,6 +1502,30 @@
         <message>
             <source>The pair needs {need} mm, and the block has {there} mm.</source>
             <translation>Paret behöver {need} mm, och blocket har {there} mm.</translation>
+        </message>
+        <message>
+            <source>The passphrase of a backup needs at least {least} characters; take four words or more, and keep it where the backup is not.</source>
+            <translation>Lösenfrasen till en säkerhetskopia behöver minst {least} tecken; ta fyra ord eller fler, och förvara den på ett annat ställe än säkerhetskopian.</translation>
+        </message>
+        <message>
+            <source>The passphrase or private key does not open this backup; check how it is written, and that it is that of this backup.</source>
+            <translation>Lösenfrasen eller den privata nyckeln öppnar inte den här säkerhetskopian; kontrollera hur den skrivs, och att den hör till den här säkerhetskopian.</translation>
+        </message>
+        <message>
+            <source>The password has {count} characters; take {least} to {most}, such as four words.</source>
+            <translation>Lösenordet har {count} tecken; ta {least} till {most}, till exempel fyra ord.</translation>
+        </message>
+        <message>
+            <source>The password is among the first that are tried: a name, or keys in a row; take four words, for example.</source>
+            <translation>Lösenordet är bland de första som provas: ett namn, eller tangenter i rad; ta till exempel fyra ord.</translation>
+        </message>
+        <message>
+            <source>The password repeats few characters; take four words, for example.</source>
+            <translation>Lösenordet upprepar få tecken; ta till exempel fyra ord.</translation>
+        </message>
+        <message>
+            <source>The person was merged with another one since then; undo that later merge first.</source>
+            <translation>Personen har sedan dess slagits samman med en annan; ångra den senare sammanslagningen först.</translation>
         </message>
         <message>
             <source>The picked points cannot place one surface on the other: {reason}</source>
@@ -1384,6 +1568,14 @@
             <translation>Ordinationen har {count} korrigeringar, och {most} kan göras till ett inlägg; ta bort några.</translation>
         </message>
         <message>
+            <source>The prescription of the {side} foot is not signed; sign it first.</source>
+            <translation>Ordinationen för {side} fot är inte signerad; signera den först.</translation>
+        </message>
+        <message>
+            <source>The prescription of the {side} foot is not what was signed; compare it with a backup.</source>
+            <translation>Ordinationen för {side} fot är inte vad som signerades; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>The program that reads the sensors has ended; look for sensors again.</source>
             <translation>Programmet som läser sensorerna har avslutats; sök efter sensorer igen.</translation>
         </message>
@@ -1394,6 +1586,14 @@
         <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
             <translation>Bakfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
+        </message>
+        <message>
+            <source>The record cannot use a database of the kind {kind}; give the address of a PostgreSQL server: postgresql+psycopg://user@server/database.</source>
+            <translation>Journalen kan inte använda en databas av slaget {kind}; ange adressen till en PostgreSQL-server: postgresql+psycopg://user@server/database.</translation>
+        </message>
+        <message>
+            <source>The record is open for reading only, so nothing can be changed: {reason}</source>
+            <translation>Journalen är bara öppen för läsning, så inget kan ändras: {reason}</translation>
         </message>
         <message>
             <source>The record refers to a file by "{name}", which is no SHA-256; restore the database from a backup.</source>
@@ -1656,12 +1856,32 @@
             <translation>{what} kan inte vara {value:g}; välj ett värde från {least:g} till {most:g}.</translation>
         </message>
         <message>
+            <source>The {what} has {count} characters, and may have {most}; shorten it.</source>
+            <translation>{what} har {count} tecken och får ha {most}; korta texten.</translation>
+        </message>
+        <message>
+            <source>The {what} holds a character that cannot be seen (U+{code}) after “{before}”; delete it.</source>
+            <translation>{what} innehåller ett tecken som inte syns (U+{code}) efter ”{before}”; ta bort det.</translation>
+        </message>
+        <message>
             <source>The {what} holds the patient's name, which the shop must not get; use the pseudonym or an order number in its place.</source>
             <translation>{what} innehåller patientens namn, som verkstaden inte får; använd pseudonymen eller ett ordernummer i stället.</translation>
         </message>
         <message>
+            <source>The {what} is missing; type one.</source>
+            <translation>{what} saknas; fyll i fältet.</translation>
+        </message>
+        <message>
             <source>The {what} is that of {name}, {born}; name or birth date differ.</source>
             <translation>Uppgiften {what} tillhör {name}, {born}; namn eller födelsedatum skiljer sig.</translation>
+        </message>
+        <message>
+            <source>The {what} must be between {least:g} and {most:g}, not {value:g}.</source>
+            <translation>{what} måste vara mellan {least:g} och {most:g}, inte {value:g}.</translation>
+        </message>
+        <message>
+            <source>The {what} {day} is not between {first} and {last}; check the year.</source>
+            <translation>{what} {day} ligger inte mellan {first} och {last}; kontrollera året.</translation>
         </message>
         <message>
             <source>There are no captures; capture a flat wall.</source>
@@ -1680,6 +1900,14 @@
             <translation>Det finns redan en variant {name}; ge denna ett annat namn.</translation>
         </message>
         <message>
+            <source>There is an account {account} already; choose another name.</source>
+            <translation>Det finns redan ett konto {account}; välj ett annat namn.</translation>
+        </message>
+        <message>
+            <source>There is an order {number} already; give this one another number.</source>
+            <translation>Det finns redan en beställning {number}; ge den här ett annat nummer.</translation>
+        </message>
+        <message>
             <source>There is no device "{name}"; choose one of {known}.</source>
             <translation>Det finns inget inlägg "{name}"; välj ett av {known}.</translation>
         </message>
@@ -1696,8 +1924,16 @@
             <translation>Mappen {folder} finns inte; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
+            <source>There is no kind of personal number {kind}; choose one.</source>
+            <translation>Det finns inget slags personnummer {kind}; välj ett.</translation>
+        </message>
+        <message>
             <source>There is no marker dictionary {dictionary}; the printed board of this program uses DICT_5X5_250.</source>
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
+        </message>
+        <message>
+            <source>There is no such account any more; look at the list again.</source>
+            <translation>Kontot finns inte längre; titta i listan igen.</translation>
         </message>
         <message>
             <source>There is somebody of this name, {born}, and a birth date is missing to tell whether it is the same person.</source>
@@ -1720,12 +1956,64 @@
             <translation>Tjocklek vid framkanten</translation>
         </message>
         <message>
+            <source>This account was disabled meanwhile; ask the administrator.</source>
+            <translation>Kontot har spärrats under tiden; fråga administratören.</translation>
+        </message>
+        <message>
+            <source>This capture is no longer in the record; open the visit again.</source>
+            <translation>Den här upptagningen finns inte längre i journalen; öppna besöket igen.</translation>
+        </message>
+        <message>
             <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
             <translation>Den här ordinationen har inget utöver sin inläggstyp som ett fynd kan föreslå; lägg till en korrigering eller en pelott, eller spara den som inläggstyp.</translation>
         </message>
         <message>
             <source>This design is for a {side} foot and the scan is of a {foot_side} one; open the matching scan or mirror the design.</source>
             <translation>Designen är för en {side} fot och skanningen är av en {foot_side}; öppna rätt skanning eller spegla designen.</translation>
+        </message>
+        <message>
+            <source>This is the password that it had before; choose another one.</source>
+            <translation>Det är samma lösenord som förut; välj ett annat.</translation>
+        </message>
+        <message>
+            <source>This is the same person twice; choose another one to merge with.</source>
+            <translation>Det är samma person två gånger; välj en annan att slå samman med.</translation>
+        </message>
+        <message>
+            <source>This merge has been undone already; look at the persons again.</source>
+            <translation>Den här sammanslagningen har redan ångrats; titta på personerna igen.</translation>
+        </message>
+        <message>
+            <source>This order is no longer in the record; look at the list again.</source>
+            <translation>Den här beställningen finns inte längre i journalen; titta i listan igen.</translation>
+        </message>
+        <message>
+            <source>This person is no longer in the record; search for them again.</source>
+            <translation>Den här personen finns inte längre i journalen; sök igen.</translation>
+        </message>
+        <message>
+            <source>This person was merged with another one meanwhile; open the other one.</source>
+            <translation>Den här personen har under tiden slagits samman med en annan; öppna den andra.</translation>
+        </message>
+        <message>
+            <source>This person was merged with another one; erase the other one.</source>
+            <translation>Personen har slagits ihop med en annan; radera den andra.</translation>
+        </message>
+        <message>
+            <source>This version is closed already; it stays as it is.</source>
+            <translation>Den här versionen är redan avslutad; den förblir som den är.</translation>
+        </message>
+        <message>
+            <source>This version is no longer in the record; open the history of the visit again.</source>
+            <translation>Den här versionen finns inte längre i journalen; öppna besökets historik igen.</translation>
+        </message>
+        <message>
+            <source>This version of the prescription is not in the record any more; look at its history.</source>
+            <translation>Den här versionen av ordinationen finns inte längre i registret; titta i dess historik.</translation>
+        </message>
+        <message>
+            <source>This visit is no longer in the record; open the person again.</source>
+            <translation>Det här besöket finns inte längre i journalen; öppna personen igen.</translation>
         </message>
         <message>
             <source>Tibialis posterior dysfunction, flexible</source>
@@ -1746,6 +2034,10 @@
         <message>
             <source>Too little of the solid is seen from above to check its {what}.</source>
             <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
+        </message>
+        <message>
+            <source>Too many wrong passwords: wait {minutes} min, or ask the administrator to unlock the account.</source>
+            <translation>För många felaktiga lösenord: vänta {minutes} min, eller be administratören låsa upp kontot.</translation>
         </message>
         <message>
             <source>Total contact, cup 8 to 12, low rounded rim without a hard edge, fill 0, base of at least 4.8, Shore A 35 (Noridian A5513), reliefs for each head (SureFit)</source>
@@ -1776,6 +2068,10 @@
             <translation>Två kolumner innehåller samma uppgift, {field}; välj en av dem.</translation>
         </message>
         <message>
+            <source>Two files of the order have the name {name}; give one another name.</source>
+            <translation>Två filer i beställningen heter {name}; ge en av dem ett annat namn.</translation>
+        </message>
+        <message>
             <source>Two points of the object have the same true position; correct the list.</source>
             <translation>Två punkter på föremålet har samma sanna läge; rätta listan.</translation>
         </message>
@@ -1800,8 +2096,16 @@
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>
         <message>
+            <source>Verifying the audit log</source>
+            <translation>Kontrollerar loggen</translation>
+        </message>
+        <message>
             <source>Verifying the files of the record</source>
             <translation>Kontrollerar registrets filer</translation>
+        </message>
+        <message>
+            <source>Verifying {count} signatures</source>
+            <translation>Kontrollerar {count} signaturer</translation>
         </message>
         <message>
             <source>View {views} is on the disk</source>
@@ -1856,6 +2160,10 @@
             <translation>Skriver vyn {view}</translation>
         </message>
         <message>
+            <source>You are not signed in; sign in with your account of the record first.</source>
+            <translation>Du är inte inloggad; logga först in med ditt konto i registret.</translation>
+        </message>
+        <message>
             <source>a device or a pipe of that name is there; choose another name</source>
             <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
         </message>
@@ -1880,8 +2188,24 @@
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
         </message>
         <message>
+            <source>add captures</source>
+            <translation>lägga till inspelningar</translation>
+        </message>
+        <message>
+            <source>adjusted</source>
+            <translation>justerad</translation>
+        </message>
+        <message>
+            <source>administrator</source>
+            <translation>administratör</translation>
+        </message>
+        <message>
             <source>adult flatfoot</source>
             <translation>förvärvad plattfot</translation>
+        </message>
+        <message>
+            <source>all connections are in use</source>
+            <translation>alla anslutningar är upptagna</translation>
         </message>
         <message>
             <source>already there</source>
@@ -1980,6 +2304,18 @@
             <translation>centimeter</translation>
         </message>
         <message>
+            <source>change patients, visits and prescriptions</source>
+            <translation>ändra patienter, besök och ordinationer</translation>
+        </message>
+        <message>
+            <source>change the settings of the clinic</source>
+            <translation>ändra klinikens inställningar</translation>
+        </message>
+        <message>
+            <source>checked</source>
+            <translation>kontrollerad</translation>
+        </message>
+        <message>
             <source>child</source>
             <translation>barn</translation>
         </message>
@@ -2056,8 +2392,20 @@
             <translation>datum för samtycke</translation>
         </message>
         <message>
+            <source>date of the consent</source>
+            <translation>Samtyckets datum</translation>
+        </message>
+        <message>
+            <source>date of the follow-up</source>
+            <translation>Uppföljningens datum</translation>
+        </message>
+        <message>
             <source>date of the visit</source>
             <translation>Besöksdatumet</translation>
+        </message>
+        <message>
+            <source>date that it is due</source>
+            <translation>Leveransdatumet</translation>
         </message>
         <message>
             <source>default</source>
@@ -2070,6 +2418,14 @@
         <message>
             <source>degrees uncertain in direction</source>
             <translation>grader osäkert i riktning</translation>
+        </message>
+        <message>
+            <source>delivered</source>
+            <translation>levererad</translation>
+        </message>
+        <message>
+            <source>designed</source>
+            <translation>konstruerad</translation>
         </message>
         <message>
             <source>diabetes</source>
@@ -2102,6 +2458,14 @@
         <message>
             <source>edge {value}</source>
             <translation>kant {value}</translation>
+        </message>
+        <message>
+            <source>erase patients</source>
+            <translation>radera patienter</translation>
+        </message>
+        <message>
+            <source>export patients</source>
+            <translation>exportera patienter</translation>
         </message>
         <message>
             <source>family name</source>
@@ -2138,6 +2502,10 @@
         <message>
             <source>filler for the 5th toe</source>
             <translation>utfyllnad för femte tån</translation>
+        </message>
+        <message>
+            <source>findings</source>
+            <translation>Fynden</translation>
         </message>
         <message>
             <source>first head</source>
@@ -2306,6 +2674,10 @@
         <message>
             <source>imprint</source>
             <translation>avtryck</translation>
+        </message>
+        <message>
+            <source>in production</source>
+            <translation>i produktion</translation>
         </message>
         <message>
             <source>inches</source>
@@ -2548,6 +2920,14 @@
             <translation>nere till höger</translation>
         </message>
         <message>
+            <source>make backups</source>
+            <translation>göra säkerhetskopior</translation>
+        </message>
+        <message>
+            <source>manage accounts</source>
+            <translation>hantera konton</translation>
+        </message>
+        <message>
             <source>medial</source>
             <translation>medial</translation>
         </message>
@@ -2558,6 +2938,10 @@
         <message>
             <source>men's: the English size and one</source>
             <translation>herr: den engelska storleken plus ett</translation>
+        </message>
+        <message>
+            <source>merge patients</source>
+            <translation>slå ihop patienter</translation>
         </message>
         <message>
             <source>metatarsal bar</source>
@@ -2684,8 +3068,16 @@
             <translation>namn</translation>
         </message>
         <message>
+            <source>name of the file</source>
+            <translation>Filens namn</translation>
+        </message>
+        <message>
             <source>name of the material</source>
             <translation>Materialets namn</translation>
+        </message>
+        <message>
+            <source>name of the shop</source>
+            <translation>Verkstadens namn</translation>
         </message>
         <message>
             <source>name the same point twice</source>
@@ -2772,6 +3164,10 @@
             <translation>antalet platser som varje sensor står på</translation>
         </message>
         <message>
+            <source>number of the order</source>
+            <translation>Beställningens nummer</translation>
+        </message>
+        <message>
             <source>of unknown age</source>
             <translation>av okänd ålder</translation>
         </message>
@@ -2798,6 +3194,14 @@
         <message>
             <source>only {used} of the {count} markers agree with each other in the colour image ({worst}); check that the reference system was not changed or moved</source>
             <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
+        </message>
+        <message>
+            <source>orthopedist</source>
+            <translation>ortopedingenjör</translation>
+        </message>
+        <message>
+            <source>outcome</source>
+            <translation>Resultatet</translation>
         </message>
         <message>
             <source>outline_mm{where} belongs to the shapes "outline" and "flat_outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
@@ -2856,6 +3260,10 @@
             <translation>svävande bitar</translation>
         </message>
         <message>
+            <source>place and follow orders</source>
+            <translation>lägga och följa beställningar</translation>
+        </message>
+        <message>
             <source>plane</source>
             <translation>plan yta</translation>
         </message>
@@ -2908,6 +3316,10 @@
             <translation>px isär i färgbilden</translation>
         </message>
         <message>
+            <source>read the audit log</source>
+            <translation>läsa loggen</translation>
+        </message>
+        <message>
             <source>rearfoot eversion of the simulated foot (degrees)</source>
             <translation>den simulerade fotens bakfotseversion (grader)</translation>
         </message>
@@ -2916,8 +3328,16 @@
             <translation>bakersta punkten</translation>
         </message>
         <message>
+            <source>reason</source>
+            <translation>Orsaken</translation>
+        </message>
+        <message>
             <source>reason for the export</source>
             <translation>Skälet till exporten</translation>
+        </message>
+        <message>
+            <source>reason of the visit</source>
+            <translation>Besöksorsaken</translation>
         </message>
         <message>
             <source>refused</source>
@@ -2968,8 +3388,16 @@
             <translation>avlastning under femte tån</translation>
         </message>
         <message>
+            <source>remarks</source>
+            <translation>Anmärkningarna</translation>
+        </message>
+        <message>
             <source>resolution of the foot's surface (mm)</source>
             <translation>upplösningen på fotens yta (mm)</translation>
+        </message>
+        <message>
+            <source>returned</source>
+            <translation>returnerad</translation>
         </message>
         <message>
             <source>reverse Morton's extension</source>
@@ -2996,6 +3424,10 @@
             <translation>löpning</translation>
         </message>
         <message>
+            <source>see patients</source>
+            <translation>se patienter</translation>
+        </message>
+        <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
         </message>
@@ -3006,6 +3438,10 @@
         <message>
             <source>seen in part only, and continued by the usual shape: {places}</source>
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
+        </message>
+        <message>
+            <source>sent</source>
+            <translation>skickad</translation>
         </message>
         <message>
             <source>sesamoid</source>
@@ -3020,6 +3456,10 @@
             <translation>skohöjd</translation>
         </message>
         <message>
+            <source>shoe size</source>
+            <translation>Skostorleken</translation>
+        </message>
+        <message>
             <source>shoe_size_eu of outline is missing; put in the size of the shoe.</source>
             <translation>shoe_size_eu i outline saknas; ange skons storlek.</translation>
         </message>
@@ -3030,6 +3470,10 @@
         <message>
             <source>side must be "left" or "right", and is {value}.</source>
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
+        </message>
+        <message>
+            <source>sign prescriptions</source>
+            <translation>signera ordinationer</translation>
         </message>
         <message>
             <source>slim shoe</source>
@@ -3098,6 +3542,10 @@
         <message>
             <source>tape round the foot through the two points of the ball</source>
             <translation>måttband runt foten genom trampdynans två punkter</translation>
+        </message>
+        <message>
+            <source>technician</source>
+            <translation>tekniker</translation>
         </message>
         <message>
             <source>tendon</source>
@@ -3376,6 +3824,10 @@
             <translation>vattentät</translation>
         </message>
         <message>
+            <source>weight in kg</source>
+            <translation>Vikten i kg</translation>
+        </message>
+        <message>
             <source>worst: {markers}</source>
             <translation>sämst: {markers}</translation>
         </message>
@@ -3390,6 +3842,10 @@
         <message>
             <source>you may not write there; choose another place or ask for permission</source>
             <translation>du får inte skriva där; välj en annan plats eller be om behörighet</translation>
+        </message>
+        <message>
+            <source>{account} is the only administrator; make another one first.</source>
+            <translation>{account} är den enda administratören; lägg först till en till.</translation>
         </message>
         <message>
             <source>{angle} lateral</source>
@@ -3438,6 +3894,10 @@
         <message>
             <source>{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.</source>
             <translation>{area_mm2:.0f} mm² kan inte nås uppifrån; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
+            <source>{author} at {station} has changed the {side} foot meanwhile; compare both versions and choose.</source>
+            <translation>{author} vid {station} har under tiden ändrat {side} fot; jämför båda versionerna och välj.</translation>
         </message>
         <message>
             <source>{capture} has no reading in the middle; put a flat surface there.</source>
@@ -3492,12 +3952,36 @@
             <translation>{count} hörn, vridet {turn_deg:.0f}° {side}</translation>
         </message>
         <message>
+            <source>{count} files of the record are missing, the first is {first}; restore them from a backup.</source>
+            <translation>{count} av registrets filer saknas, den första är {first}; återställ dem från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} files were changed since the record stored them, the first is {first}; restore them from a backup.</source>
+            <translation>{count} filer har ändrats sedan registret sparade dem, den första är {first}; återställ dem från en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.</source>
             <translation>{count} av {taken} bilder ({kind}) användes; ett hörn träffas inom {rms_px:.2f} px.</translation>
         </message>
         <message>
+            <source>{count} rows of {table} refer to something that is not there; restore the record from a backup.</source>
+            <translation>{count} rader i {table} hänvisar till något som inte finns; återställ registret från en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{count} sensors were named, but at most {most} work.</source>
             <translation>{count} sensorer angavs, men högst {most} fungerar.</translation>
+        </message>
+        <message>
+            <source>{count} signed prescriptions are gone, the first is {first}; compare the record with a backup.</source>
+            <translation>{count} signerade ordinationer är borta, den första är {first}; jämför registret med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} signed prescriptions are not what was signed, the first is {first}; compare them with a backup.</source>
+            <translation>{count} signerade ordinationer är inte vad som signerades, den första är {first}; jämför dem med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} signed prescriptions have a signature that the audit log does not know, the first is {first}; compare them with a backup.</source>
+            <translation>{count} signerade ordinationer har en signatur som loggen inte känner till, den första är {first}; jämför dem med en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{count} small {scraps} beside the foot left out.</source>
@@ -3544,6 +4028,10 @@
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
         </message>
         <message>
+            <source>{file} may only be read by you; ask for the right to write to it.</source>
+            <translation>Du får bara läsa {file}; be om rätten att skriva till den.</translation>
+        </message>
+        <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
             <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
         </message>
@@ -3584,6 +4072,10 @@
             <translation>{folder} innehåller inte filerna till detta register; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
         </message>
         <message>
+            <source>{folder} does not keep what is written to it; use another disk for backups.</source>
+            <translation>{folder} behåller inte det som skrivs dit; använd en annan disk för säkerhetskopior.</translation>
+        </message>
+        <message>
             <source>{folder} holds colour of {width}×{height}, which no Kinect v1 sends.</source>
             <translation>{folder} innehåller färg på {width}×{height}, vilket ingen Kinect v1 sänder.</translation>
         </message>
@@ -3596,12 +4088,20 @@
             <translation>{folder} innehåller inga PNG-bilder; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
+            <source>{folder} holds no backup; choose the folder that has {name} in it.</source>
+            <translation>{folder} innehåller ingen säkerhetskopia; välj den mapp som har {name} i sig.</translation>
+        </message>
+        <message>
             <source>{folder} holds no case files ({suffix}); choose another folder.</source>
             <translation>{folder} innehåller inga fallfiler ({suffix}); välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds no pictures named {kind}…; name the folder with the {words}.</source>
             <translation>{folder} innehåller inga bilder med namnet {kind}…; ange mappen med {words}.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no snapshot {number}; it has: {numbers}.</source>
+            <translation>{folder} innehåller ingen säkerhetskopia {number}; där finns: {numbers}.</translation>
         </message>
         <message>
             <source>{folder} holds no unfinished capture; it was used or discarded, or never was one.</source>
@@ -3618,6 +4118,10 @@
         <message>
             <source>{folder} holds no {what}; name the folder with the pictures of the board.</source>
             <translation>{folder} innehåller inga {what}; ange mappen med bilderna av brädet.</translation>
+        </message>
+        <message>
+            <source>{folder} holds the backups of another record, or of this one under another passphrase; choose another folder.</source>
+            <translation>{folder} innehåller säkerhetskopior av ett annat register, eller av detta med en annan lösenfras; välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
@@ -3676,6 +4180,10 @@
             <translation>{key}{where} är {value:g}, och måste vara {range}; ange ett värde i det området.</translation>
         </message>
         <message>
+            <source>{kind} is no kind of a capture; use session or mesh.</source>
+            <translation>{kind} är inget slags upptagning; använd session eller mesh.</translation>
+        </message>
+        <message>
             <source>{least:g} to {most:g}</source>
             <translation>{least:g} till {most:g}</translation>
         </message>
@@ -3720,6 +4228,10 @@
             <translation>{name} har ingen plan yta kvar att utvärdera; ta en plan vägg.</translation>
         </message>
         <message>
+            <source>{name} has signed this version already; make a new one to change it.</source>
+            <translation>{name} har redan signerat den här versionen; gör en ny för att ändra den.</translation>
+        </message>
+        <message>
             <source>{name} holds no depth frames; capture it again.</source>
             <translation>{name} innehåller inga djupbilder; ta om den.</translation>
         </message>
@@ -3734,6 +4246,10 @@
         <message>
             <source>{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and capture it again.</source>
             <translation>{name} innehåller inga mätvärden alls; ställ sensorn 500 till 3000 mm från väggen och ta om den.</translation>
+        </message>
+        <message>
+            <source>{name} is damaged; restore it from a backup.</source>
+            <translation>{name} är skadad; återställ den från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{name} is missing, but sensor.json names it as disparity_correction; restore it from the recording.</source>
@@ -4012,6 +4528,10 @@
             <translation>{path} ersätts inte: den innehåller {name}, som inte hör till ett tidigare resultat; välj en ny eller en tom mapp.</translation>
         </message>
         <message>
+            <source>{path} is open in another program; close all windows of Insole Studio, then try again.</source>
+            <translation>{path} är öppen i ett annat program; stäng alla fönster av Insole Studio och försök igen.</translation>
+        </message>
+        <message>
             <source>{path} is open in another window.</source>
             <translation>{path} är öppen i ett annat fönster.</translation>
         </message>
@@ -4116,6 +4636,46 @@
             <translation>{picture}: {corners} hörn av ChArUco-brädet med {columns}×{rows} rutor syns, men {least} behövs; visa mer av brädet, och kontrollera dess storlek och förteckning.</translation>
         </message>
         <message>
+            <source>{place} comes from an older Insole Studio and cannot be brought up to date, since it may only be read; ask for the right to write to it.</source>
+            <translation>{place} kommer från ett äldre Insole Studio och kan inte uppdateras, eftersom den bara får läsas; be om rätten att skriva till den.</translation>
+        </message>
+        <message>
+            <source>{place} does not answer ({reason}); check the network, the address and that the database is running.</source>
+            <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller redan ett register; återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller ett register som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
+            <translation>{place} är skadad; återställ journalen från en säkerhetskopia och behåll den skadade filen tills återställningen har kontrollerats.</translation>
+        </message>
+        <message>
+            <source>{place} is held by another program; wait until that has finished, and try again.</source>
+            <translation>{place} hålls av ett annat program; vänta tills det är klart och försök igen.</translation>
+        </message>
+        <message>
+            <source>{place} may not be changed by you; ask for the right to write to it.</source>
+            <translation>Du får inte ändra {place}; be om rätten att skriva till den.</translation>
+        </message>
+        <message>
+            <source>{place} refused what was to be written ({reason}); nothing was changed. Please report this.</source>
+            <translation>{place} vägrade ta emot det som skulle skrivas ({reason}); inget ändrades. Rapportera gärna detta.</translation>
+        </message>
+        <message>
+            <source>{place} refuses the user or the password of its address; check the address of the database.</source>
+            <translation>{place} godtar inte användaren eller lösenordet i sin adress; kontrollera databasens adress.</translation>
+        </message>
+        <message>
+            <source>{place} was made by a newer Insole Studio (tables {found}; this program knows them up to {newest}); install the newest version.</source>
+            <translation>{place} har skapats av ett nyare Insole Studio (tabeller {found}; det här programmet känner dem till och med {newest}); installera den nyaste versionen.</translation>
+        </message>
+        <message>
             <source>{problem} Kept so far: {views}.</source>
             <translation>{problem} Sparat hittills: {views}.</translation>
         </message>
@@ -4144,8 +4704,24 @@
             <translation>{text} kan vara {first} eller {second}; ange om dag eller månad kommer först.</translation>
         </message>
         <message>
+            <source>{text} holds a day in the future; check its year.</source>
+            <translation>{text} innehåller en dag i framtiden; kontrollera året.</translation>
+        </message>
+        <message>
+            <source>{text} holds a day that the calendar does not have; check it.</source>
+            <translation>{text} innehåller en dag som inte finns i kalendern; kontrollera den.</translation>
+        </message>
+        <message>
+            <source>{text} is no Swedish personal number; write it as YYYYMMDD-NNNN.</source>
+            <translation>{text} är inget svenskt personnummer; skriv det som ÅÅÅÅMMDD-NNNN.</translation>
+        </message>
+        <message>
             <source>{text} is no date; write year, month and day, such as 1970-02-28.</source>
             <translation>{text} är inget datum; skriv år, månad och dag, till exempel 1970-02-28.</translation>
+        </message>
+        <message>
+            <source>{text} is no number; write it such as 72.5.</source>
+            <translation>{text} är inget tal; skriv det till exempel som 72.5.</translation>
         </message>
         <message>
             <source>{text} is not between {first} and {last}; check the year.</source>

@@ -8,6 +8,10 @@
             <translation>En kopia skrevs: {name}</translation>
         </message>
         <message>
+            <source>A new capture of this visit has come from {who} at {time}.</source>
+            <translation>En ny avbildning av detta besök har kommit från {who} klockan {time}.</translation>
+        </message>
+        <message>
             <source>Add a patient to the clinic's record</source>
             <translation>Lägg till en patient i klinikens journal</translation>
         </message>
@@ -20,8 +24,28 @@
             <translation>Lägg till ett besök i dag som ordineras som det förra på en ny skanning</translation>
         </message>
         <message>
+            <source>Add as a new patient</source>
+            <translation>Lägg till som ny patient</translation>
+        </message>
+        <message>
+            <source>Add follow-up</source>
+            <translation>Lägg till uppföljning</translation>
+        </message>
+        <message>
             <source>Add patient</source>
             <translation>Lägg till patient</translation>
+        </message>
+        <message>
+            <source>Add to the record</source>
+            <translation>Lägg till i journalen</translation>
+        </message>
+        <message>
+            <source>Add to the record…</source>
+            <translation>Lägg till i journalen…</translation>
+        </message>
+        <message>
+            <source>Add to this patient</source>
+            <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
             <source>Adjusted</source>
@@ -44,6 +68,18 @@
             <translation>Trampdynans bredd (mm)</translation>
         </message>
         <message>
+            <source>Better, the same, worse; in a word or two</source>
+            <translation>Bättre, oförändrat, sämre; med ett par ord</translation>
+        </message>
+        <message>
+            <source>Bring to this state</source>
+            <translation>Sätt i detta läge</translation>
+        </message>
+        <message>
+            <source>By</source>
+            <translation>Av</translation>
+        </message>
+        <message>
             <source>Capture: {state}</source>
             <translation>Avbildning: {state}</translation>
         </message>
@@ -54,6 +90,10 @@
         <message>
             <source>Cases in files can be opened as before.</source>
             <translation>Fall i filer kan öppnas som förut.</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Ändrad</translation>
         </message>
         <message>
             <source>Checked</source>
@@ -84,6 +124,10 @@
             <translation>Samtycke den</translation>
         </message>
         <message>
+            <source>Day</source>
+            <translation>Dag</translation>
+        </message>
+        <message>
             <source>Decide later</source>
             <translation>Bestäm senare</translation>
         </message>
@@ -102,6 +146,22 @@
         <message>
             <source>Due</source>
             <translation>Klar senast</translation>
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation>Redigera…</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Fynd</translation>
+        </message>
+        <message>
+            <source>Follow-up</source>
+            <translation>Uppföljning</translation>
+        </message>
+        <message>
+            <source>Follow-ups so far</source>
+            <translation>Uppföljningar hittills</translation>
         </message>
         <message>
             <source>Follow-up…</source>
@@ -140,6 +200,10 @@
             <translation>I produktion</translation>
         </message>
         <message>
+            <source>Keep</source>
+            <translation>Behåll</translation>
+        </message>
+        <message>
             <source>Keep both as variants</source>
             <translation>Behåll båda som varianter</translation>
         </message>
@@ -158,6 +222,14 @@
         <message>
             <source>Last visit</source>
             <translation>Senaste besök</translation>
+        </message>
+        <message>
+            <source>Make a foot of it</source>
+            <translation>Gör en fot av den</translation>
+        </message>
+        <message>
+            <source>Make a visit of the open case; its file stays as it is</source>
+            <translation>Gör det öppna fallet till ett besök; filen förblir som den är</translation>
         </message>
         <message>
             <source>Measure over time</source>
@@ -184,6 +256,10 @@
             <translation>Ny patient…</translation>
         </message>
         <message>
+            <source>New state</source>
+            <translation>Nytt läge</translation>
+        </message>
+        <message>
             <source>New visit</source>
             <translation>Nytt besök</translation>
         </message>
@@ -208,6 +284,10 @@
             <translation>Ingen hittas. Kontrollera stavningen, eller lägg till en ny patient.</translation>
         </message>
         <message>
+            <source>Nobody of the work list</source>
+            <translation>Ingen på arbetslistan</translation>
+        </message>
+        <message>
             <source>Not saved in the record; your work is kept here</source>
             <translation>Inte sparat i journalen; ditt arbete finns kvar här</translation>
         </message>
@@ -224,12 +304,36 @@
             <translation>Nummer</translation>
         </message>
         <message>
+            <source>Open at the moment: {who}</source>
+            <translation>Öppet just nu: {who}</translation>
+        </message>
+        <message>
             <source>Open orders</source>
             <translation>Öppna beställningar</translation>
         </message>
         <message>
+            <source>Open the visit</source>
+            <translation>Öppna besöket</translation>
+        </message>
+        <message>
+            <source>Order {number}</source>
+            <translation>Beställning {number}</translation>
+        </message>
+        <message>
+            <source>Order {number} is in the record, with its files.</source>
+            <translation>Beställning {number} finns i journalen, med sina filer.</translation>
+        </message>
+        <message>
             <source>Orders</source>
             <translation>Beställningar</translation>
+        </message>
+        <message>
+            <source>Orders of the patient</source>
+            <translation>Patientens beställningar</translation>
+        </message>
+        <message>
+            <source>Orders of {name}</source>
+            <translation>Beställningar för {name}</translation>
         </message>
         <message>
             <source>Other marks on the foot</source>
@@ -240,12 +344,24 @@
             <translation>Andra varianter</translation>
         </message>
         <message>
+            <source>Outcome</source>
+            <translation>Resultat</translation>
+        </message>
+        <message>
             <source>Patients</source>
             <translation>Patienter</translation>
         </message>
         <message>
+            <source>Patients whose feet wait to be captured</source>
+            <translation>Patienter vars fötter väntar på avbildning</translation>
+        </message>
+        <message>
             <source>Personal number</source>
             <translation>Personnummer</translation>
+        </message>
+        <message>
+            <source>Prescribe as on the last visit</source>
+            <translation>Ordinera som vid förra besöket</translation>
         </message>
         <message>
             <source>Read only: nothing can be changed.</source>
@@ -258,6 +374,14 @@
         <message>
             <source>Recent patients</source>
             <translation>Senaste patienter</translation>
+        </message>
+        <message>
+            <source>Remarks</source>
+            <translation>Anmärkningar</translation>
+        </message>
+        <message>
+            <source>Remember the last prescription</source>
+            <translation>Kom ihåg den förra ordinationen</translation>
         </message>
         <message>
             <source>Returned</source>
@@ -288,6 +412,22 @@
             <translation>Skickad</translation>
         </message>
         <message>
+            <source>Shop</source>
+            <translation>Verkstad</translation>
+        </message>
+        <message>
+            <source>Shop and due date…</source>
+            <translation>Verkstad och klardatum…</translation>
+        </message>
+        <message>
+            <source>Sign this version</source>
+            <translation>Signera denna version</translation>
+        </message>
+        <message>
+            <source>Signed</source>
+            <translation>Signerad</translation>
+        </message>
+        <message>
             <source>Sign…</source>
             <translation>Signera…</translation>
         </message>
@@ -302,6 +442,26 @@
         <message>
             <source>State</source>
             <translation>Läge</translation>
+        </message>
+        <message>
+            <source>The capture is in the record.</source>
+            <translation>Avbildningen finns i journalen.</translation>
+        </message>
+        <message>
+            <source>The capture room has to capture the feet</source>
+            <translation>Avbildningsrummet ska avbilda fötterna</translation>
+        </message>
+        <message>
+            <source>The first version of this foot.</source>
+            <translation>Fotens första version.</translation>
+        </message>
+        <message>
+            <source>The orders of the clinic by state, the first due on top</source>
+            <translation>Klinikens beställningar efter läge, de som är klara först överst</translation>
+        </message>
+        <message>
+            <source>The orders of the patient on the page</source>
+            <translation>Beställningarna för patienten på sidan</translation>
         </message>
         <message>
             <source>The patient agrees that these data are kept (today)</source>
@@ -324,8 +484,24 @@
             <translation>Två versioner av foten väntar på ett beslut; din finns kvar på den här datorn.</translation>
         </message>
         <message>
+            <source>Version</source>
+            <translation>Version</translation>
+        </message>
+        <message>
+            <source>Version {number}</source>
+            <translation>Version {number}</translation>
+        </message>
+        <message>
+            <source>Versions</source>
+            <translation>Versioner</translation>
+        </message>
+        <message>
             <source>Versions…</source>
             <translation>Versioner…</translation>
+        </message>
+        <message>
+            <source>Visit</source>
+            <translation>Besök</translation>
         </message>
         <message>
             <source>Waiting</source>
@@ -334,6 +510,22 @@
         <message>
             <source>Weight (kg)</source>
             <translation>Vikt (kg)</translation>
+        </message>
+        <message>
+            <source>What became of the insoles of the patient on the page</source>
+            <translation>Hur det gick med inläggen för patienten på sidan</translation>
+        </message>
+        <message>
+            <source>Which orders</source>
+            <translation>Vilka beställningar</translation>
+        </message>
+        <message>
+            <source>Whose case is it? It becomes a visit; the file stays as it is.</source>
+            <translation>Vems fall är det? Det blir ett besök; filen förblir som den är.</translation>
+        </message>
+        <message>
+            <source>Whose feet are captured</source>
+            <translation>Vems fötter som avbildas</translation>
         </message>
         <message>
             <source>Why is it kept? The next change begins a new version.</source>
@@ -350,6 +542,10 @@
         <message>
             <source>{day}, overdue</source>
             <translation>{day}, försenad</translation>
+        </message>
+        <message>
+            <source>{name} (open here)</source>
+            <translation>{name} (öppen här)</translation>
         </message>
         <message>
             <source>{name} has this personal number already.</source>

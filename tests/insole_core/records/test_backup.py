@@ -172,7 +172,11 @@ def test_a_passphrase_opens_a_backup_and_a_wrong_one_is_told(
     assert not (tmp_path / "new").exists()
 
 
-@pytest.mark.parametrize("secret", [str(pyrage.x25519.Identity.generate()), "AGE-SECRET-KEY-1X"])
+@pytest.mark.parametrize(
+    "secret",
+    [str(pyrage.x25519.Identity.generate()), "AGE-SECRET-KEY-1X"],
+    ids=["of another", "malformed"],
+)
 def test_a_wrong_private_key_is_told(context: RecordsContext, folder: Path, secret: str) -> None:
     back_up(context, folder)
     with pytest.raises(WrongSecret, match="does not open this backup"):

@@ -90,6 +90,7 @@ def link(label: QLabel) -> str:
     return label.text().split('"')[1]
 
 
+@pytest.mark.slow
 def test_a_recess_deeper_than_the_insole_is_told_while_it_is_dragged(
     app: Application,
     settle: Callable[[], None],

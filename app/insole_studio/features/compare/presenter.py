@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from insole_core.cases.case_record import CaseRecord
 from insole_core.compare.comparison import Alignment
 from insole_core.compare.comparison_source import ComparisonSource
 from insole_core.compare.seen_surface import facing
@@ -53,6 +55,8 @@ class ComparePresenter:
         Lets the user choose a path, given "file" or "folder"; None if cancelled.
     ask_report
         Lets the user choose where to write the report.
+    visits
+        Two visits to begin with, the newer one first, each with its name.
     """
 
     def __init__(
@@ -63,8 +67,10 @@ class ComparePresenter:
         jobs: Jobs,
         ask_source: Callable[[str], Path | None],
         ask_report: Callable[[], Path | None],
+        visits: Sequence[tuple[str, CaseRecord]] = (),
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
+        self._visits = tuple(visits)
         self._ask_source, self._ask_report = ask_source, ask_report
         self._words: dict[str, str] = {}
         self._paths: list[Path] = []
@@ -182,26 +188,43 @@ class ComparePresenter:
 
     def _show_choices(self) -> None:
         options = [("", tr("Choose…"))]
-        for foot in self._case.record.feet:
-            left = foot.side is Side.LEFT
-            options += [
-                (f"foot {foot.side}", tr("Left foot") if left else tr("Right foot")),
-                (f"insole {foot.side}", tr("Left insole") if left else tr("Right insole")),
-            ]
+        for number, (name, record) in enumerate(self._records()):
+            before = f"{name}: " if name else ""
+            for foot in record.feet:
+                left = foot.side is Side.LEFT
+                foot_text = tr("Left foot") if left else tr("Right foot")
+                insole_text = tr("Left insole") if left else tr("Right insole")
+                options += [
+                    (f"{number} foot {foot.side}", f"{before}{foot_text}"),
+                    (f"{number} insole {foot.side}", f"{before}{insole_text}"),
+                ]
         options += [(str(path), path.name) for path in self._paths]
         options += [(FILE, tr("Mesh or archive…")), (FOLDER, tr("Session, also of a mould…"))]
         self._panel.show_sources(options, self._words)
 
+    def _records(self) -> Sequence[tuple[str, CaseRecord]]:
+        """Return what can be compared besides files: two visits, or the open case."""
+        return self._visits or (("", self._case.record),)
+
     def _begin_with_the_case(self) -> None:
+        """Begin with the foot on both visits, or with insole and foot of the open case."""
         foot = self._case.record.current
-        if foot is not None:
-            self._words = {"a": f"insole {foot.side}", "b": f"foot {foot.side}"}
-            self._show_choices()
-            for which in "ab":
-                self._read(which)
+        if self._visits:
+            newer, older = (record for _name, record in self._visits)
+            both = [foot.side for foot in newer.feet if older.of_side(foot.side) is not None]
+            if not both:
+                return
+            self._words = {"a": f"0 foot {both[0]}", "b": f"1 foot {both[0]}"}
+        elif foot is not None:
+            self._words = {"a": f"0 insole {foot.side}", "b": f"0 foot {foot.side}"}
+        else:
+            return
+        self._show_choices()
+        for which in "ab":
+            self._read(which)
 
     def _read(self, which: str) -> None:
-        word, record = self._words[which], self._case.record
+        word = self._words[which]
         self._sources.pop(which, None)
         self._points = {"a": [], "b": []}
         self._forget_result()
@@ -209,7 +232,8 @@ class ComparePresenter:
         self._show_picking()
         if not word:
             return
-        wanted = _wanted(word)
+        number, wanted = _wanted(word)
+        record = self._records()[number][1]
 
         def read(progress: Progress) -> ComparisonSource:
             return surface_of(record, wanted, progress)
@@ -305,12 +329,12 @@ class ComparePresenter:
         )
 
 
-def _wanted(word: str) -> Wanted:
-    for side in Side:
-        for kind in ("foot", "insole"):
-            if word == f"{kind} {side}":
-                return Wanted(kind, side)
-    return Wanted("file", path=Path(word))
+def _wanted(word: str) -> tuple[int, Wanted]:
+    """Return the number of a record and what is wanted of it; of the first one for a file."""
+    for number, side, kind in product((0, 1), Side, ("foot", "insole")):
+        if word == f"{number} {kind} {side}":
+            return number, Wanted(kind, side)
+    return 0, Wanted("file", path=Path(word))
 
 
 def _from_above(mesh: TriangleMesh) -> bool:

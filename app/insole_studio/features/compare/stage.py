@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
+from insole_core.cases.case_record import CaseRecord
 from insole_studio.document.case import Case
 from insole_studio.features.compare.presenter import ComparePresenter
 from insole_studio.features.compare.rows import FOLDER
@@ -35,6 +36,8 @@ class CompareStage(StageFrame):
         Whether to use the dark theme.
     questions
         Ask the user for paths; by default with folders of their own.
+    visits
+        Two visits to compare instead, the newer one first, each with its name.
     ask_source, ask_report
         Let the user choose a path; by default in a dialog.
     """
@@ -47,6 +50,7 @@ class CompareStage(StageFrame):
         dark: bool,
         *,
         questions: Questions | None = None,
+        visits: Sequence[tuple[str, CaseRecord]] = (),
         ask_source: Callable[[str], Path | None] | None = None,
         ask_report: Callable[[], Path | None] | None = None,
     ) -> None:
@@ -65,6 +69,7 @@ class CompareStage(StageFrame):
             jobs=self.jobs,
             ask_source=ask_source or self._ask_source,
             ask_report=ask_report or self._ask_report,
+            visits=visits,
         )
 
     def closeEvent(self, event: QCloseEvent) -> None:

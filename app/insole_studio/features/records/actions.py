@@ -11,6 +11,9 @@ if TYPE_CHECKING:
     from insole_studio.features.records.patient_records import PatientRecords
 
 
+OF_PERSON = ("new_visit", "new_visit_same", "follow_up", "person_orders")
+"""Actions on the person whose page is shown."""
+
 RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
     ActionRecord(
         "patients",
@@ -59,5 +62,30 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda: tr("New visit, same prescription"),
         lambda: tr("Add a visit of today, to be prescribed as the last one on a new scan"),
         lambda records, _on: records.begin_visit(same_prescription=True),
+    ),
+    ActionRecord(
+        "orders",
+        lambda: tr("Orders"),
+        lambda: tr("The orders of the clinic by state, the first due on top"),
+        lambda records, _on: records.show_orders(),
+        shortcut="Shift+F3",
+    ),
+    ActionRecord(
+        "person_orders",
+        lambda: tr("Orders of the patient"),
+        lambda: tr("The orders of the patient on the page"),
+        lambda records, _on: records.show_orders(of_person=True),
+    ),
+    ActionRecord(
+        "follow_up",
+        lambda: tr("Follow-up…"),
+        lambda: tr("What became of the insoles of the patient on the page"),
+        lambda records, _on: records.ask_follow_up(),
+    ),
+    ActionRecord(
+        "add_to_record",
+        lambda: tr("Add to the record…"),
+        lambda: tr("Make a visit of the open case; its file stays as it is"),
+        lambda records, _on: records.add_case(),
     ),
 )

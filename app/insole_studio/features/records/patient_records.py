@@ -2,30 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
 
-from insole_core.cases.case_record import FootRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import Conflict
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design_differences import design_differences
+from insole_core.insole.prescription.template import Template
+from insole_core.messages import Message
+from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person, PersonSummary
+from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
+from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
 from insole_studio.features.records.conflict_dialog import (
     Choice,
     ComparedVersion,
     ConflictDialog,
     chosen_foot,
 )
+from insole_studio.features.records.follow_up_dialog import FollowUpDialog
+from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
+from insole_studio.features.records.order_actions import OrderActions
+from insole_studio.features.records.orders_page import OrdersPage
+from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
-from insole_studio.features.records.record_texts import version_text
+from insole_studio.features.records.record_texts import person_rows, version_text
+from insole_studio.features.records.same_prescription import (
+    SamePrescription,
+    last_prescriptions,
+)
 from insole_studio.features.records.start_page import StartPage
-from insole_studio.features.records.start_presenter import StartPresenter
+from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
+from insole_studio.features.records.visit_captures import VisitCaptures
+from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
@@ -50,6 +69,8 @@ class PatientRecords(QObject):
     action_requested = Signal(str)
     """A button of a page asks for an action of any feature."""
     recent_file_chosen = Signal(str)
+    compared = Signal(object, object)
+    """Emitted with two visits to compare, the newer one first: name and case of each."""
 
     def __init__(self, services: AppServices, leave_case: Callable[[Then], None]) -> None:
         super().__init__(services.window)
@@ -59,7 +80,13 @@ class PatientRecords(QObject):
         self._leave_case = leave_case
         self.start: StartPage | None = None
         self.person: PersonPage | None = None
+        self.orders: OrdersPage | None = None
         self._start_presenter: StartPresenter | None = None
+        self._orders_presenter: OrdersPresenter | None = None
+        self._same_prescription = SamePrescription(services)
+        self.captures = VisitCaptures(services)
+        self.order_actions = OrderActions(services)
+        self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
         self._transfer: RecordTransfer | None = None
         self._keeper.conflicted.connect(self.decide)
@@ -125,22 +152,183 @@ class PatientRecords(QObject):
 
     def open_visit(self, visit_id: str) -> None:
         """Open a visit as the case of the window."""
-        self._leave_case(
-            lambda: self._keeper.open_visit(visit_id, self._services.messages.show_error)
-        )
+        self._leave_case(lambda: self._keeper.open_visit(visit_id, self._tell))
 
     def begin_visit(self, *, same_prescription: bool = False) -> None:
-        """Add a visit of today for the person on the page, and open it."""
-        person = None if self._person_presenter is None else self._person_presenter.person
+        """Add a visit of today for the person on the page, and open it.
+
+        Parameters
+        ----------
+        same_prescription
+            Whether a new scan gets the last prescription at once; otherwise it is offered.
+        """
+        person = self._shown_person
         if person is None:
+            self.show_start()
             return
         visit = Visit(person.id, date.today(), capture_state=CaptureState.WANTED)
 
+        def add(records: Records) -> dict[Side, Template]:
+            templates = last_prescriptions(records, person.id)
+            records.visits.add(visit)
+            return templates
+
+        def added(templates: dict[Side, Template]) -> None:
+            self._same_prescription.expect(visit.id, templates, applied=same_prescription)
+            self.open_visit(visit.id)
+
+        self._clinic.write(add, added, self._tell)
+
+    def show_orders(self, *, of_person: bool = False) -> None:
+        """Show the orders of the clinic, or of the person on the page."""
+        if self.orders is None:
+            self.orders = OrdersPage()
+            self._orders_presenter = OrdersPresenter(self.orders, self._clinic, self._tell)
+            self.orders.patients_requested.connect(self.show_start)
+            self.orders.order_chosen.connect(self._open_order)
+            self.orders.edit_requested.connect(self.order_actions.ask)
+        assert self._orders_presenter is not None
+        self.page_requested.emit(self.orders)
+        self._orders_presenter.show(self._shown_person if of_person else None)
+
+    def add_case(self) -> None:
+        """Ask whose the open case of a file is, and make a visit of it."""
+        case = self._services.case.record
+        dialog = ChoosePersonDialog(case.patient.name, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.accepted.connect(lambda: self._add_case(dialog.person_id))
+
+        def show(found: list[PersonSummary]) -> None:
+            if isValid(dialog):
+                dialog.show_found(person_rows(found))
+
+        def search(typed: str) -> None:
+            self._clinic.ask(
+                "records-choose",
+                lambda records: records.persons.search(typed, MOST_FOUND),
+                show,
+                self._tell,
+            )
+
+        dialog.search_edited.connect(search)
+        dialog.open()
+        search(case.patient.name)
+
+    def _add_case(self, person_id: str) -> None:
+        case = self._services.case.record
+
         def add(records: Records) -> Visit:
-            return records.visits.add(visit)
+            from insole_core.workflows.records.keep_case import add_case
+
+            return add_case(records, case, person_id)
 
         self._clinic.write(
-            add, lambda added: self.open_visit(added.id), self._services.messages.show_error
+            add,
+            lambda visit: self._keeper.open_visit(visit.id, self._tell),
+            self._tell,
+        )
+
+    def ask_follow_up(self) -> None:
+        """Show what became of the insoles of the person on the page, and ask for more."""
+        person = self._shown_person
+        if person is None:
+            return
+
+        def show(before: Sequence[FollowUp]) -> None:
+            dialog = FollowUpDialog(person.id, before, self._services.window)
+            dialog.finished.connect(dialog.deleteLater)
+            dialog.accepted.connect(lambda: self._add_follow_up(dialog.follow_up()))
+            dialog.open()
+
+        self._clinic.ask(
+            "records-follow-ups", lambda r: r.follow_ups.of_person(person.id), show, self._tell
+        )
+
+    @property
+    def _shown_person(self) -> Person | None:
+        return None if self._person_presenter is None else self._person_presenter.person
+
+    def _add_follow_up(self, follow_up: FollowUp) -> None:
+        self._clinic.write(lambda r: r.follow_ups.add(follow_up), _nothing, self._tell)
+
+    def _open_order(self, order_id: str) -> None:
+        """Open the visit of an order, on whichever page it is listed."""
+        self._clinic.ask(
+            "records-order",
+            lambda records: records.orders.get(order_id).visit_id,
+            self.open_visit,
+            self._tell,
+        )
+
+    def _edit_visit(self, visit_id: str) -> None:
+        assert self._person_presenter is not None
+        shown = self._person_presenter.visit_of(visit_id)
+        if shown is None:
+            return
+        dialog = VisitDialog(shown.visit, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.accepted.connect(lambda: self._change_visit(dialog.visit))
+        dialog.open()
+
+    def _change_visit(self, visit: Visit) -> None:
+        self._clinic.write(
+            lambda records: records.visits.change(visit, visit.revision), _nothing, self._tell
+        )
+
+    def _show_versions(self, visit_id: str) -> None:
+        def read(records: Records) -> list[VersionSummary]:
+            return [v for side in Side for v in records.prescriptions.versions(visit_id, side)]
+
+        self._clinic.ask("records-versions", read, self._show_history, self._tell)
+
+    def _show_history(self, versions: list[VersionSummary]) -> None:
+        dialog = HistoryDialog(tr("Versions"), versions, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.version_chosen.connect(
+            lambda version_id: self._show_changes(dialog, versions, version_id)
+        )
+        dialog.sign_requested.connect(self._sign)
+        dialog.open()
+        self._show_changes(dialog, versions, dialog.table.current_key)
+
+    def _show_changes(
+        self, dialog: HistoryDialog, versions: list[VersionSummary], version_id: str
+    ) -> None:
+        """Say below the versions what the chosen one changed in the one before it."""
+        version = next(version for version in versions if version.id == version_id)
+        before = next(
+            (v for v in versions if v.side is version.side and v.number == version.number - 1), None
+        )
+        if before is None:
+            dialog.show_changes(version_id, [tr("The first version of this foot.")])
+            return
+
+        def read(records: Records) -> tuple[Message, ...]:
+            old = records.prescriptions.read(before.id)
+            return design_differences(old.design, records.prescriptions.read(version_id).design)
+
+        def show(lines: tuple[Message, ...]) -> None:
+            if isValid(dialog):
+                dialog.show_changes(version_id, lines or [tr("No difference that can be seen")])
+
+        self._clinic.ask("records-changes-of-version", read, show, self._tell)
+
+    def _sign(self, version_id: str) -> None:
+        def sign_it(records: Records) -> None:
+            from insole_core.records.signing import sign
+
+            with records.context.database.writing() as connection:
+                sign(connection, version_id, records.who)
+
+        self._clinic.write(sign_it, _nothing, self._tell)
+
+    def _compare(self, newer_id: str, older_id: str) -> None:
+        def read(records: Records) -> list[tuple[str, CaseRecord]]:
+            opened = [records.visits.open_case(visit_id) for visit_id in (newer_id, older_id)]
+            return [(found.visit.visited_on.isoformat(), found.record) for found in opened]
+
+        self._clinic.ask(
+            "records-compare", read, lambda found: self.compared.emit(*found), self._tell
         )
 
     @Slot()
@@ -168,7 +356,7 @@ class PatientRecords(QObject):
             "records-conflict",
             lambda records: records.prescriptions.read(summary.id),
             show,
-            self._services.messages.show_error,
+            self._tell,
         )
 
     def _settle(
@@ -213,21 +401,25 @@ class PatientRecords(QObject):
         self._start_presenter = StartPresenter(page, self._clinic)
         page.person_chosen.connect(self.show_person)
         page.visit_chosen.connect(self.open_visit)
+        page.order_chosen.connect(self._open_order)
         page.action_requested.connect(self.action_requested)
         page.recent_file_chosen.connect(self.recent_file_chosen)
         self._show_recent_files()
 
     def _make_person(self) -> None:
         self.person = page = PersonPage()
-        self._person_presenter = PersonPresenter(
-            page, self._clinic, self._services.messages.show_error
-        )
+        self._person_presenter = PersonPresenter(page, self._clinic, self._tell)
         page.action_requested.connect(self.action_requested)
         page.visit_action_requested.connect(self._run_on_visit)
+        page.compare_requested.connect(self._compare)
 
     def _run_on_visit(self, key: str, visit_id: str) -> None:
-        if key == "open":
-            self.open_visit(visit_id)
+        run = {
+            "open": self.open_visit,
+            "edit": self._edit_visit,
+            "versions": self._show_versions,
+        }[key]
+        run(visit_id)
 
     def _show_recent_files(self) -> None:
         if self.start is not None:
@@ -254,4 +446,8 @@ class PatientRecords(QObject):
                 )
             self.show_person(found.id)
 
-        self._clinic.write(add, added, self._services.messages.show_error)
+        self._clinic.write(add, added, self._tell)
+
+
+def _nothing(_answer: object) -> None:
+    """Do nothing with an answer: the pages show what has changed by themselves."""

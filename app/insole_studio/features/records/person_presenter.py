@@ -9,16 +9,19 @@ from typing import TYPE_CHECKING
 
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, InputError
+from insole_core.geometry.side import Side
 from insole_core.records.field_checks import check_name, check_text
 from insole_core.records.person import Person
 from insole_core.records.personal_numbers import check_personal_number
+from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.person_page import PersonPage
-from insole_studio.features.records.record_texts import capture_text, day_text
-from insole_studio.features.records.rows import DATE_FIELDS, VisitRow
+from insole_studio.features.records.record_texts import capture_text, day_text, version_text
+from insole_studio.features.records.rows import DATE_FIELDS, FootLine, VisitRow
 from insole_studio.features.records.trends import trends_of
+from insole_studio.features.records.visit_pictures import VisitPictures
 from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
@@ -27,12 +30,27 @@ if TYPE_CHECKING:
 READ = "records-person"
 
 
+_MOST_FINDINGS = 200
+"""Characters of the findings that a card shows."""
+_MOST_PICTURED = 12
+"""Visits with pictures: further ones are old, and far down."""
+
+
+@dataclass(frozen=True)
+class VisitView:
+    """A visit with the newest version of each foot, and who else has it open."""
+
+    visit: Visit
+    newest: tuple[VersionSummary, ...]
+    others: tuple[str, ...]
+
+
 @dataclass(frozen=True)
 class PersonView:
-    """A person with what the page shows of them."""
+    """A person with what the page shows of them, the newest visit first."""
 
     person: Person
-    visits: tuple[Visit, ...]
+    visits: tuple[VisitView, ...]
 
 
 class PersonPresenter:
@@ -55,7 +73,8 @@ class PersonPresenter:
         """The person as they should be stored, while an earlier change is being stored."""
         self._is_storing = False
         self._history: History[Person] = History()
-        self.visits: tuple[Visit, ...] = ()
+        self.visits: tuple[VisitView, ...] = ()
+        self._pictures = VisitPictures(clinic, page.show_picture)
         page.field_edited.connect(self.edit_field)
         clinic.changed.connect(self.refresh)
         clinic.state_changed.connect(self._show_state)
@@ -94,6 +113,10 @@ class PersonPresenter:
             self._history.push(person, after, tr("Edit the patient's fields"))
             self._store(after)
         self._show_fields()
+
+    def visit_of(self, visit_id: str) -> VisitView | None:
+        """Return a visit of the person on the page; None if it is none of theirs."""
+        return next((shown for shown in self.visits if shown.visit.id == visit_id), None)
 
     def undo(self) -> None:
         """Undo the last edit of a field."""
@@ -153,7 +176,9 @@ class PersonPresenter:
         self.visits = view.visits
         self._show_fields()
         self._page.show_visits([_row(visit) for visit in view.visits])
-        self._page.show_trends(trends_of(view.visits))
+        self._page.show_trends(trends_of([shown.visit for shown in view.visits]))
+        pictured = view.visits[:_MOST_PICTURED]
+        self._pictures.want([version for shown in pictured for version in shown.newest])
 
     def _show_state(self) -> None:
         self._page.show_editable(self._clinic.is_open and not self._clinic.is_read_only)
@@ -165,7 +190,20 @@ class PersonPresenter:
 
 def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView:
     person = records.persons.open(person_id) if seen else records.persons.get(person_id)
-    return PersonView(person, tuple(records.visits.of_person(person.id)))
+    return PersonView(
+        person,
+        tuple(_visit_view(records, visit) for visit in records.visits.of_person(person.id)),
+    )
+
+
+def _visit_view(records: Records, visit: Visit) -> VisitView:
+    versions = (records.prescriptions.versions(visit.id, side)[:1] for side in Side)
+    others = records.presence.others(visit.id)
+    return VisitView(
+        visit,
+        tuple(version for newest in versions for version in newest),
+        tuple(f"{present.author}, {present.station}" for present in others),
+    )
 
 
 def _fields_of(person: Person) -> dict[str, str]:
@@ -211,7 +249,23 @@ def _with_field(person: Person, key: str, text: str, today: date) -> Person:
     return _with_values(person, {key: check_text(text, key)})
 
 
-def _row(visit: Visit) -> VisitRow:
-    waits = visit.capture_state in (CaptureState.WANTED, CaptureState.RUNNING)
-    note = tr("Capture: {state}").format(state=capture_text(visit.capture_state)) if waits else ""
-    return VisitRow(visit.id, visit.visited_on.isoformat(), visit.reason, note=note)
+def _row(shown: VisitView) -> VisitRow:
+    visit = shown.visit
+    notes = []
+    if visit.capture_state in (CaptureState.WANTED, CaptureState.RUNNING):
+        state = capture_text(visit.capture_state)
+        notes.append(tr("Capture: {state}").format(state=state))
+    if shown.others:
+        notes.append(tr("Open at the moment: {who}").format(who="; ".join(shown.others)))
+    if visit.findings:
+        notes.append(" ".join(visit.findings.split())[:_MOST_FINDINGS])
+    feet = tuple(
+        FootLine(version.side, _version_line(version), version.signed_by is not None)
+        for version in shown.newest
+    )
+    return VisitRow(visit.id, visit.visited_on.isoformat(), visit.reason, feet, "   ".join(notes))
+
+
+def _version_line(version: VersionSummary) -> str:
+    number = tr("Version {number}").format(number=version.number)
+    return f"{number}: {version_text(version)}"

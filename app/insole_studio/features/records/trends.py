@@ -15,13 +15,13 @@ def trends_of(visits: Sequence[Visit]) -> list[Trend]:
     found: dict[tuple[str, Side | None], list[tuple[str, float]]] = {}
     for visit in sorted(visits, key=lambda visit: visit.visited_on):
         day = visit.visited_on.isoformat()
-        if visit.weight_kg is not None:
-            found.setdefault((tr("Weight (kg)"), None), []).append((day, visit.weight_kg))
         for key, value in visit.measures.items():
             side, measure = _side_and_measure(key)
             name = _names().get(measure)
             if name is not None:
                 found.setdefault((name, side), []).append((day, value))
+        if visit.weight_kg is not None:
+            found.setdefault((tr("Weight (kg)"), None), []).append((day, visit.weight_kg))
     return [
         Trend(name, tuple(day for day, _ in points), tuple(value for _, value in points), side)
         for (name, side), points in found.items()
@@ -39,7 +39,7 @@ def _side_and_measure(key: str) -> tuple[Side | None, str]:
 
 def _names() -> dict[str, str]:
     return {
-        "length_mm": tr("Foot length (mm)"),
+        "foot_length_mm": tr("Foot length (mm)"),
         "ball_width_mm": tr("Ball width (mm)"),
         "heel_width_mm": tr("Heel width (mm)"),
         "arch_height_mm": tr("Arch height (mm)"),

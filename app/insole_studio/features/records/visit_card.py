@@ -71,8 +71,8 @@ class VisitCard(QFrame):
         top.addWidget(self.compare)
         for key, text in (
             ("open", tr("Open")),
+            ("edit", tr("Edit…")),
             ("versions", tr("Versions…")),
-            ("sign", tr("Sign…")),
         ):
             top.addWidget(self._button(key, text))
         layout = QVBoxLayout(self)
@@ -95,6 +95,7 @@ class VisitCard(QFrame):
             words.addWidget(side_letter(foot.side), number, 0)
             label = QLabel(foot.text)
             label.setWordWrap(True)
+            label.setObjectName("numbers" if foot.is_signed else "")
             words.addWidget(label, number, 1)
         words.setColumnStretch(1, 1)
         words.setRowStretch(len(self.row.feet), 1)
@@ -108,7 +109,7 @@ class VisitCard(QFrame):
         button = QPushButton(text)
         button.setProperty("action", key)
         button.setAccessibleName(f"{text} {self.row.day}")
-        button.setEnabled(key == "open" or bool(self.row.feet))
+        button.setEnabled(key != "versions" or bool(self.row.feet))
         button.clicked.connect(self._request)
         return button
 

@@ -79,6 +79,7 @@ def test_depth_beside_colour_from_raw_depth(recorded) -> None:
     np.testing.assert_allclose(found.disparity.depth_mm(raw), USUAL_DEPTH.depth_mm(raw), rtol=0.01)
 
 
+@pytest.mark.slow
 def test_a_square_of_another_side_is_kept_only_when_insisted(
     recorded, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

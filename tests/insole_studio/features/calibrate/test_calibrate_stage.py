@@ -181,6 +181,7 @@ def test_a_step_before_its_time(
     assert not stage.view.save.isEnabled()
 
 
+@pytest.mark.slow
 def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
     stage: CalibrateStage, chosen: Chosen, asked: Asked, pictures: Path, settle, tmp_path: Path
 ) -> None:

@@ -19,6 +19,7 @@ from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import record_keeper
+from insole_studio.features.records.visit_pictures import VisitPictures
 from insole_studio.user_paths import UserPaths
 
 
@@ -26,6 +27,13 @@ from insole_studio.user_paths import UserPaths
 def quick_saving(monkeypatch: pytest.MonkeyPatch) -> None:
     """Save a change sooner than a user would notice; one test waits as long as the product does."""
     monkeypatch.setattr(record_keeper, "SAVE_AFTER_MS", 20)
+
+
+@pytest.fixture(autouse=True)
+def without_pictures(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Make no small pictures, which take longer than all else, but where a test asks for them."""
+    if request.node.get_closest_marker("drawn") is None:
+        monkeypatch.setattr(VisitPictures, "want", lambda _pictures, _versions: None)
 
 
 @pytest.fixture

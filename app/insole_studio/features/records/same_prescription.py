@@ -1,0 +1,83 @@
+"""The prescription of the last visit, for the scans of a new one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from insole_core.errors import InsoleError
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.template import Template
+from insole_core.workflows.template_transfer import fitted, last_design
+from insole_studio.services.app_services import AppServices
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+
+
+@dataclass(frozen=True)
+class _Coming:
+    """What a visit begins with: for each foot, the last prescription."""
+
+    visit_id: str
+    templates: Mapping[Side, Template]
+    applied: bool
+
+
+class SamePrescription(QObject):
+    """Gives each new scan of a new visit the prescription of the last one.
+
+    It is fitted by the landmarks as one step of undo, or only offered ("Repeat the last design").
+    """
+
+    def __init__(self, services: AppServices) -> None:
+        super().__init__(services.window)
+        self._services = services
+        self._case = services.case
+        self._coming: _Coming | None = None
+        self._case.foot_changed.connect(self._begin_foot)
+
+    def expect(self, visit_id: str, templates: Mapping[Side, Template], *, applied: bool) -> None:
+        """Expect the scans of a visit.
+
+        Parameters
+        ----------
+        applied
+            Whether a new scan gets its prescription at once; otherwise it is offered.
+        """
+        self._coming = _Coming(visit_id, templates, applied)
+
+    def _begin_foot(self) -> None:
+        coming, foot = self._coming, self._case.record.current
+        if coming is None or foot is None or self._services.keeper.visit_id != coming.visit_id:
+            return
+        template = coming.templates.get(foot.side)
+        if template is None or foot.earlier is not None or foot.design.corrections:
+            return
+        foot = replace(foot, earlier=template)
+        if not coming.applied:
+            self._case.apply(foot, tr("Remember the last prescription"))
+            return
+        try:
+            foot = foot.with_design(fitted(template, foot, self._case.stamped))
+        except InsoleError as error:
+            self._services.messages.show_error(error)
+        self._case.apply(foot, tr("Prescribe as on the last visit"))
+
+
+def last_prescriptions(records: Records, person_id: str) -> dict[Side, Template]:
+    """Return the last prescription of each foot of a person, on whichever visit it was."""
+    found: dict[Side, Template] = {}
+    for visit in records.visits.of_person(person_id):
+        for side in Side:
+            versions = [] if side in found else records.prescriptions.versions(visit.id, side)
+            template = last_design(records.prescriptions.read(versions[0].id)) if versions else None
+            if template is not None:
+                found[side] = template
+        if len(found) == len(Side):
+            break
+    return found

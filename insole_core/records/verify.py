@@ -1,0 +1,148 @@
+"""Verifying a whole record: audit log, signatures, files, and what refers to what."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sqlalchemy import Connection, ForeignKeyConstraint, and_, exists, func, select, text
+
+from insole_core.messages import Message
+from insole_core.progress import SILENT, Progress
+from insole_core.records.audit import AuditReport, verify_chain
+from insole_core.records.content_store import ContentReport
+from insole_core.records.context import RecordsContext
+from insole_core.records.rights import Right, require
+from insole_core.records.schema import contents, metadata
+from insole_core.records.signing import SignatureReport, verify_signatures
+
+
+@dataclass(frozen=True)
+class VerifyReport:
+    """What a verification of the record found.
+
+    Parameters
+    ----------
+    references
+        Tables with rows that refer to something that is not there, and the number of such rows.
+    database_problem
+        What the database itself says about its file; empty if all is well, or on a server.
+    """
+
+    audit: AuditReport
+    signatures: SignatureReport
+    contents: ContentReport
+    references: Mapping[str, int]
+    database_problem: str = ""
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether everything is what was stored."""
+        return not self.problems()
+
+    def problems(self) -> list[Message]:
+        """Return what is wrong, a sentence for each kind."""
+        found: list[Message] = []
+        if self.database_problem:
+            found.append(
+                Message(
+                    "The database is damaged ({reason}); restore it from a backup.",
+                    reason=self.database_problem,
+                )
+            )
+        if self.audit.problem is not None:
+            found.append(self.audit.problem)
+        for ids, template in (
+            (
+                self.signatures.changed,
+                "{count} signed prescriptions are not what was signed, the first is {first}; "
+                "compare them with a backup.",
+            ),
+            (
+                self.signatures.unlogged,
+                "{count} signed prescriptions have a signature that the audit log does not know, "
+                "the first is {first}; compare them with a backup.",
+            ),
+            (
+                self.signatures.missing,
+                "{count} signed prescriptions are gone, the first is {first}; compare the record "
+                "with a backup.",
+            ),
+            (
+                self.contents.damaged,
+                "{count} files were changed since the record stored them, the first is {first}; "
+                "restore them from a backup.",
+            ),
+            (
+                self.contents.missing,
+                "{count} files of the record are missing, the first is {first}; restore them from "
+                "a backup.",
+            ),
+        ):
+            if ids:
+                found.append(Message(template, count=len(ids), first=ids[0][:12]))
+        found += [
+            Message(
+                "{count} rows of {table} refer to something that is not there; restore the record "
+                "from a backup.",
+                count=count,
+                table=table,
+            )
+            for table, count in self.references.items()
+        ]
+        return found
+
+
+def verify_record(
+    context: RecordsContext,
+    known: Mapping[int, str] | None = None,
+    progress: Progress = SILENT,
+) -> VerifyReport:
+    """Verify all that the record holds; nothing is changed.
+
+    Parameters
+    ----------
+    known
+        Hashes of lines of the audit log by number, as backups keep them.
+
+    Raises
+    ------
+    NotAllowed
+    Unreachable
+        When database or files do not answer.
+    Cancelled
+    """
+    with context.database.reading() as connection:
+        require(connection, context.author, Right.BACK_UP)
+        problem = _problem_of_file(connection) if context.database.is_sqlite else ""
+        audit = verify_chain(connection, known, progress.part(0, 0.3))
+        signatures = verify_signatures(connection, progress.part(0.3, 0.4))
+        references = _dangling(connection)
+        query = select(contents.c.sha256, contents.c.size)
+        used = {row.sha256: row.size for row in connection.execute(query)}
+    files = context.contents.verify(used, progress.part(0.4, 1))
+    return VerifyReport(audit, signatures, files, references, problem)
+
+
+def _problem_of_file(connection: Connection) -> str:
+    found = str(connection.execute(text("PRAGMA quick_check(1)")).scalar_one())
+    return "" if found == "ok" else found[:200]
+
+
+def _dangling(connection: Connection) -> dict[str, int]:
+    """Count the rows whose references lead nowhere, which the database should not allow."""
+    found: dict[str, int] = {}
+    for table in metadata.sorted_tables:
+        for constraint in table.foreign_key_constraints:
+            count = _count_dangling(connection, constraint)
+            if count:
+                found[table.name] = found.get(table.name, 0) + count
+    return found
+
+
+def _count_dangling(connection: Connection, constraint: ForeignKeyConstraint) -> int:
+    (key,) = constraint.elements
+    target = key.column.table.alias()
+    refers = and_(target.c[key.column.name] == key.parent)
+    query = select(func.count()).where(key.parent.is_not(None), ~exists().where(refers))
+    return int(connection.execute(query).scalar_one())

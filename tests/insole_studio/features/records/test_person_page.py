@@ -1,0 +1,310 @@
+"""A person's page: fields, time line, pictures, versions, orders, follow-up."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date, timedelta
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLineEdit, QPushButton
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import HeelLift
+from insole_core.records.order import OrderState
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.records.visit import CaptureState, Visit
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.records.follow_up_dialog import FollowUpDialog
+from insole_studio.features.records.history_dialog import HistoryDialog
+from insole_studio.features.records.person_page import PersonPage
+from insole_studio.features.records.visit_dialog import VisitDialog
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def page(clinic: Application, visit: Visit, rest: Callable[[], None], qtbot: QtBot) -> PersonPage:
+    """The page of Anna Berg, who has one visit."""
+    clinic.features.records.show_person(visit.person_id)
+    rest()
+    shown = clinic.features.records.person
+    assert shown is not None
+    qtbot.waitUntil(lambda: list(shown.cards) == [visit.id])
+    return shown
+
+
+def type_in(page: PersonPage, key: str, text: str) -> QLineEdit:
+    field = page._fields[key]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    return field
+
+
+def press(page: PersonPage, visit: Visit, key: str) -> None:
+    buttons = page.cards[visit.id].findChildren(QPushButton)
+    QTest.mouseClick(next(b for b in buttons if b.property("action") == key), LEFT)
+
+
+def test_fields_are_stored_at_once_and_undone(
+    clinic: Application,
+    page: PersonPage,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+) -> None:
+    type_in(page, "birth_date", "1971-3-1")
+    type_in(page, "contact", "070-123")
+    rest()
+    person = records.persons.get(visit.person_id)
+    assert (person.birth_date, person.contact) == (date(1971, 3, 1), "070-123")
+    clinic.controller.run_action("undo", False)
+    clinic.controller.run_action("undo", False)
+    rest()
+    person = records.persons.get(visit.person_id)
+    assert (person.birth_date, person.contact) == (date(1970, 2, 28), "")
+    clinic.controller.run_action("redo", False)
+    rest()
+    assert records.persons.get(visit.person_id).birth_date == date(1971, 3, 1)
+
+
+@pytest.mark.parametrize(
+    ("key", "text", "sentence"),
+    [
+        ("birth_date", "1970-02-30", "1970-02-30 is no date"),
+        ("name", " ", "The name is missing"),
+        ("name", "A" * 201, "The name has 201 characters"),
+    ],
+)
+def test_what_cannot_be_right_is_refused_beside_the_field(
+    page: PersonPage, records: Records, visit: Visit, key: str, text: str, sentence: str
+) -> None:
+    before = page._fields[key].text()
+    field = type_in(page, key, text)
+    assert page._refusals[key].text().startswith(sentence)
+    assert field.text() == before
+    assert records.persons.get(visit.person_id).revision == 1
+
+
+def test_fields_that_two_change_at_once_are_both_kept(
+    page: PersonPage,
+    records: Records,
+    other_station: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+) -> None:
+    person = other_station.persons.get(visit.person_id)
+    other_station.persons.change(replace(person, notes="Allergic to nickel"), person.revision)
+    type_in(page, "contact", "070-123")
+    rest()
+    stored = records.persons.get(visit.person_id)
+    assert (stored.contact, stored.notes) == ("070-123", "Allergic to nickel")
+
+
+@pytest.mark.drawn
+def test_a_visit_shows_pictures_of_foot_and_insole(
+    page: PersonPage, visit: Visit, qtbot: QtBot
+) -> None:
+    labels = page.cards[visit.id]._pictures
+    assert [(key.side, key.kind) for key in labels] == [(Side.LEFT, "foot"), (Side.LEFT, "insole")]
+    qtbot.waitUntil(
+        lambda: all(not label.pixmap().isNull() for label in labels.values()), timeout=20_000
+    )
+
+
+def test_a_visit_is_opened_from_its_card(
+    clinic: Application, page: PersonPage, visit: Visit, qtbot: QtBot
+) -> None:
+    press(page, visit, "open")
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    assert clinic.window.page is None
+    clinic.stage.steps.chosen.emit("patient")
+    assert clinic.window.page is page
+
+
+def test_the_fields_of_a_visit_are_edited(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+) -> None:
+    press(page, visit, "edit")
+    (dialog,) = clinic.window.findChildren(VisitDialog)
+    dialog.weight.setText("abc")
+    QTest.mouseClick(dialog.keep, LEFT)
+    assert dialog.refusal.text() == "Abc is no number; write it such as 72.5."
+    dialog.weight.setText("72,5")
+    dialog.capture.setChecked(True)
+    QTest.mouseClick(dialog.keep, LEFT)
+    rest()
+    stored = records.visits.get(visit.id)
+    assert stored.weight_kg == 72.5
+    assert stored.capture_state is CaptureState.WANTED
+
+
+def test_versions_say_what_they_changed_and_are_signed(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+) -> None:
+    opened = records.visits.open_case(visit.id)
+    foot = opened.record.feet[0]
+    thicker = foot.with_design(replace(foot.design, thickness_mm=5.0))
+    records.prescriptions.save(visit.id, thicker, opened.bases[Side.LEFT], "For work shoes")
+    press(page, visit, "versions")
+    rest()
+    (dialog,) = clinic.window.findChildren(HistoryDialog)
+    rest()
+    assert [row.cells[1] for row in dialog.table.rows] == ["2", "1"]
+    assert dialog.table.rows[0].cells[4] == "For work shoes"
+    assert dialog.changes.text() == "Thickness: 3 mm → 5 mm"
+    QTest.mouseClick(dialog.sign, LEFT)
+    rest()
+    newest = records.prescriptions.versions(visit.id, Side.LEFT)[0]
+    assert newest.signed_by == records.who.name
+
+
+def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+) -> None:
+    opened = records.visits.open_case(visit.id)
+    foot = opened.record.feet[0]
+    lifted = foot.with_design(foot.design.with_added(HeelLift(height_mm=6.0)))
+    records.prescriptions.save(visit.id, lifted, opened.bases[Side.LEFT])
+    clinic.controller.run_action("new_visit_same", False)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    assert clinic.services.keeper.visit_id != visit.id
+    source = ScanSource("mesh", "/nowhere/new.ply", "1" * 64)
+    clinic.case.open_foot(make_foot(Side.LEFT), source)
+    design = clinic.case.record.design
+    assert design is not None
+    (lift,) = design.corrections
+    assert isinstance(lift, HeelLift)
+    assert lift.height_mm == 6.0
+    qtbot.waitUntil(
+        lambda: bool(records.prescriptions.versions(clinic.services.keeper.visit_id, Side.LEFT)),
+        timeout=10_000,
+    )
+
+
+def test_two_visits_are_compared(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+) -> None:
+    earlier = records.visits.add(Visit(visit.person_id, date.today() - timedelta(days=365)))
+    source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+    records.prescriptions.save(earlier.id, FootRecord.begun(make_foot(Side.LEFT), source), None)
+    qtbot.waitUntil(lambda: len(page.cards) == 2, timeout=10_000)
+    for card in page.cards.values():
+        qtbot.waitUntil(card.compare.isEnabled)
+        card.compare.click()
+    QTest.mouseClick(page._compare, LEFT)
+    compare = clinic.features.compare
+    qtbot.waitUntil(lambda: compare.stage is not None, timeout=10_000)
+    assert compare.stage is not None
+    today = date.today().isoformat()
+    assert compare.stage.view.sources["a"].currentText() == f"{today}: Left foot"
+    qtbot.waitUntil(lambda: not compare.stage.jobs.is_running(), timeout=20_000)
+    compare.close()
+
+
+def test_measures_over_time_are_plotted(
+    page: PersonPage, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    for days, length_mm in ((365, 250.0), (30, 252.0)):
+        day = date.today() - timedelta(days=days)
+        measures = {"left_foot_length_mm": length_mm, "right_foot_length_mm": length_mm + 1}
+        records.visits.add(Visit(visit.person_id, day, measures=measures))
+    qtbot.waitUntil(page.chart.isVisible, timeout=10_000)
+    assert page.chart.measures.currentText() == "Foot length (mm)"
+    said = page.chart.plot.accessibleDescription()
+    assert said == "LEFT 250.0 → 252.0; RIGHT 251.0 → 253.0"
+
+
+def test_a_follow_up_is_added(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+) -> None:
+    clinic.controller.run_action("follow_up", False)
+    rest()
+    (dialog,) = clinic.window.findChildren(FollowUpDialog)
+    assert not dialog.add.isEnabled()
+    QTest.keyClicks(dialog.outcome, "Better")
+    QTest.mouseClick(dialog.add, LEFT)
+    rest()
+    (added,) = records.follow_ups.of_person(visit.person_id)
+    assert added.outcome == "Better"
+
+
+def test_orders_are_listed_by_state_and_moved(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+) -> None:
+    version = records.prescriptions.versions(visit.id, Side.LEFT)[0]
+    late = date.today() - timedelta(days=1)
+    order = records.orders.add(visit.id, [version.id], shop="CNC Nord", due_on=late)
+    clinic.controller.run_action("orders", False)
+    rest()
+    orders = clinic.features.records.orders
+    assert orders is not None
+    (row,) = orders.table.rows
+    assert row.attention
+    assert row.cells == (
+        "Anna Berg", order.number, "Designed", f"{late.isoformat()}, overdue", "CNC Nord"
+    )  # fmt: skip
+    assert not orders.move_button.isEnabled()
+    orders.table.take_first()
+    orders.to_state.show_value(OrderState.DELIVERED.value)
+    QTest.mouseClick(orders.move_button, LEFT)
+    rest()
+    assert orders.table.rows == ()
+    orders.shown.show_value(OrderState.DELIVERED.value)
+    orders.state_chosen.emit(OrderState.DELIVERED.value)
+    rest()
+    assert [row.key for row in orders.table.rows] == [order.id]
+
+
+def test_actions_on_a_person_need_their_page(clinic: Application, page: PersonPage) -> None:
+    actions = clinic.window.actions_by_key
+    assert actions["new_visit"].isEnabled()
+    clinic.controller.run_action("patients", False)
+    assert not actions["new_visit"].isEnabled()
+
+
+def test_names_are_shown_as_they_are(
+    clinic: Application, records: Records, rest: Callable[[], None]
+) -> None:
+    evil = "<b>Eva</b> & Co"
+    person = records.persons.add(Person(evil))
+    clinic.features.records.show_person(person.id)
+    rest()
+    page = clinic.features.records.person
+    assert page is not None
+    assert page._name.text() == evil
+    assert page._name.textFormat() is Qt.TextFormat.PlainText
