@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from datetime import date
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
@@ -33,9 +34,11 @@ from insole_core.records.fhir import (
 from insole_core.records.order import Order
 from insole_core.records.records import Records
 from insole_core.records.rights import Right, require
+from insole_core.records.statement import statement_of, write_statement_paper
 from insole_core.records.visits import patient_of
 from insole_core.solids.checks import survey_heights
 from insole_core.solids.export_job import standing
+from insole_core.solids.prescription_paper import NOBODY, Responsible
 from insole_core.solids.solid import make_solid
 from insole_core.workflows.records.person_dossier import (
     PersonDossier,
@@ -75,6 +78,7 @@ def export_person(
     folder: Path,
     *,
     is_pseudonymous: bool = False,
+    responsible: Responsible = NOBODY,
     progress: Progress = SILENT,
 ) -> PersonExport:
     """Export all that the record holds of a person, as a whole or not at all.
@@ -88,6 +92,9 @@ def export_person(
         New or empty.
     is_pseudonymous
         Leave out all that names or describes the person.
+    responsible
+        Maker and clinic, for the statement (Annex XIII) of each order whose prescriptions are
+        signed; who signed is in the record.
 
     Raises
     ------
@@ -106,7 +113,7 @@ def export_person(
     if is_pseudonymous:
         dossier = pseudonymous(dossier)
     with replacing_folder(folder) as beside:
-        writer = _ExportWriter(records, dossier, name, beside)
+        writer = _ExportWriter(records, dossier, name, beside, responsible)
         writer.write(progress)
     files = tuple(file.path for file in writer.files)
     with records.context.writing(Right.EXPORT, dossier.person.id) as connection:
@@ -124,12 +131,20 @@ def export_person(
 class _ExportWriter:
     """Writes the parts of an export into an unfinished folder."""
 
-    def __init__(self, records: Records, dossier: PersonDossier, name: str, folder: Path) -> None:
+    def __init__(
+        self,
+        records: Records,
+        dossier: PersonDossier,
+        name: str,
+        folder: Path,
+        responsible: Responsible,
+    ) -> None:
         self._records = records
         self._dossier = dossier
         self._name = name
         """Of the person, also where the dossier is pseudonymous."""
         self._folder = folder
+        self._responsible = responsible
         self._feet: dict[str, Any] = {}
         self._pictures: dict[str, list[FootPicture]] = {}
         self._requests: list[Resource] = []
@@ -223,6 +238,21 @@ class _ExportWriter:
                 path = self._new_folder(place) / name
                 self._records.contents.copy_to(file.content_sha256, path)
                 self._note(path)
+        self._write_statement(order, place)
+
+    def _write_statement(self, order: Order, place: str) -> None:
+        """Write the statement of an order, which names the patient; nothing unsigned is stated."""
+        versions = (v for visit in self._dossier.visits for v in visit.versions)
+        signed = {version.id for version in versions if version.signed_by}
+        if self._dossier.is_pseudonymous or not signed.issuperset(order.version_ids):
+            return
+        with self._told(f"{place}/statement.pdf"):
+            statement = statement_of(self._records.context, order.id, self._responsible)
+            self._add_json(f"{place}/statement.json", statement.as_json())
+            self._add(
+                f"{place}/statement.pdf",
+                lambda path: write_statement_paper(statement, path, date.today()),
+            )
 
     def _write_fhir(self) -> None:
         person, is_pseudonymous = self._dossier.person, self._dossier.is_pseudonymous

@@ -25,6 +25,7 @@ from insole_core.records.person_import import (
 from insole_core.records.persons_of_table import PersonRows, read_persons
 from insole_core.records.records import Records
 from insole_core.records.text_table import TextTable, read_table
+from insole_core.solids.prescription_paper import Responsible
 from insole_core.workflows.records.import_cases import CaseLine, CasePlan, import_cases, plan_cases
 from insole_core.workflows.records.plain_name import plain_name
 from insole_studio.features.records.import_dialog import ImportDialog, ImportRow
@@ -111,11 +112,21 @@ class RecordTransfer(QObject):
         if records is None or parent is None:
             return
 
+        settings = self._services.settings
+        responsible = Responsible(
+            clinic=settings.clinic, maker=settings.maker, maker_address=settings.maker_address
+        )
+
         def write(progress: Progress) -> PersonExport:
             pseudonym = records.persons.get(person_id).pseudonym
             folder = _free_folder(parent, pseudonym)
             return export_person(
-                records, person_id, folder, is_pseudonymous=is_pseudonymous, progress=progress
+                records,
+                person_id,
+                folder,
+                is_pseudonymous=is_pseudonymous,
+                responsible=responsible,
+                progress=progress,
             )
 
         def tell(export: PersonExport) -> None:
