@@ -177,7 +177,7 @@ def test_importing_the_same_file_twice_adds_nobody(tmp_path, records):
 
 
 def test_an_interrupted_import_adds_nobody(tmp_path, records):
-    rows = _rows(tmp_path, "Name\n" + "".join(f"Person {n}\n" for n in range(300)))
+    rows = _rows(tmp_path, "Name\n" + "".join(f"Person {n}\n" for n in range(1200)))
     answers = iter([False, False, True])
     with pytest.raises(Cancelled):
         import_persons(records, rows, progress=Progress(is_cancelled=lambda: next(answers)))
