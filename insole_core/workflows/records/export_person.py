@@ -215,7 +215,8 @@ class _ExportWriter:
         insole = None
         with self._told(f"{place}/{foot.side}.stl"):
             insole = self._write_insole(foot, f"{place}/{foot.side}.stl", progress)
-        picture = FootPicture(foot, survey_heights(foot.foot.mesh), insole)
+        sole = survey_heights(foot.foot.mesh)
+        picture = FootPicture(foot.side, foot.variant(foot.chosen), sole, insole)
         self._pictures.setdefault(dossier.visit.id, []).append(picture)
         version = dossier.newest(foot.side)
         if version is not None:
