@@ -94,8 +94,10 @@ class ImportDialog(QDialog):
         Parameters
         ----------
         sentence
-            Why not; empty while a dry run is on its way.
+            Why not; the rows of the dry run before are gone. Empty while one is on its way.
         """
+        if sentence:
+            self.show_rows((), "")
         self.trouble.say(sentence)
         self.add_button.setEnabled(False)
         self.report_button.setEnabled(False)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.errors import InputError, InsoleError
+from insole_core.errors import InsoleError
 from insole_core.export.atomic import write_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
@@ -38,14 +38,26 @@ from insole_studio.services.last_folders import Kept
 from insole_studio.texts import tr, translate_core_message
 
 IMPORT, EXPORT = "records-import", "records-export"
+_WHICH_ORDER = Message(
+    "Some dates can be read in two ways; say whether the day or the month comes first."
+)
 
 
 @dataclass(frozen=True)
 class _DryRun:
-    """What an import of a table would do."""
+    """What an import of a table would do.
 
-    rows: PersonRows
-    plan: ImportPlan
+    Parameters
+    ----------
+    asks_order
+        Whether dates have two readings.
+    rows, plan
+        None until somebody has said their order.
+    """
+
+    asks_order: bool
+    rows: PersonRows | None = None
+    plan: ImportPlan | None = None
 
 
 class RecordTransfer(QObject):
@@ -148,6 +160,10 @@ class RecordTransfer(QObject):
         latest: list[PersonRows] = []
 
         def show(dry_run: _DryRun) -> None:
+            dialog.ask_order(dry_run.asks_order)
+            if dry_run.rows is None or dry_run.plan is None:
+                dialog.wait(_WHICH_ORDER)
+                return
             latest[:] = [dry_run.rows]
             lines = dry_run.plan.lines
             dialog.show_rows([_table_row(line) for line in lines], count_outcomes(lines))
@@ -228,14 +244,14 @@ def _dry_run(records: Records, table: TextTable, mapping: ColumnMapping) -> _Dry
     Raises
     ------
     InputError
-        When the columns make no person, or the order of day and month has to be said.
+        When the columns make no person.
     """
-    if mapping.date_order is None and asks_date_order(table, mapping):
-        raise InputError(
-            "Some dates can be read in two ways; say whether the day or the month comes first."
-        )
+    mapping.check()
+    asks_order = asks_date_order(table, mapping)
+    if mapping.date_order is None and asks_order:
+        return _DryRun(asks_order)
     rows = read_persons(table, mapping, date.today())
-    return _DryRun(rows, plan_import(rows, records.persons.everybody()))
+    return _DryRun(asks_order, rows, plan_import(rows, records.persons.everybody()))
 
 
 def _table_row(line: ImportLine) -> ImportRow:

@@ -48,7 +48,13 @@ class TableImportDialog(ImportDialog):
         self.kind = ComboBox(number_kinds())
         self.kind.show_value(mapping.number_kind)
         self.kind.edited.connect(self.mapping_changed)
+        self._others = QFormLayout()
+        self.mapping_changed.connect(self._ask_kind)
         self._lay_out(table)
+
+    def ask_order(self, asked: bool) -> None:
+        """Show or hide the question in which order dates are written."""
+        self._others.setRowVisible(self.order, asked)
 
     @property
     def mapping(self) -> ColumnMapping:
@@ -70,12 +76,18 @@ class TableImportDialog(ImportDialog):
         scrolled.setWidgetResizable(True)
         scrolled.setWidget(columns)
         scrolled.setMinimumHeight(_COLUMNS_PX)
-        others = QFormLayout()
-        others.addRow(tr("Dates such as 02/03/1970"), self.order)
-        others.addRow(tr("Personal numbers"), self.kind)
+        self._others.addRow(tr("Dates such as 02/03/1970"), self.order)
+        self._others.addRow(tr("Personal numbers"), self.kind)
+        self.ask_order(False)
+        self._ask_kind()
         self.head.addWidget(self.reading)
         self.head.addWidget(scrolled, 1)
-        self.head.addLayout(others)
+        self.head.addLayout(self._others)
+
+    def _ask_kind(self) -> None:
+        """Ask for the kind of personal numbers if there are any."""
+        asked = PersonField.PERSONAL_NUMBER in self.mapping.fields
+        self._others.setRowVisible(self.kind, asked)
 
 
 def _fields() -> list[tuple[str, str]]:

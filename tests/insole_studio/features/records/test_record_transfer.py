@@ -46,7 +46,9 @@ def test_a_table_is_imported_once_the_order_of_days_was_said(records, rest, tabl
     dialog = open_table(table)
     assert [box.currentText() for box in dialog.columns] == ["Name", "Birth date", "Contact"]
     assert "day or the month" in dialog.trouble.text()
+    assert dialog.rows == ()
     assert not dialog.add_button.isEnabled()
+    assert dialog.order.isVisible()
     _choose(dialog.order, "day first")
     rest()
     assert [(row.place, row.outcome) for row in dialog.rows] == [
@@ -68,6 +70,10 @@ def test_a_column_that_is_no_name_is_told_until_one_is_chosen(rest, tmp_path, op
     path.write_text("X,Y\nAnna Berg,1\n", encoding="utf-8")
     dialog = open_table(path)
     assert "No column holds the names" in dialog.trouble.text()
+    assert not dialog.order.isVisible()
+    assert not dialog.kind.isVisible()
+    _choose(dialog.columns[1], "personal number")
+    assert dialog.kind.isVisible()
     _choose(dialog.columns[0], "name")
     rest()
     assert dialog.trouble.text() == ""
