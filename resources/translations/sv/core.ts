@@ -240,6 +240,10 @@
             <translation>Ett annat program gör en säkerhetskopia i {folder}; vänta tills det är klart.</translation>
         </message>
         <message>
+            <source>Any number</source>
+            <translation>Valfritt nummer</translation>
+        </message>
+        <message>
             <source>Arch fill</source>
             <translation>Valvfyllnad</translation>
         </message>
@@ -1106,6 +1110,10 @@
         <message>
             <source>SureFit; orthoscan</source>
             <translation>SureFit; orthoscan</translation>
+        </message>
+        <message>
+            <source>Swedish personal number</source>
+            <translation>Svenskt personnummer</translation>
         </message>
         <message>
             <source>TPU, printed</source>

@@ -116,6 +116,10 @@
             <translation>Utan namn, födelsedatum, texter och skanningar, till en verkstad eller för forskning</translation>
         </message>
         <message>
+            <source>already there</source>
+            <translation>finns redan</translation>
+        </message>
+        <message>
             <source>choose</source>
             <translation>välj</translation>
         </message>
@@ -124,12 +128,24 @@
             <translation>komma</translation>
         </message>
         <message>
+            <source>doubtful</source>
+            <translation>tveksam</translation>
+        </message>
+        <message>
             <source>import report</source>
             <translation>importrapport</translation>
         </message>
         <message>
+            <source>new</source>
+            <translation>ny</translation>
+        </message>
+        <message>
             <source>not imported</source>
             <translation>importeras inte</translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation>avvisad</translation>
         </message>
         <message>
             <source>semicolon</source>
@@ -146,6 +162,10 @@
         <message>
             <source>the month comes first</source>
             <translation>månaden kommer först</translation>
+        </message>
+        <message>
+            <source>twice in the file</source>
+            <translation>två gånger i filen</translation>
         </message>
         <message>
             <source>{name}: visits, prescriptions, insoles (STL), scans and orders as a folder that opens without this program.</source>

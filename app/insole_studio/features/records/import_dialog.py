@@ -146,6 +146,16 @@ _ATTENTION = {
 
 def _table_row(number: int, row: ImportRow) -> TableRow:
     reason = translate_core_message(row.reason)
-    outcome = translate_core_message(str(row.outcome))
-    cells = (row.place, outcome, row.name, reason)
+    cells = (row.place, _outcome_text(row.outcome), row.name, reason)
     return TableRow(str(number), cells, attention=_ATTENTION[row.outcome], tip=reason)
+
+
+def _outcome_text(outcome: Outcome) -> str:
+    """Return what becomes of one row; the core speaks of several."""
+    return {
+        Outcome.NEW: tr("new"),
+        Outcome.PRESENT: tr("already there"),
+        Outcome.REPEATED: tr("twice in the file"),
+        Outcome.DOUBTFUL: tr("doubtful"),
+        Outcome.REFUSED: tr("refused"),
+    }[outcome]
