@@ -122,6 +122,7 @@ def test_the_fhir_resources_are_read_by_a_reader_of_r4(export, clinic):
     assert {r.subject.reference for r in requests} == {f"Patient/{patient.id}"}
 
 
+@pytest.mark.slow
 def test_a_pseudonymous_export_names_and_describes_nobody(pseudonymous, clinic):
     for path in filter(Path.is_file, pseudonymous.folder.rglob("*")):
         content = path.read_bytes()
@@ -185,6 +186,7 @@ def test_a_damaged_surface_and_an_impossible_insole_are_told_and_the_rest_export
     assert _json(export, "person.json")["visits"][1]["prescriptions"][0]["foot"] is None
 
 
+@pytest.mark.slow
 def test_the_statement_of_a_signed_order_is_exported_where_the_maker_is_known(clinic, tmp_path):
     records = clinic.records
     person = records.persons.add(Person("Per Ek"))
