@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from datetime import date
 from typing import Any, Final
@@ -35,6 +36,7 @@ from insole_core.records.search_text import search_text_of, search_words, sort_k
 from insole_core.records.times import utc_now
 
 _LAST_CHARACTER: Final = "\U0010ffff"
+_MOST_VALUES: Final = 500
 _EDITED: Final = (
     "name",
     "birth_date",
@@ -123,7 +125,8 @@ class Persons:
             When a field cannot be right, or the pseudonym is that of somebody else.
         """
         with self._context.writing(Right.WRITE) as connection:
-            return add_person(self._context, connection, person)
+            (stored,) = add_persons(self._context, connection, [person])
+            return stored
 
     def change(self, person: Person, revision: int) -> Person:
         """Store the changed fields of a person; return them as they are stored.
@@ -194,25 +197,36 @@ class Persons:
             return _found(connection, query)
 
 
-def add_person(context: RecordsContext, connection: Connection, person: Person) -> Person:
-    """Add a person within a transaction; return them as they are stored.
+def add_persons(
+    context: RecordsContext, connection: Connection, added: Sequence[Person]
+) -> list[Person]:
+    """Add persons, at least one, within a transaction; return them as they are stored.
 
     Raises
     ------
     InputError
-        When a field cannot be right, or the pseudonym is that of somebody else.
+        When a field cannot be right, or a pseudonym is that of somebody else.
     """
-    now = utc_now()
-    person = _with_free_pseudonym(connection, person.checked(date.today()))
-    person = replace(person, created_at=now, changed_at=now, revision=1)
-    values = {name: getattr(person, name) for name in PERSON_FIELDS}
+    now, today = utc_now(), date.today()
+    taken = _taken(connection, [person.pseudonym for person in added])
+    stored = []
+    for given in added:
+        person = _with_free_pseudonym(connection, given.checked(today), taken)
+        taken.add(person.pseudonym)
+        stored.append(replace(person, created_at=now, changed_at=now, revision=1))
+    connection.execute(insert(persons), [_values(person) for person in stored])
+    context.log_each(connection, "added", "person", [person.id for person in stored])
+    return stored
+
+
+def _values(person: Person) -> dict[str, Any]:
+    """Return the columns of a person without orders."""
     text = search_text_of(
         person.name, person.birth_date, person.personal_number, [person.pseudonym]
     )
     key = sort_key_of(person.name)
-    connection.execute(insert(persons).values(**values, search_text=text, sort_key=key))
-    context.log(connection, "added", "person", person.id)
-    return person
+    fields = {name: getattr(person, name) for name in PERSON_FIELDS}
+    return fields | {"search_text": text, "sort_key": key}
 
 
 def _listed() -> Select[Any]:
@@ -258,22 +272,33 @@ def _holds(word: str) -> ColumnElement[bool]:
     return persons.c.search_text.contains(word, autoescape=True)
 
 
-def _with_free_pseudonym(connection: Connection, person: Person) -> Person:
+def _with_free_pseudonym(connection: Connection, person: Person, taken: set[str]) -> Person:
     """Return the person with a pseudonym that nobody has; a drawn one is drawn anew."""
-    while _is_taken(connection, person.pseudonym) and person.pseudonym.startswith("P-"):
+    while person.pseudonym in taken and person.pseudonym.startswith("P-"):
         person = replace(person, pseudonym=new_pseudonym())
-    _check_free(connection, person)
+        taken |= _taken(connection, [person.pseudonym])
+    if person.pseudonym in taken:
+        raise _is_taken(person)
     return person
 
 
 def _check_free(connection: Connection, person: Person) -> None:
-    if _is_taken(connection, person.pseudonym):
-        raise InputError(
-            "Another person has the pseudonym {pseudonym}; choose another one.",
-            pseudonym=person.pseudonym,
-        )
+    if _taken(connection, [person.pseudonym]):
+        raise _is_taken(person)
 
 
-def _is_taken(connection: Connection, pseudonym: str) -> bool:
-    query = select(persons.c.id).where(persons.c.pseudonym == pseudonym)
-    return connection.execute(query).first() is not None
+def _is_taken(person: Person) -> InputError:
+    return InputError(
+        "Another person has the pseudonym {pseudonym}; choose another one.",
+        pseudonym=person.pseudonym,
+    )
+
+
+def _taken(connection: Connection, pseudonyms: Sequence[str]) -> set[str]:
+    """Return those pseudonyms that somebody has; a statement takes `_MOST_VALUES` of them."""
+    found: set[str] = set()
+    for begin in range(0, len(pseudonyms), _MOST_VALUES):
+        some = pseudonyms[begin : begin + _MOST_VALUES]
+        query = select(persons.c.pseudonym).where(persons.c.pseudonym.in_(some))
+        found |= set(connection.execute(query).scalars())
+    return found
