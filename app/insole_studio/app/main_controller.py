@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
@@ -17,6 +17,7 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
+from insole_studio.document.record_maintenance import BACKUP, RecordMaintenance
 from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
@@ -83,6 +84,14 @@ class MainController(QObject):
         hand_over.handed_over.connect(self._tell_handed_over)
         hand_over.failed.connect(self._services.messages.show_error)
 
+    def connect_maintenance(self, maintenance: RecordMaintenance) -> None:
+        """Tell of backups that could not be made, until one is."""
+        notices = self._services.notices
+        maintenance.failed.connect(
+            lambda error: notices.put(BACKUP, translate_core_message(str(error)), stays=True)
+        )
+        maintenance.made.connect(lambda: notices.drop(BACKUP))
+
     def quit(self) -> None:
         """Close the window after unsaved work has been dealt with."""
         self._features.case_files.saver.after_unsaved(self._close)
@@ -119,6 +128,8 @@ class MainController(QObject):
         """Connect the pages of the record, which take the place of the panels."""
         records, keeper = self._features.records, self._services.keeper
         records.page_requested.connect(self._show_page)
+        records.lock.locked.connect(self._lock)
+        records.lock.unlocked.connect(self._unlock)
         records.action_requested.connect(self._run_requested)
         records.recent_file_chosen.connect(self._open_recent)
         records.compared.connect(self._features.compare.open_visits)
@@ -142,6 +153,18 @@ class MainController(QObject):
         }[keeper.state]
         tip = translate_core_message(keeper.trouble)
         self._window.status.show_kept(text, tip, warns=warns)
+
+    def _lock(self, page: QWidget) -> None:
+        """Hide the patients' data until somebody signs in; dialogs and stages are closed."""
+        for dialog in self._window.findChildren(QDialog):
+            dialog.reject()
+        self._features.close_windows()
+        self._window.lock(page)
+        self._window.show_title(tr("Locked"), False)
+
+    def _unlock(self) -> None:
+        self._window.unlock()
+        self._show_state()
 
     def _show_page(self, page: QWidget) -> None:
         self._window.show_page(page)

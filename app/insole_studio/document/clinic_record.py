@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
+from dataclasses import dataclass
 from enum import Enum, auto
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -23,6 +24,7 @@ log = logging.getLogger(__name__)
 Result = TypeVar("Result")
 OPEN, WATCH, WRITE = "record", "record-changes", "record-write"
 WATCH_MS, RETRY_MS = 1000, 3000
+LOCK_SETTING, USUAL_LOCK_MIN = "lock_after_minutes", 10.0
 
 
 class RecordState(Enum):
@@ -30,6 +32,8 @@ class RecordState(Enum):
 
     CLOSED = auto()
     OPENING = auto()
+    LOCKED = auto()
+    """Accounts are on, and nobody is signed in."""
     OPEN = auto()
     AWAY = auto()
     """It was open, and the database does not answer at the moment."""
@@ -59,6 +63,10 @@ class ClinicRecord(QObject):
         self._folder = folder
         self.jobs = jobs
         self._records: Records | None = None
+        self._unsigned: Records | None = None
+        """The record before somebody has signed in, which answers nothing else."""
+        self.lock_after_min = 0.0
+        """Minutes without input after which somebody has to sign in again."""
         self._writes = 0
         self._mark = 0
         self._watch = QTimer(self)
@@ -139,6 +147,19 @@ class ClinicRecord(QObject):
 
         self.ask(f"{WRITE}-{self._writes}", change, told, failed)
 
+    def start_work(
+        self,
+        jobs: Jobs,
+        channel: str,
+        work: Callable[[Records, Progress], Result],
+        done: Callable[[Result], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Start long work with the open record in other jobs, which end before it is closed."""
+        records = self._records
+        if records is not None:
+            jobs.start(channel, lambda progress: work(records, progress), done, failed)
+
     def ask_now(self, question: Callable[[Records], Result]) -> Result:
         """Ask in the calling thread, as the program ends.
 
@@ -162,14 +183,44 @@ class ClinicRecord(QObject):
         """Stop watching and close the record, after the jobs have ended."""
         self._watch.stop()
         self.jobs.close()
-        if self._records is not None:
-            self._records.close()
-            self._records = None
+        for records in (self._records, self._unsigned):
+            if records is not None:
+                records.close()
+        self._records = self._unsigned = None
         self.state = RecordState.CLOSED
 
-    def _take(self, opened: tuple[Records, int]) -> None:
-        self._records, self._mark = opened
+    def lock(self) -> None:
+        """Ask for a name and a password again; what is being saved goes on."""
+        if self.state in (RecordState.OPEN, RecordState.AWAY):
+            self._watch.stop()
+            self._set_state(RecordState.LOCKED)
+
+    def sign_in(self, name: str, password: str, failed: Callable[[Exception], None]) -> None:
+        """Sign in, in a job.
+
+        Parameters
+        ----------
+        failed
+            Called with the error if name or password are wrong, or the record does not answer.
+        """
+        records = self._records or self._unsigned
+        if records is None:
+            return
+        asked = records
+
+        def sign_in(_progress: Progress) -> _Opened:
+            return _signed_in(asked, name, password)
+
+        self.jobs.start(OPEN, sign_in, self._take, failed)
+
+    def _take(self, opened: _Opened) -> None:
+        self._mark, self.lock_after_min = opened.mark, opened.lock_after_min
         self.trouble = ""
+        if opened.needs_sign_in:
+            self._unsigned = opened.records
+            self._set_state(RecordState.LOCKED)
+            return
+        self._records, self._unsigned = opened.records, None
         self._set_state(RecordState.OPEN)
         self._watch.start()
 
@@ -207,11 +258,47 @@ class ClinicRecord(QObject):
         self.state_changed.emit()
 
 
-def _open(folder: Path) -> tuple[Records, int]:
-    """Return the record, and the mark after which changes are to be noticed."""
+@dataclass(frozen=True, eq=False)
+class _Opened:
+    """A record that was opened.
+
+    Parameters
+    ----------
+    mark
+        After which changes are to be noticed.
+    """
+
+    records: Records
+    mark: int
+    needs_sign_in: bool
+    lock_after_min: float
+
+
+def _open(folder: Path) -> _Opened:
     from insole_core.records.author import Author
     from insole_core.records.open import open_records
     from insole_core.records.place import RecordsPlace
 
     records = open_records(RecordsPlace.local(folder), Author.of_user())
-    return records, records.mark()
+    return _Opened(records, records.mark(), records.accounts.are_on, _lock_after_min(records))
+
+
+def _signed_in(records: Records, name: str, password: str) -> _Opened:
+    """Return the record as that of an account.
+
+    Raises
+    ------
+    NotAllowed
+        When name or password are wrong, or the account is locked.
+    """
+    from insole_core.records.records import Records
+
+    author = records.accounts.sign_in(name, password)
+    signed = Records(records.context.database, records.contents, author)
+    return _Opened(signed, signed.mark(), False, _lock_after_min(signed))
+
+
+def _lock_after_min(records: Records) -> float:
+    """Return the minutes to the lock, never so few that nobody could work."""
+    minutes = records.clinic.get(LOCK_SETTING, USUAL_LOCK_MIN)
+    return max(float(minutes), 1.0) if isinstance(minutes, int | float) else USUAL_LOCK_MIN

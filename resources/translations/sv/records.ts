@@ -48,6 +48,10 @@
             <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
+            <source>Address, phone</source>
+            <translation>Adress, telefon</translation>
+        </message>
+        <message>
             <source>Adjusted</source>
             <translation>Justerad</translation>
         </message>
@@ -224,6 +228,10 @@
             <translation>Senaste besök</translation>
         </message>
         <message>
+            <source>Locked</source>
+            <translation>Låst</translation>
+        </message>
+        <message>
             <source>Make a foot of it</source>
             <translation>Gör en fot av den</translation>
         </message>
@@ -348,6 +356,10 @@
             <translation>Resultat</translation>
         </message>
         <message>
+            <source>Password</source>
+            <translation>Lösenord</translation>
+        </message>
+        <message>
             <source>Patients</source>
             <translation>Patienter</translation>
         </message>
@@ -420,6 +432,10 @@
             <translation>Verkstad och klardatum…</translation>
         </message>
         <message>
+            <source>Sign in</source>
+            <translation>Logga in</translation>
+        </message>
+        <message>
             <source>Sign this version</source>
             <translation>Signera denna version</translation>
         </message>
@@ -470,6 +486,10 @@
         <message>
             <source>Theirs</source>
             <translation>Deras</translation>
+        </message>
+        <message>
+            <source>This visit is open elsewhere too: {who}. Nothing gets lost.</source>
+            <translation>Besöket är öppet även på annat håll: {who}. Inget går förlorat.</translation>
         </message>
         <message>
             <source>Today's visits</source>

@@ -44,7 +44,13 @@ from insole_core.records.backup.backup_folder import HEAD_FILE, BackupFolder
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, WrongSecret, open_key
 from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
-from insole_core.records.backup.schedule import is_due
+from insole_core.records.backup.schedule import (
+    BackupSchedule,
+    back_up_if_due,
+    is_due,
+    schedule_of,
+    set_schedule,
+)
 from insole_core.records.backup.snapshot import open_snapshot
 from insole_core.records.context import RecordsContext
 from insole_core.records.migrate import SCHEMA
@@ -615,6 +621,55 @@ def test_backups_are_due_by_the_schedule() -> None:
     assert not is_due(now - timedelta(hours=23), day, now)
     assert not is_due(now + timedelta(minutes=5), day, now)
     assert is_due(now + timedelta(days=300), day, now)  # made while the clock was wrong
+
+
+def test_the_station_of_the_schedule_makes_the_backups(
+    context: RecordsContext, folder: Path
+) -> None:
+    assert schedule_of(context) is None
+    assert back_up_if_due(context) is None
+    schedule = BackupSchedule(folder, 24, ANNA.station)
+    set_schedule(context, schedule)
+    assert schedule_of(context) == schedule
+    with pytest.raises(OutputError, match="connect its disk"):
+        back_up_if_due(context)
+    assert not folder.exists()  # the mount point of a disk that is not connected stays empty
+    back_up(context, folder)
+    assert back_up_if_due(context) is None
+    later = datetime.now(UTC) + timedelta(hours=25)
+    other = RecordsContext(context.database, context.contents, Author("ben", "capture room"))
+    assert back_up_if_due(other, now=later) is None
+    report = back_up_if_due(context, now=later)
+    assert report is not None
+    assert report.snapshot.number == 2
+    set_schedule(context, None)
+    assert back_up_if_due(context, now=later) is None
+    with pytest.raises(InputError, match="every 1 to 744 hours"):
+        set_schedule(context, BackupSchedule(folder, 0, ANNA.station))
+
+
+@pytest.mark.parametrize("killed_at", range(1, 16, 2))
+def test_a_killed_backup_is_completed_by_the_next_one(
+    context: RecordsContext, folder: Path, killed_at: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each object and each snapshot appears by one rename, with all it refers to on the disk."""
+    renames = 0
+    replace = Path.replace
+
+    def killed(path: Path, target: Path) -> Path:
+        nonlocal renames
+        renames += 1
+        if renames == killed_at:
+            raise KeyboardInterrupt
+        return replace(path, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "replace", killed)
+        with pytest.raises(KeyboardInterrupt):
+            back_up(context, folder)
+    assert BackupFolder(folder).snapshots() == []
+    back_up(context, folder)
+    assert check_backup(folder, SECRET).is_sound
 
 
 def test_any_age_program_opens_the_key_and_the_files(context: RecordsContext, folder: Path) -> None:
