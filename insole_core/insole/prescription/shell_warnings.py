@@ -56,7 +56,7 @@ def _of_material(
                 material=shell.material,
                 least_mm=made.least_mm,
                 edge_mm=made.least_edge_mm,
-                names=joined(table.names),
+                names=joined(table.names, " / "),  # names have commas
             )
         )
         return

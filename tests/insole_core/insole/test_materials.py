@@ -180,6 +180,13 @@ def test_a_material_that_no_table_holds_keeps_its_limits(said):
     assert "2.5 mm thick, 1.5 mm at the front edge" in told
 
 
+def test_names_with_commas_are_told_apart(said):
+    (told,) = [text for text in said(shelled(material="carbon")) if text.startswith("Nothing is")]
+    names = told.rpartition("choose one of ")[2].rstrip(".").split(" / ")
+    assert names == list(read_materials().names)
+    assert "PA12, printed" in names
+
+
 @pytest.fixture
 def said(left_foot: Foot) -> Callable[[InsoleDesign], list[str]]:
     """What is warned about an insole of the left foot, without what its pads give rise to."""
