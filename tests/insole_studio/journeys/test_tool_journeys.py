@@ -354,7 +354,9 @@ def test_the_outline_of_a_shoe_comes_and_goes(
     assert design is not None
     opened.case.apply(replace(design, shell=Shell(heel_pitch_mm=10.0)), "Pitch")
     settle()
-    assert plotter.actors["shoe"].bounds[4] == pytest.approx(-10.0)
+    assert plotter.actors["shoe"].bounds[4] == pytest.approx(
+        -10.0, abs=0.1
+    )  # the last is no straight line
     act(opened, "shoe")
     assert "shoe" not in plotter.actors
 
