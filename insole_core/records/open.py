@@ -16,7 +16,7 @@ from insole_core.export.write_errors import output_errors
 from insole_core.messages import Message
 from insole_core.records.author import Author
 from insole_core.records.clinic import setting_of, write_setting
-from insole_core.records.content_store import IDENTITY_FILE, ContentStore
+from insole_core.records.content_store import IDENTITY_FILE, IDENTITY_VALUE, ContentStore
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase
 from insole_core.records.migrate import SCHEMA, check_schema, migrate, schema_of
@@ -31,8 +31,6 @@ from insole_core.records.schema import (
     visits,
 )
 
-CONTENTS_IDENTITY: Final = "contents_identity"
-"""Setting of the clinic: which content store belongs to the database."""
 _NEEDED: Final = (persons, visits, prescription_versions, clinic)
 """Without these there is nothing to read."""
 
@@ -113,13 +111,13 @@ def _check_tables(database: Database, tables: Sequence[Table]) -> None:
 def _content_store(database: Database) -> ContentStore:
     """Return the store that belongs to a database; the first time, take the one that is there."""
     with database.reading() as connection:
-        identity = setting_of(connection, CONTENTS_IDENTITY)
+        identity = setting_of(connection, IDENTITY_VALUE)
     folder = database.place.contents
     if identity is None and not database.is_read_only:
         with database.writing() as connection:
             connection.execute(select(audit_head).with_for_update())  # one station after the other
-            identity = setting_of(connection, CONTENTS_IDENTITY)
+            identity = setting_of(connection, IDENTITY_VALUE)
             if identity is None:
                 identity = ContentStore(folder).identity()
-                write_setting(connection, CONTENTS_IDENTITY, identity)
+                write_setting(connection, IDENTITY_VALUE, identity)
     return ContentStore(folder, identity)

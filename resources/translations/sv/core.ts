@@ -132,6 +132,10 @@
             <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
         </message>
         <message>
+            <source>A recipient of backups is named by its public key of age; give it as age1… .</source>
+            <translation>En mottagare av säkerhetskopior anges med sin öppna age-nyckel; ange den som age1… .</translation>
+        </message>
+        <message>
             <source>A relief under each head that carries too much; no hard edges.</source>
             <translation>En avlastning under varje huvud som bär för mycket; inga hårda kanter.</translation>
         </message>
@@ -168,6 +172,14 @@
             <translation>En {side} fot enligt formen: {reason} (marginal {ratio:.1f} till 1).</translation>
         </message>
         <message>
+            <source>Accounts are switched off; switch them on with the first administrator.</source>
+            <translation>Kontona är avstängda; slå på dem med den första administratören.</translation>
+        </message>
+        <message>
+            <source>Accounts are switched on already; sign in.</source>
+            <translation>Kontona är redan påslagna; logga in.</translation>
+        </message>
+        <message>
             <source>Achilles axis against the normal of the sole; &gt; 0 leans medially (valgus)</source>
             <translation>akillesaxeln mot fotsulans normal; &gt; 0 lutar medialt (valgus)</translation>
         </message>
@@ -192,6 +204,14 @@
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
         </message>
         <message>
+            <source>An account is named by up to 60 letters, digits and the signs . _ - @, and begins with a letter or digit; choose such a name.</source>
+            <translation>Ett konto har ett namn av högst 60 bokstäver, siffror och tecknen . _ - @, och börjar med en bokstav eller siffra; välj ett sådant namn.</translation>
+        </message>
+        <message>
+            <source>An account needs the full name of its owner, of at most {most} characters; type it as papers print it.</source>
+            <translation>Ett konto behöver ägarens fullständiga namn, högst {most} tecken; skriv det som det ska stå på papper.</translation>
+        </message>
+        <message>
             <source>An edge radius of {radius_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are rounded. Make the radius smaller.</source>
             <translation>En kantradie på {radius_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt rundas bara {half_mm:g} mm av kanten. Gör radien mindre.</translation>
         </message>
@@ -206,6 +226,10 @@
         <message>
             <source>Another person has the pseudonym {pseudonym}; choose another one.</source>
             <translation>En annan person har pseudonymen {pseudonym}; välj en annan.</translation>
+        </message>
+        <message>
+            <source>Another program is making a backup in {folder}; wait until it is done.</source>
+            <translation>Ett annat program gör en säkerhetskopia i {folder}; vänta tills det är klart.</translation>
         </message>
         <message>
             <source>Arch fill</source>
@@ -230,6 +254,18 @@
         <message>
             <source>Averaging the frames of the view {view}</source>
             <translation>Tar medel av bilderna i vyn {view}</translation>
+        </message>
+        <message>
+            <source>Backing up files ({done} of {all})</source>
+            <translation>Säkerhetskopierar filer ({done} av {all})</translation>
+        </message>
+        <message>
+            <source>Backing up the tables ({rows} rows of {table})</source>
+            <translation>Säkerhetskopierar tabellerna ({rows} rader av {table})</translation>
+        </message>
+        <message>
+            <source>Backups have no passphrase yet; choose one first.</source>
+            <translation>Säkerhetskopiorna har ännu ingen lösenfras; välj en först.</translation>
         </message>
         <message>
             <source>Bar of 1 to 5; little fill.</source>
@@ -294,6 +330,14 @@
         <message>
             <source>Changed: {correction}, {before} → {after}</source>
             <translation>Ändrat: {correction}, {before} → {after}</translation>
+        </message>
+        <message>
+            <source>Checking the files of the backup</source>
+            <translation>Kontrollerar säkerhetskopians filer</translation>
+        </message>
+        <message>
+            <source>Checking the tables of the backup</source>
+            <translation>Kontrollerar säkerhetskopians tabeller</translation>
         </message>
         <message>
             <source>Checking view {views}</source>
@@ -656,6 +700,18 @@
             <translation>Avsmalningens längd</translation>
         </message>
         <message>
+            <source>Line {number} of the audit log ({at}) is not what was written; compare it with a backup.</source>
+            <translation>Rad {number} i loggen ({at}) är inte vad som skrevs; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>Line {number} of the audit log is missing; compare it with a backup.</source>
+            <translation>Rad {number} i loggen saknas; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>Line {number} of the audit log is not the last one that was written; compare it with a backup.</source>
+            <translation>Rad {number} i loggen är inte den sista som skrevs; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>Looking at both surfaces</source>
             <translation>Betraktar båda ytorna</translation>
         </message>
@@ -916,6 +972,14 @@
             <translation>Borttaget: {correction}</translation>
         </message>
         <message>
+            <source>Restoring files ({done} of {all})</source>
+            <translation>Återställer filer ({done} av {all})</translation>
+        </message>
+        <message>
+            <source>Restoring the table {table}</source>
+            <translation>Återställer tabellen {table}</translation>
+        </message>
+        <message>
             <source>Root</source>
             <translation>Root</translation>
         </message>
@@ -1012,6 +1076,10 @@
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
         <message>
+            <source>The account {account} ({role}) may not {action}; ask somebody who may: {who}.</source>
+            <translation>Kontot {account} ({role}) får inte {action}; fråga någon som får: {who}.</translation>
+        </message>
+        <message>
             <source>The address of the database asks for sslmode={mode}, with which patients' data could be read on the way; remove it, or write sslmode=verify-full.</source>
             <translation>Databasens adress begär sslmode={mode}, och då kan patientuppgifter läsas på vägen; ta bort det eller skriv sslmode=verify-full.</translation>
         </message>
@@ -1038,6 +1106,26 @@
         <message>
             <source>The arrangement of the window is damaged, so it has its usual one.</source>
             <translation>Fönstrets uppställning är skadad, så det har den vanliga.</translation>
+        </message>
+        <message>
+            <source>The audit log ends with line {last}, but {count} lines were written; compare it with a backup.</source>
+            <translation>Loggen slutar med rad {last}, men {count} rader har skrivits; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>The backup in {folder} comes from a newer Insole Studio; install the newest version.</source>
+            <translation>Säkerhetskopian i {folder} kommer från en nyare Insole Studio; installera den senaste versionen.</translation>
+        </message>
+        <message>
+            <source>The backup is damaged: {name} is not what was written; use an earlier backup or another copy.</source>
+            <translation>Säkerhetskopian är skadad: {name} är inte vad som skrevs; använd en tidigare säkerhetskopia eller ett annat exemplar.</translation>
+        </message>
+        <message>
+            <source>The backup is incomplete: {name} is missing; use an earlier backup or another copy.</source>
+            <translation>Säkerhetskopian är ofullständig: {name} saknas; använd en tidigare säkerhetskopia eller ett annat exemplar.</translation>
+        </message>
+        <message>
+            <source>The backup {name} comes from a newer Insole Studio; install the newest version.</source>
+            <translation>Säkerhetskopian {name} kommer från en nyare Insole Studio; installera den senaste versionen.</translation>
         </message>
         <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
@@ -1126,6 +1214,10 @@
         <message>
             <source>The data of this person were erased; the merge cannot be undone.</source>
             <translation>Den här personens uppgifter har raderats; sammanslagningen kan inte ångras.</translation>
+        </message>
+        <message>
+            <source>The database is damaged ({reason}); restore it from a backup.</source>
+            <translation>Databasen är skadad ({reason}); återställ den från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>The database {file} is missing, but the files of the record beside it are there; restore the record from a backup, or bring the database back to its place.</source>
@@ -1320,6 +1412,10 @@
             <translation>Modellen behöver väggar på {count} tydligt olika avstånd; ta fler, till exempel på 600, 800 och 1000 mm.</translation>
         </message>
         <message>
+            <source>The name or the password is wrong; try again, or ask the administrator for another password.</source>
+            <translation>Namnet eller lösenordet är fel; försök igen, eller be administratören om ett nytt lösenord.</translation>
+        </message>
+        <message>
             <source>The noise needs at least two frames with readings; record more.</source>
             <translation>Bruset behöver minst två bilder med mätvärden; spela in fler.</translation>
         </message>
@@ -1350,6 +1446,26 @@
         <message>
             <source>The pair needs {need} mm, and the block has {there} mm.</source>
             <translation>Paret behöver {need} mm, och blocket har {there} mm.</translation>
+        </message>
+        <message>
+            <source>The passphrase of a backup needs at least {least} characters; take four words or more, and keep it where the backup is not.</source>
+            <translation>Lösenfrasen till en säkerhetskopia behöver minst {least} tecken; ta fyra ord eller fler, och förvara den på ett annat ställe än säkerhetskopian.</translation>
+        </message>
+        <message>
+            <source>The passphrase or private key does not open this backup; check how it is written, and that it is that of this backup.</source>
+            <translation>Lösenfrasen eller den privata nyckeln öppnar inte den här säkerhetskopian; kontrollera hur den skrivs, och att den hör till den här säkerhetskopian.</translation>
+        </message>
+        <message>
+            <source>The password has {count} characters; take {least} to {most}, such as four words.</source>
+            <translation>Lösenordet har {count} tecken; ta {least} till {most}, till exempel fyra ord.</translation>
+        </message>
+        <message>
+            <source>The password is among the first that are tried: a name, or keys in a row; take four words, for example.</source>
+            <translation>Lösenordet är bland de första som provas: ett namn, eller tangenter i rad; ta till exempel fyra ord.</translation>
+        </message>
+        <message>
+            <source>The password repeats few characters; take four words, for example.</source>
+            <translation>Lösenordet upprepar få tecken; ta till exempel fyra ord.</translation>
         </message>
         <message>
             <source>The person was merged with another one since then; undo that later merge first.</source>
@@ -1394,6 +1510,14 @@
         <message>
             <source>The prescription has {count} corrections, and {most} can be made into one insole; remove some.</source>
             <translation>Ordinationen har {count} korrigeringar, och {most} kan göras till ett inlägg; ta bort några.</translation>
+        </message>
+        <message>
+            <source>The prescription of the {side} foot is not signed; sign it first.</source>
+            <translation>Ordinationen för {side} fot är inte signerad; signera den först.</translation>
+        </message>
+        <message>
+            <source>The prescription of the {side} foot is not what was signed; compare it with a backup.</source>
+            <translation>Ordinationen för {side} fot är inte vad som signerades; jämför med en säkerhetskopia.</translation>
         </message>
         <message>
             <source>The program that reads the sensors has ended; look for sensors again.</source>
@@ -1704,6 +1828,10 @@
             <translation>Det finns redan en variant {name}; ge denna ett annat namn.</translation>
         </message>
         <message>
+            <source>There is an account {account} already; choose another name.</source>
+            <translation>Det finns redan ett konto {account}; välj ett annat namn.</translation>
+        </message>
+        <message>
             <source>There is an order {number} already; give this one another number.</source>
             <translation>Det finns redan en beställning {number}; ge den här ett annat nummer.</translation>
         </message>
@@ -1732,6 +1860,10 @@
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
         </message>
         <message>
+            <source>There is no such account any more; look at the list again.</source>
+            <translation>Kontot finns inte längre; titta i listan igen.</translation>
+        </message>
+        <message>
             <source>Thesis 3.3: the contact surface as it was measured, without a designed rim</source>
             <translation>Avhandlingen 3.3: kontaktytan som den mättes, utan utformad kant</translation>
         </message>
@@ -1744,6 +1876,10 @@
             <translation>Tjocklek vid framkanten</translation>
         </message>
         <message>
+            <source>This account was disabled meanwhile; ask the administrator.</source>
+            <translation>Kontot har spärrats under tiden; fråga administratören.</translation>
+        </message>
+        <message>
             <source>This capture is no longer in the record; open the visit again.</source>
             <translation>Den här upptagningen finns inte längre i journalen; öppna besöket igen.</translation>
         </message>
@@ -1754,6 +1890,10 @@
         <message>
             <source>This design is for a {side} foot and the scan is of a {foot_side} one; open the matching scan or mirror the design.</source>
             <translation>Designen är för en {side} fot och skanningen är av en {foot_side}; öppna rätt skanning eller spegla designen.</translation>
+        </message>
+        <message>
+            <source>This is the password that it had before; choose another one.</source>
+            <translation>Det är samma lösenord som förut; välj ett annat.</translation>
         </message>
         <message>
             <source>This is the same person twice; choose another one to merge with.</source>
@@ -1776,12 +1916,20 @@
             <translation>Den här personen har under tiden slagits samman med en annan; öppna den andra.</translation>
         </message>
         <message>
+            <source>This person was merged with another one; erase the other one.</source>
+            <translation>Personen har slagits ihop med en annan; radera den andra.</translation>
+        </message>
+        <message>
             <source>This version is closed already; it stays as it is.</source>
             <translation>Den här versionen är redan avslutad; den förblir som den är.</translation>
         </message>
         <message>
             <source>This version is no longer in the record; open the history of the visit again.</source>
             <translation>Den här versionen finns inte längre i journalen; öppna besökets historik igen.</translation>
+        </message>
+        <message>
+            <source>This version of the prescription is not in the record any more; look at its history.</source>
+            <translation>Den här versionen av ordinationen finns inte längre i registret; titta i dess historik.</translation>
         </message>
         <message>
             <source>This visit is no longer in the record; open the person again.</source>
@@ -1806,6 +1954,10 @@
         <message>
             <source>Too little of the solid is seen from above to check its {what}.</source>
             <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
+        </message>
+        <message>
+            <source>Too many wrong passwords: wait {minutes} min, or ask the administrator to unlock the account.</source>
+            <translation>För många felaktiga lösenord: vänta {minutes} min, eller be administratören låsa upp kontot.</translation>
         </message>
         <message>
             <source>Total contact, cup 8 to 12, low rounded rim without a hard edge, fill 0, base of at least 4.8, Shore A 35 (Noridian A5513), reliefs for each head (SureFit)</source>
@@ -1860,8 +2012,16 @@
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>
         <message>
+            <source>Verifying the audit log</source>
+            <translation>Kontrollerar loggen</translation>
+        </message>
+        <message>
             <source>Verifying the files of the record</source>
             <translation>Kontrollerar registrets filer</translation>
+        </message>
+        <message>
+            <source>Verifying {count} signatures</source>
+            <translation>Kontrollerar {count} signaturer</translation>
         </message>
         <message>
             <source>View {views} is on the disk</source>
@@ -1912,6 +2072,10 @@
             <translation>Skriver vyn {view}</translation>
         </message>
         <message>
+            <source>You are not signed in; sign in with your account of the record first.</source>
+            <translation>Du är inte inloggad; logga först in med ditt konto i registret.</translation>
+        </message>
+        <message>
             <source>a device or a pipe of that name is there; choose another name</source>
             <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
         </message>
@@ -1936,8 +2100,16 @@
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
         </message>
         <message>
+            <source>add captures</source>
+            <translation>lägga till inspelningar</translation>
+        </message>
+        <message>
             <source>adjusted</source>
             <translation>justerad</translation>
+        </message>
+        <message>
+            <source>administrator</source>
+            <translation>administratör</translation>
         </message>
         <message>
             <source>adult flatfoot</source>
@@ -2030,6 +2202,14 @@
         <message>
             <source>centimetres</source>
             <translation>centimeter</translation>
+        </message>
+        <message>
+            <source>change patients, visits and prescriptions</source>
+            <translation>ändra patienter, besök och ordinationer</translation>
+        </message>
+        <message>
+            <source>change the settings of the clinic</source>
+            <translation>ändra klinikens inställningar</translation>
         </message>
         <message>
             <source>checked</source>
@@ -2170,6 +2350,14 @@
         <message>
             <source>edge {value}</source>
             <translation>kant {value}</translation>
+        </message>
+        <message>
+            <source>erase patients</source>
+            <translation>radera patienter</translation>
+        </message>
+        <message>
+            <source>export patients</source>
+            <translation>exportera patienter</translation>
         </message>
         <message>
             <source>fascia</source>
@@ -2616,6 +2804,14 @@
             <translation>nere till höger</translation>
         </message>
         <message>
+            <source>make backups</source>
+            <translation>göra säkerhetskopior</translation>
+        </message>
+        <message>
+            <source>manage accounts</source>
+            <translation>hantera konton</translation>
+        </message>
+        <message>
             <source>medial</source>
             <translation>medial</translation>
         </message>
@@ -2626,6 +2822,10 @@
         <message>
             <source>men's: the English size and one</source>
             <translation>herr: den engelska storleken plus ett</translation>
+        </message>
+        <message>
+            <source>merge patients</source>
+            <translation>slå ihop patienter</translation>
         </message>
         <message>
             <source>metatarsal bar</source>
@@ -2872,6 +3072,10 @@
             <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
         </message>
         <message>
+            <source>orthopedist</source>
+            <translation>ortopedingenjör</translation>
+        </message>
+        <message>
             <source>outcome</source>
             <translation>Resultatet</translation>
         </message>
@@ -2932,6 +3136,10 @@
             <translation>svävande bitar</translation>
         </message>
         <message>
+            <source>place and follow orders</source>
+            <translation>lägga och följa beställningar</translation>
+        </message>
+        <message>
             <source>plane</source>
             <translation>plan yta</translation>
         </message>
@@ -2982,6 +3190,10 @@
         <message>
             <source>px apart in the colour image</source>
             <translation>px isär i färgbilden</translation>
+        </message>
+        <message>
+            <source>read the audit log</source>
+            <translation>läsa loggen</translation>
         </message>
         <message>
             <source>rearfoot eversion of the simulated foot (degrees)</source>
@@ -3084,6 +3296,10 @@
             <translation>löpning</translation>
         </message>
         <message>
+            <source>see patients</source>
+            <translation>se patienter</translation>
+        </message>
+        <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
         </message>
@@ -3126,6 +3342,10 @@
         <message>
             <source>side must be "left" or "right", and is {value}.</source>
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
+        </message>
+        <message>
+            <source>sign prescriptions</source>
+            <translation>signera ordinationer</translation>
         </message>
         <message>
             <source>slim shoe</source>
@@ -3194,6 +3414,10 @@
         <message>
             <source>tape round the foot through the two points of the ball</source>
             <translation>måttband runt foten genom trampdynans två punkter</translation>
+        </message>
+        <message>
+            <source>technician</source>
+            <translation>tekniker</translation>
         </message>
         <message>
             <source>tendon</source>
@@ -3488,6 +3712,10 @@
             <translation>du får inte skriva där; välj en annan plats eller be om behörighet</translation>
         </message>
         <message>
+            <source>{account} is the only administrator; make another one first.</source>
+            <translation>{account} är den enda administratören; lägg först till en till.</translation>
+        </message>
+        <message>
             <source>{angle} lateral</source>
             <translation>{angle} lateralt</translation>
         </message>
@@ -3588,12 +3816,36 @@
             <translation>{count} hörn, vridet {turn_deg:.0f}° {side}</translation>
         </message>
         <message>
+            <source>{count} files of the record are missing, the first is {first}; restore them from a backup.</source>
+            <translation>{count} av registrets filer saknas, den första är {first}; återställ dem från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} files were changed since the record stored them, the first is {first}; restore them from a backup.</source>
+            <translation>{count} filer har ändrats sedan registret sparade dem, den första är {first}; återställ dem från en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.</source>
             <translation>{count} av {taken} bilder ({kind}) användes; ett hörn träffas inom {rms_px:.2f} px.</translation>
         </message>
         <message>
+            <source>{count} rows of {table} refer to something that is not there; restore the record from a backup.</source>
+            <translation>{count} rader i {table} hänvisar till något som inte finns; återställ registret från en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{count} sensors were named, but at most {most} work.</source>
             <translation>{count} sensorer angavs, men högst {most} fungerar.</translation>
+        </message>
+        <message>
+            <source>{count} signed prescriptions are gone, the first is {first}; compare the record with a backup.</source>
+            <translation>{count} signerade ordinationer är borta, den första är {first}; jämför registret med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} signed prescriptions are not what was signed, the first is {first}; compare them with a backup.</source>
+            <translation>{count} signerade ordinationer är inte vad som signerades, den första är {first}; jämför dem med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} signed prescriptions have a signature that the audit log does not know, the first is {first}; compare them with a backup.</source>
+            <translation>{count} signerade ordinationer har en signatur som loggen inte känner till, den första är {first}; jämför dem med en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{count} small {scraps} beside the foot left out.</source>
@@ -3676,6 +3928,10 @@
             <translation>{folder} innehåller inte filerna till detta register; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
         </message>
         <message>
+            <source>{folder} does not keep what is written to it; use another disk for backups.</source>
+            <translation>{folder} behåller inte det som skrivs dit; använd en annan disk för säkerhetskopior.</translation>
+        </message>
+        <message>
             <source>{folder} holds colour of {width}×{height}, which no Kinect v1 sends.</source>
             <translation>{folder} innehåller färg på {width}×{height}, vilket ingen Kinect v1 sänder.</translation>
         </message>
@@ -3684,8 +3940,16 @@
             <translation>{folder} innehåller inga PNG-bilder; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
+            <source>{folder} holds no backup; choose the folder that has {name} in it.</source>
+            <translation>{folder} innehåller ingen säkerhetskopia; välj den mapp som har {name} i sig.</translation>
+        </message>
+        <message>
             <source>{folder} holds no pictures named {kind}…; name the folder with the {words}.</source>
             <translation>{folder} innehåller inga bilder med namnet {kind}…; ange mappen med {words}.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no snapshot {number}; it has: {numbers}.</source>
+            <translation>{folder} innehåller ingen säkerhetskopia {number}; där finns: {numbers}.</translation>
         </message>
         <message>
             <source>{folder} holds no unfinished capture; it was used or discarded, or never was one.</source>
@@ -3702,6 +3966,10 @@
         <message>
             <source>{folder} holds no {what}; name the folder with the pictures of the board.</source>
             <translation>{folder} innehåller inga {what}; ange mappen med bilderna av brädet.</translation>
+        </message>
+        <message>
+            <source>{folder} holds the backups of another record, or of this one under another passphrase; choose another folder.</source>
+            <translation>{folder} innehåller säkerhetskopior av ett annat register, eller av detta med en annan lösenfras; välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
@@ -3806,6 +4074,10 @@
         <message>
             <source>{name} has no flat surface left to evaluate; capture a flat wall.</source>
             <translation>{name} har ingen plan yta kvar att utvärdera; ta en plan vägg.</translation>
+        </message>
+        <message>
+            <source>{name} has signed this version already; make a new one to change it.</source>
+            <translation>{name} har redan signerat den här versionen; gör en ny för att ändra den.</translation>
         </message>
         <message>
             <source>{name} holds no depth frames; capture it again.</source>
@@ -4084,6 +4356,10 @@
             <translation>{path} ersätts inte: den innehåller {name}, som inte hör till ett tidigare resultat; välj en ny eller en tom mapp.</translation>
         </message>
         <message>
+            <source>{path} is open in another program; close all windows of Insole Studio, then try again.</source>
+            <translation>{path} är öppen i ett annat program; stäng alla fönster av Insole Studio och försök igen.</translation>
+        </message>
+        <message>
             <source>{path} is open in another window.</source>
             <translation>{path} är öppen i ett annat fönster.</translation>
         </message>
@@ -4194,6 +4470,14 @@
         <message>
             <source>{place} does not answer ({reason}); check the network, the address and that the database is running.</source>
             <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller redan ett register; återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller ett register som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>

@@ -9,6 +9,7 @@ from collections.abc import Callable
 import pytest
 from sqlalchemy import insert, text, update
 from stations import Stations
+from tampering import without_triggers
 
 from insole_core.errors import RecordsError
 from insole_core.records.audit import AuditLog, hash_of_line, verify_chain
@@ -39,14 +40,7 @@ def write(database: Database, count: int) -> None:
 
 
 def tamper(database: Database, *statements: str) -> None:
-    """Do what somebody with the database's password could do: remove the triggers first."""
-    with database.writing() as connection:
-        if database.is_sqlite:
-            for name in ("audit_update", "audit_delete", "audit_head_update"):
-                connection.execute(text(f"DROP TRIGGER {name}"))
-        else:
-            for table in ("audit", "audit_head"):
-                connection.execute(text(f"ALTER TABLE {table} DISABLE TRIGGER USER"))
+    with without_triggers(database) as connection:
         for statement in statements:
             connection.execute(text(statement))
 
@@ -133,8 +127,8 @@ def rewrite_all(database: Database) -> None:
     """Forge a chain that is consistent in itself, with another author."""
     lines = AuditLog(database).lines()
     previous = FIRST_HASH
-    tamper(database, "DELETE FROM audit")
-    with database.writing() as connection:
+    with without_triggers(database) as connection:
+        connection.execute(text("DELETE FROM audit"))
         for line in reversed(lines):
             fields = (
                 line.seq, line.at, "eva", line.station, line.action, line.subject_kind,

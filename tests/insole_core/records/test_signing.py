@@ -7,8 +7,9 @@ from datetime import date
 from typing import Any
 
 import pytest
-from sqlalchemy import Connection, delete, insert, select, text, update
+from sqlalchemy import delete, insert, select, update
 from stations import Stations
+from tampering import without_triggers
 
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records import schema
@@ -107,15 +108,6 @@ def test_only_who_may_sign_signs(database: Database, version_id: str) -> None:
     assert report_of(database).checked == 0
 
 
-def remove_triggers(database: Database, connection: Connection) -> None:
-    """Do what somebody with the database's password could do."""
-    if database.is_sqlite:
-        connection.execute(text("DROP TRIGGER version_update"))
-        connection.execute(text("DROP TRIGGER version_delete"))
-    else:
-        connection.execute(text("ALTER TABLE prescription_versions DISABLE TRIGGER USER"))
-
-
 CHANGES = {
     "document": "x", "mesh_sha256": "cd" * 32, "side": "right", "author": "eva", "number": 2,
     "signed_by": "eva", "signed_at": "1970", "signature": "x", "is_closed": False,
@@ -123,14 +115,12 @@ CHANGES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("column", CHANGES)
-def test_the_database_refuses_to_change_what_is_signed(
-    database: Database, version_id: str, column: str
-) -> None:
+def test_the_database_refuses_to_change_what_is_signed(database: Database, version_id: str) -> None:
     signed(database, version_id)
-    change = update(schema.prescription_versions).values({column: CHANGES[column]})
-    with pytest.raises(RecordsError), database.writing() as connection:
-        connection.execute(change)
+    for column, value in CHANGES.items():
+        change = update(schema.prescription_versions).values({column: value})
+        with pytest.raises(RecordsError), database.writing() as connection:
+            connection.execute(change)
     assert report_of(database).are_valid
 
 
@@ -139,8 +129,7 @@ def test_a_change_behind_the_back_of_the_database_is_found(
     database: Database, version_id: str, column: str
 ) -> None:
     signed(database, version_id)
-    with database.writing() as connection:
-        remove_triggers(database, connection)
+    with without_triggers(database) as connection:
         new_mesh = {"sha256": "cd" * 32, "size": 1, "kind": "mesh", "created_at": "2026"}
         connection.execute(insert(schema.contents).values(new_mesh))
         change = update(schema.prescription_versions).values({column: CHANGES[column]})
@@ -152,8 +141,7 @@ def test_a_signature_that_was_made_anew_is_not_in_the_audit_log(
     database: Database, version_id: str
 ) -> None:
     signed(database, version_id)
-    with database.writing() as connection:
-        remove_triggers(database, connection)
+    with without_triggers(database) as connection:
         versions = schema.prescription_versions
         row = connection.execute(select(versions)).one()._asdict()
         row["document"] = "forged"
@@ -163,8 +151,7 @@ def test_a_signature_that_was_made_anew_is_not_in_the_audit_log(
 
 def test_a_signed_version_that_is_gone_is_missed(database: Database, version_id: str) -> None:
     signed(database, version_id)
-    with database.writing() as connection:
-        remove_triggers(database, connection)
+    with without_triggers(database) as connection:
         connection.execute(delete(schema.prescription_versions))
     assert report_of(database) == SignatureReport(checked=0, missing=(version_id,))
     with database.writing() as connection:

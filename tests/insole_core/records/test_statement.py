@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from read_pdf import text_of_pdf
 from sqlalchemy import text
+from tampering import without_triggers
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InputError, RecordsError
@@ -104,12 +105,7 @@ def test_a_prescription_that_is_not_signed_is_told(records: Records, order: Orde
 
 def test_a_prescription_that_was_changed_since_is_told(records: Records, order: Order) -> None:
     sign_all(records, order)
-    database = records.context.database
-    with database.writing() as connection:
-        if database.is_sqlite:
-            connection.execute(text("DROP TRIGGER version_update"))
-        else:
-            connection.execute(text("ALTER TABLE prescription_versions DISABLE TRIGGER USER"))
+    with without_triggers(records.context.database) as connection:
         connection.execute(
             text("UPDATE prescription_versions SET reason = 'x' WHERE side = 'right'")
         )

@@ -9,6 +9,7 @@ import pytest
 from backed_up_record import MESH, SESSION, fill
 from sqlalchemy import text
 from stations import Stations
+from tampering import without_triggers
 
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records.accounts import Accounts
@@ -24,20 +25,6 @@ def context(stations: Stations) -> RecordsContext:
     return context
 
 
-def without_triggers(context: RecordsContext, *statements: str) -> None:
-    """Do what somebody with the database's password could do."""
-    with context.database.writing() as connection:
-        if context.database.is_sqlite:
-            connection.execute(text("PRAGMA defer_foreign_keys = ON"))
-            for name in ("audit_update", "version_update", "version_delete"):
-                connection.execute(text(f"DROP TRIGGER {name}"))
-        else:
-            for table in ("audit", "prescription_versions"):
-                connection.execute(text(f"ALTER TABLE {table} DISABLE TRIGGER USER"))
-        for statement in statements:
-            connection.execute(text(statement))
-
-
 def test_a_sound_record_is_sound(context: RecordsContext) -> None:
     report = verify_record(context)
     assert report.problems() == []
@@ -51,11 +38,9 @@ def test_everything_that_is_wrong_is_named(context: RecordsContext) -> None:
     digests = sorted(context.contents.digests())
     context.contents.path(digests[0]).write_bytes(b"changed on the disk")
     context.contents.path(digests[1]).unlink()
-    without_triggers(
-        context,
-        "UPDATE audit SET author = 'eva' WHERE seq = 2",
-        "UPDATE prescription_versions SET document = 'x'",
-    )
+    with without_triggers(context.database) as connection:
+        connection.execute(text("UPDATE audit SET author = 'eva' WHERE seq = 2"))
+        connection.execute(text("UPDATE prescription_versions SET document = 'x'"))
     first, *others = verify_record(context).problems()
     assert "Line 2 of the audit log" in first
     assert [sentence.split(",")[0] for sentence in others] == [

@@ -5,12 +5,30 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.cli.records import export, import_, list_, migrate, show
+from insole_studio.cli.records import (
+    backup,
+    export,
+    import_,
+    list_,
+    migrate,
+    restore,
+    show,
+    verify,
+)
 from insole_studio.cli.subcommands import Command, add_steps
 
 NAME = "records"
-HELP = "list, show, import and export the patients of the clinic's record"
-STEPS: tuple[Command, ...] = (list_, show, import_, export, migrate)
+HELP = "the clinic's record: its patients, orders and backups"
+STEPS: tuple[Command, ...] = (
+    list_,
+    show,
+    import_,
+    export,
+    backup,
+    restore,
+    verify,
+    migrate,
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

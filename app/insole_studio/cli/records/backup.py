@@ -1,0 +1,67 @@
+"""``insole-studio records backup``: add a snapshot of the record to a folder of backups."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import UsageError
+from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.records.place import add_place, opened
+from insole_studio.cli.records.saved_settings import saved_settings
+from insole_studio.cli.records.secrets import ask
+
+if TYPE_CHECKING:
+    from insole_core.records.backup.backup_key import BackupKey
+
+NAME = "backup"
+HELP = "add an encrypted snapshot of the record, with all of its files, to a folder"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments."""
+    parser.add_argument(
+        "folder",
+        action=OutputPath,
+        metavar="FOLDER",
+        help="folder of backups; it grows by what is new",
+    )
+    parser.add_argument(
+        "--passphrase-file", type=Path, metavar="FILE",
+        help="the first time: file with the passphrase; without it you are asked",
+    )  # fmt: skip
+    parser.add_argument(
+        "--recipient", action="append", metavar="AGE1…",
+        help="the first time: public key of age, instead of a passphrase",
+    )  # fmt: skip
+    add_place(parser)
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Back the record up."""
+    from insole_core.records.backup.back_up import back_up, key_of_backups, set_up_backups
+    from insole_core.records.rights import Right
+
+    with opened(arguments, Right.BACK_UP) as records:
+        if key_of_backups(records.context) is None:
+            set_up_backups(records.context, _new_key(arguments))
+        report = back_up(records.context, arguments.folder, saved_settings(), progress)
+    print(
+        f"snapshot {report.snapshot.number}: {report.rows} rows, {report.contents} files "
+        f"({report.contents_bytes / 1e6:.1f} MB); {report.written_bytes / 1e6:.1f} MB were new"
+    )
+    for sha256 in report.damaged:
+        print(f"not in the backup, because the record has lost it: {sha256}")
+
+
+def _new_key(arguments: argparse.Namespace) -> BackupKey:
+    from insole_core.records.backup.backup_key import BackupKey
+
+    if arguments.recipient:
+        return BackupKey.for_recipients(arguments.recipient)
+    passphrase = ask("New passphrase for backups: ", arguments.passphrase_file)
+    if arguments.passphrase_file is None and ask("The same again: ", None) != passphrase:
+        raise UsageError("The two passphrases differ; begin again.")
+    return BackupKey.with_passphrase(passphrase)

@@ -1,0 +1,138 @@
+"""Backing up, restoring and verifying the record on the command line."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pyrage
+import pytest
+
+from insole_core.records.author import Author
+from insole_core.records.open import open_records
+from insole_core.records.person import Person
+from insole_core.records.place import RecordsPlace
+from insole_studio.cli.main import run
+from insole_studio.user_paths import UserPaths
+
+ANNA = Author("anna", "desk")
+IDENTITY = pyrage.x25519.Identity.generate()
+
+
+@pytest.fixture
+def paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> UserPaths:
+    paths = UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
+    monkeypatch.setattr(UserPaths, "of_user", lambda: paths)
+    return paths
+
+
+@pytest.fixture
+def record(paths: UserPaths) -> Path:
+    """The user's own record, with a person and a file, and the user's settings."""
+    records = open_records(RecordsPlace.local(paths.records_folder), ANNA)
+    records.persons.add(Person("Anna Berg"))
+    records.contents.put(b"solid left foot")
+    records.close()
+    paths.settings_folder.mkdir()
+    paths.settings_file.write_text("{}")
+    return paths.records_folder
+
+
+@pytest.fixture
+def key(tmp_path: Path) -> Path:
+    path = tmp_path / "key.txt"
+    path.write_text(f"# created by age-keygen\n{IDENTITY}\n")
+    return path
+
+
+def back_up(folder: Path, *more: str) -> int:
+    return run(["records", "backup", str(folder), "--recipient", str(IDENTITY.to_public()), *more])
+
+
+def names_in(folder: Path) -> list[str]:
+    records = open_records(RecordsPlace.local(folder), ANNA)
+    names = [person.name for person in records.persons.recent()]
+    records.close()
+    return names
+
+
+def test_a_record_is_backed_up_verified_and_restored(
+    record: Path, key: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, new = tmp_path / "backups", tmp_path / "new"
+    assert back_up(folder) == 0
+    assert "snapshot 1" in capsys.readouterr().out
+    assert back_up(folder) == 0
+    assert "0.0 MB were new" in capsys.readouterr().out
+    secret = ["--private-key", str(key)]
+    assert run(["records", "verify", "--backup", str(folder), *secret]) == 0
+    assert "backup 2" in capsys.readouterr().out
+    assert run(["records", "restore", str(folder), *secret, "--record", str(new)]) == 0
+    assert "1 settings were there and stay" in capsys.readouterr().out
+    assert names_in(new) == ["Anna Berg"]
+    assert run(["records", "verify", "--record", str(new)]) == 0
+
+
+def test_a_record_that_is_there_is_set_aside_only_on_request(
+    record: Path, key: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "backups"
+    assert back_up(folder) == 0
+    restore = ["records", "restore", str(folder), "--private-key", str(key)]
+    assert run(restore) == 1
+    assert "holds a record that is newer than the backup" in capsys.readouterr().err
+    assert run([*restore, "--set-aside", "--snapshot", "1"]) == 0
+    assert "the record before is kept as" in capsys.readouterr().out
+    assert len(list(record.glob("records until *.sqlite3"))) == 1
+    assert names_in(record) == ["Anna Berg"]
+
+
+def test_what_is_wrong_is_the_last_line_and_the_exit_code(
+    record: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["records", "verify"]) == 0
+    file = next(path for path in (record / "contents").rglob("*") if len(path.name) == 64)
+    file.write_bytes(b"changed on the disk")
+    assert run(["records", "verify"]) == 1
+    assert "1 files were changed since" in capsys.readouterr().err.splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence", "code"),
+    [
+        (["verify", "--record", "nowhere"], "does not exist", 2),
+        (["verify", "--contents", "x"], "--contents belongs to --database", 2),
+        (["verify", "--database", "postgresql://x/y"], "needs --contents", 2),
+        (["verify", "--database", "mysql://x/y", "--contents", "x"], "of the kind mysql", 1),
+        (["verify", "--account", "eva"], "has no accounts", 1),
+        (["restore", "nowhere", "--private-key", "KEY"], "holds no backup", 1),
+        (["restore", "nowhere", "--private-key", "nowhere"], "cannot be read", 1),
+        (["restore", "nowhere"], "Nobody can be asked", 2),
+        (["backup", "b", "--recipient", "age1x"], "public key of age", 1),
+        (["backup", "b"], "Nobody can be asked", 2),
+    ],
+)
+def test_what_is_wrong_with_the_arguments_is_told(
+    record: Path,
+    key: Path,
+    arguments: list[str],
+    sentence: str,
+    code: int,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(key.parent)
+    monkeypatch.setattr("sys.stdin", io.StringIO())
+    given = [str(key) if argument == "KEY" else argument for argument in arguments]
+    assert run(["records", *given]) == code
+    assert sentence in capsys.readouterr().err.splitlines()[-1]
+
+
+@pytest.mark.slow
+def test_a_passphrase_comes_from_a_file(record: Path, tmp_path: Path) -> None:
+    file = tmp_path / "passphrase.txt"
+    file.write_text("blå sko på grön äng\n", "utf-8")
+    folder, secret = str(tmp_path / "backups"), ["--passphrase-file", str(file)]
+    assert run(["records", "backup", folder, *secret]) == 0
+    assert run(["records", "restore", folder, *secret, "--record", str(tmp_path / "new")]) == 0
+    assert names_in(tmp_path / "new") == ["Anna Berg"]
