@@ -44,7 +44,7 @@ from insole_core.records.backup.backup_folder import HEAD_FILE, BackupFolder
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, WrongSecret, open_key
 from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
-from insole_core.records.backup.schedule import is_due
+from insole_core.records.backup.schedule import BackupSchedule
 from insole_core.records.backup.snapshot import open_snapshot
 from insole_core.records.context import RecordsContext
 from insole_core.records.migrate import SCHEMA
@@ -609,12 +609,19 @@ def test_the_clock_does_not_tell_the_order_of_snapshots(
 
 
 def test_backups_are_due_by_the_schedule() -> None:
-    now, day = datetime(2026, 11, 22, 12, tzinfo=UTC), timedelta(days=1)
-    assert is_due(None, day, now)
-    assert is_due(now - day, day, now)
-    assert not is_due(now - timedelta(hours=23), day, now)
-    assert not is_due(now + timedelta(minutes=5), day, now)
-    assert is_due(now + timedelta(days=300), day, now)  # made while the clock was wrong
+    daily, now = BackupSchedule(None, 18), datetime(2026, 11, 22, 12, tzinfo=UTC)  # a Sunday
+    assert daily.latest(now) == datetime(2026, 11, 21, 18, tzinfo=UTC)
+    assert daily.latest(now.replace(hour=18)) == now.replace(hour=18)
+    assert daily.is_due(None, now)
+    assert daily.is_due(datetime(2026, 11, 21, 17, 59, tzinfo=UTC), now)  # missed, made up for
+    assert not daily.is_due(datetime(2026, 11, 21, 18, 1, tzinfo=UTC), now)
+    assert not daily.is_due(now + timedelta(minutes=5), now)
+    assert daily.is_due(now + timedelta(days=300), now)  # made while the clock was wrong
+    fridays = BackupSchedule(4, 9)
+    assert fridays.latest(now) == datetime(2026, 11, 20, 9, tzinfo=UTC)
+    assert fridays.latest(datetime(2026, 11, 20, 8, tzinfo=UTC)) == datetime(
+        2026, 11, 13, 9, tzinfo=UTC
+    )
 
 
 def test_any_age_program_opens_the_key_and_the_files(context: RecordsContext, folder: Path) -> None:
