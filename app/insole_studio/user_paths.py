@@ -52,6 +52,11 @@ class UserPaths:
         """The folder of the clinic's record: its database and large files."""
         return self.data_folder / "records"
 
+    @property
+    def backed_up_folders(self) -> dict[str, Path]:
+        """What belongs to a backup besides the record, by name."""
+        return {"settings": self.settings_folder, "sensors": self.sensors_folder}
+
     def make_private(self) -> None:
         """Close the folders to other users; an earlier version left them open."""
         for folder in (self.settings_folder, self.data_folder):

@@ -17,6 +17,7 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
+from insole_studio.features.clinic.actions import OF_ACCOUNTS
 from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
@@ -51,6 +52,7 @@ class MainController(QObject):
         self._connect_window()
         self._connect_features()
         self._connect_records()
+        self._connect_clinic()
         self._connect_case()
         self._show_state()
         self._show_tool()
@@ -122,6 +124,25 @@ class MainController(QObject):
         self._case.opened.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
         keeper.state_changed.connect(self._show_kept)
+
+    def _connect_clinic(self) -> None:
+        """Connect the administration of the record."""
+        administration, clinic = self._features.clinic, self._services.clinic
+        administration.start_requested.connect(self._features.records.show_start)
+        administration.lock.quit_requested.connect(self._quit_locked)
+        self._window.status.follow(administration.backups.jobs)
+        clinic.state_changed.connect(self._show_accounts)
+        self._show_accounts()
+
+    def _show_accounts(self) -> None:
+        """Show what has to do with signing in only where the record has accounts."""
+        for key in OF_ACCOUNTS:
+            self._window.actions_by_key[key].setVisible(self._services.clinic.has_accounts)
+
+    def _quit_locked(self) -> None:
+        """End without a question or a picture of the case, whose copy is offered at the start."""
+        self._autosave.keep_now()
+        self.closed.emit()
 
     def _show_kept(self) -> None:
         """Say whether the open visit is in the record."""

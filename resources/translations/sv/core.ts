@@ -140,6 +140,10 @@
             <translation>En avlastning under varje huvud som bär för mycket; inga hårda kanter.</translation>
         </message>
         <message>
+            <source>A shared record needs the folder of its large files, on a share that all stations reach; choose it.</source>
+            <translation>En delad journal behöver mappen för sina stora filer, på en delad plats som alla stationer når; välj den.</translation>
+        </message>
+        <message>
             <source>A shift fits one distance; calibrate depth to colour to be right at all.</source>
             <translation>En förskjutning stämmer på ett avstånd; kalibrera djup mot färg för att det ska stämma på alla.</translation>
         </message>
@@ -832,6 +836,10 @@
             <translation>Ingen vy angavs; ange vilken sensor som ger vilken vy: left=SERIENUMMER …</translation>
         </message>
         <message>
+            <source>Nobody has the pseudonym {pseudonym}; it stands on the patient's page and on papers for the shop.</source>
+            <translation>Ingen har pseudonymen {pseudonym}; den står på patientens sida och på papper till verkstaden.</translation>
+        </message>
+        <message>
             <source>None of the {count} pictures can be used: {reason}</source>
             <translation>Ingen av de {count} bilderna kan användas: {reason}</translation>
         </message>
@@ -1080,6 +1088,10 @@
             <translation>Kontot {account} ({role}) får inte {action}; fråga någon som får: {who}.</translation>
         </message>
         <message>
+            <source>The address holds a password, which would be stored with the settings; take it out, and type it into its own line.</source>
+            <translation>Adressen innehåller ett lösenord, som skulle lagras med inställningarna; ta bort det och skriv det på sin egen rad.</translation>
+        </message>
+        <message>
             <source>The address of the database asks for sslmode={mode}, with which patients' data could be read on the way; remove it, or write sslmode=verify-full.</source>
             <translation>Databasens adress begär sslmode={mode}, och då kan patientuppgifter läsas på vägen; ta bort det eller skriv sslmode=verify-full.</translation>
         </message>
@@ -1176,6 +1188,14 @@
             <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
         <message>
+            <source>The clinic's record is not open.</source>
+            <translation>Klinikens journal är inte öppen.</translation>
+        </message>
+        <message>
+            <source>The clinic's record is not open; look at the start page to see why.</source>
+            <translation>Klinikens journal är inte öppen; startsidan säger varför.</translation>
+        </message>
+        <message>
             <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>
             <translation>Sensorns färgkamera är inte kalibrerad ännu, så brädet på väggarna kan inte visa var de är; kalibrera den, och djup mot färg, först.</translation>
         </message>
@@ -1270,6 +1290,14 @@
         <message>
             <source>The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.</source>
             <translation>Brännvidden är {fx:.1f} / {fy:.1f} px, känd inom {error_px:.1f} px.</translation>
+        </message>
+        <message>
+            <source>The folder of the backups, {folder}, is not there; connect its disk, or choose another folder.</source>
+            <translation>Mappen för säkerhetskopiorna, {folder}, finns inte; anslut dess disk eller välj en annan mapp.</translation>
+        </message>
+        <message>
+            <source>The folder of the large files, {folder}, is not there or may not be written by you; connect the share, or choose another folder.</source>
+            <translation>Mappen för de stora filerna, {folder}, finns inte eller får inte skrivas av dig; anslut den delade platsen eller välj en annan mapp.</translation>
         </message>
         <message>
             <source>The font has no letters {missing}; the identification shows a likeness or “?” instead.</source>
@@ -1692,6 +1720,10 @@
             <translation>Klipplinjen vänder tillbaka eller korsar sig själv vid punkt {number}, räknad från medialkanten; låt varje punkt ligga minst {least_mm:g} mm längre lateralt än den föregående.</translation>
         </message>
         <message>
+            <source>The two lines are not the same; type both again.</source>
+            <translation>De två raderna är inte lika; skriv båda igen.</translation>
+        </message>
+        <message>
             <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
             <translation>De två ytorna överlappar inte i något läge, så de kan inte jämföras; kontrollera att båda visar samma sida av samma fot.</translation>
         </message>
@@ -1864,6 +1896,10 @@
             <translation>Kontot finns inte längre; titta i listan igen.</translation>
         </message>
         <message>
+            <source>There is nobody to erase with the pseudonym {pseudonym}; it stands on the patient's page.</source>
+            <translation>Det finns ingen att radera med pseudonymen {pseudonym}; den står på patientens sida.</translation>
+        </message>
+        <message>
             <source>Thesis 3.3: the contact surface as it was measured, without a designed rim</source>
             <translation>Avhandlingen 3.3: kontaktytan som den mättes, utan utformad kant</translation>
         </message>
@@ -1994,6 +2030,10 @@
         <message>
             <source>Two stations of the rim lie at the same place {where}, one {height_mm:.1f} mm high and one {other_mm:.1f} mm; remove one of them.</source>
             <translation>Två stationer på randen ligger på samma plats {where}, en {height_mm:.1f} mm hög och en {other_mm:.1f} mm; ta bort en av dem.</translation>
+        </message>
+        <message>
+            <source>Type the address of the database, or use the record of this computer.</source>
+            <translation>Skriv databasens adress eller använd journalen på den här datorn.</translation>
         </message>
         <message>
             <source>UCBL</source>
@@ -2950,6 +2990,10 @@
         <message>
             <source>name</source>
             <translation>Namnet</translation>
+        </message>
+        <message>
+            <source>name and birth date</source>
+            <translation>namn och födelsedatum</translation>
         </message>
         <message>
             <source>name of the file</source>

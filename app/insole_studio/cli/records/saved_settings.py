@@ -9,5 +9,4 @@ from insole_studio.user_paths import UserPaths
 
 def saved_settings() -> dict[str, Path]:
     """Return the folders of the program's settings and calibrated sensors, by name."""
-    paths = UserPaths.of_user()
-    return {"settings": paths.settings_folder, "sensors": paths.sensors_folder}
+    return UserPaths.of_user().backed_up_folders
