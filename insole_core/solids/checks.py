@@ -33,6 +33,9 @@ _RIM_PIXELS = 3  # the rim tapers to an edge, which has no thickness
 _SKIN_MM = 0.01
 _CLEAR_MM = 0.05  # facets of one curved wall do not cover each other
 _DOWNWARD = -0.02
+_LEVEL, _SHAPED_SHARE = -0.7, 0.1
+"""z of normals that face down, walls left out; share of their area off the base from which on an
+underside is shaped."""
 _UNDERSIDE = -0.3  # z of a normal: faces down by more than a wall of the greatest inward draft
 
 Place = tuple[float, float, float]
@@ -365,16 +368,17 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     corners = solid.vertices[solid.triangles]
     up = solid.triangle_normals[:, 2]
     lifted = corners[..., 2].max(axis=1) > solid.bounds_mm[0, 2] + _SKIN_MM
-    is_turned = bool((lifted & (up < _UNDERSIDE)).any())
+    sides = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
+    below = np.where(up < _LEVEL, areas, 0.0)
+    is_turned = bool(below[lifted].sum() > _SHAPED_SHARE * below.sum())
     hidden = lifted & (up < _DOWNWARD)
     if is_turned:
         hidden = _covered(solid, hidden, -1.0) | _covered(solid, up > -_DOWNWARD, 1.0)
-    sides = corners[hidden, 1] - corners[hidden, 0], corners[hidden, 2] - corners[hidden, 0]
-    areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
-    area = round(float(areas.sum()), DECIMALS["undercut"])
+    area = round(float(areas[hidden].sum()), DECIMALS["undercut"])
     place, spots = None, corners[hidden].mean(axis=1)
     if area > 0:
-        place = _rounded(corners[hidden][areas.argmax()].mean(axis=0))
+        place = _rounded(corners[np.where(hidden, areas, 0.0).argmax()].mean(axis=0))
     sentence = _undercut_sentence(area, limit, place, is_turned=is_turned)
     return Finding("undercut", policy, area <= limit, area, limit, "mm²", sentence, place, spots)
 

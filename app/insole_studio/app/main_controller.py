@@ -107,11 +107,14 @@ class MainController(QObject):
         features = self._features
         capture, foot, opener = features.capture, features.foot, features.case_files.opener
         capture.captured.connect(opener.open_path)
+        capture.captured_for.connect(features.records.captures.store)
+        features.records.captures.fetched.connect(opener.open_path)
         foot.foot_made.connect(opener.take_scan)
         foot.closed.connect(capture.hand_on, Qt.ConnectionType.QueuedConnection)
         foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)
         foot.unreadable.connect(self._services.messages.show_error)
         features.export.changed.connect(self._show_state)
+        features.export.exported_files.connect(features.records.order_actions.note_export)
         self._stage.counterpart.changed.connect(self._show_choices)
 
     def _connect_records(self) -> None:
@@ -267,6 +270,8 @@ class MainController(QObject):
                 window.show_action(record.key, on_panels and case.foot is not None)
             if record.needs_both:
                 window.show_action(record.key, on_panels and len(case.record.feet) == 2)
+        is_file = not self._services.keeper.is_keeping and not case.is_empty
+        window.show_action("add_to_record", on_panels and is_file)
         for key in OF_PERSON:
             window.show_action(key, self._is_on_person)
         window.show_action("remove", case.selection is not None)

@@ -52,6 +52,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             SEPARATOR,
             "save",
             "save_as",
+            "add_to_record",
             "export",
             "print_outline",
             SEPARATOR,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from datetime import date
 
 from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.records.person import Person
@@ -111,3 +112,32 @@ def _keep_visit(records: Records, visit: Visit, change: CaseChange) -> Visit:
         measures = {**visit.measures, **visit_measures(change.now.feet)}
         visit = replace(visit, measures=measures, capture_state=CaptureState.DONE)
     return records.visits.change(visit, visit.revision)
+
+
+def add_case(records: Records, case: CaseRecord, person_id: str = "") -> Visit:
+    """Make a visit of a case, for instance of one from a file; return the visit.
+
+    Parameters
+    ----------
+    person_id
+        Whose visit it is; empty for a new person with the data of the case.
+
+    Raises
+    ------
+    InputError
+        When a field of the patient cannot be right.
+    RecordsError, OutputError
+        When it cannot be stored.
+    """
+    patient, today = case.patient, date.today()
+    if not person_id:
+        born = read_day("born", patient.born, today)
+        birth_date = date.fromisoformat(born) if born else None
+        person_id = records.persons.add(Person(patient.name, birth_date)).id
+    day = read_day("visit", patient.visit, today)
+    visited_on = date.fromisoformat(day) if day else today
+    visit = Visit(person_id, visited_on, findings=patient.notes, measures=visit_measures(case.feet))
+    visit = records.visits.add(visit)
+    for foot in case.feet:
+        records.prescriptions.save(visit.id, foot, None)
+    return visit

@@ -8,6 +8,10 @@
             <translation>En kopia skrevs: {name}</translation>
         </message>
         <message>
+            <source>A new capture of this visit has come from {who} at {time}.</source>
+            <translation>En ny avbildning av detta besök har kommit från {who} klockan {time}.</translation>
+        </message>
+        <message>
             <source>Add a patient to the clinic's record</source>
             <translation>Lägg till en patient i klinikens journal</translation>
         </message>
@@ -20,12 +24,28 @@
             <translation>Lägg till ett besök i dag som ordineras som det förra på en ny skanning</translation>
         </message>
         <message>
+            <source>Add as a new patient</source>
+            <translation>Lägg till som ny patient</translation>
+        </message>
+        <message>
             <source>Add follow-up</source>
             <translation>Lägg till uppföljning</translation>
         </message>
         <message>
             <source>Add patient</source>
             <translation>Lägg till patient</translation>
+        </message>
+        <message>
+            <source>Add to the record</source>
+            <translation>Lägg till i journalen</translation>
+        </message>
+        <message>
+            <source>Add to the record…</source>
+            <translation>Lägg till i journalen…</translation>
+        </message>
+        <message>
+            <source>Add to this patient</source>
+            <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
             <source>Adjusted</source>
@@ -204,6 +224,14 @@
             <translation>Senaste besök</translation>
         </message>
         <message>
+            <source>Make a foot of it</source>
+            <translation>Gör en fot av den</translation>
+        </message>
+        <message>
+            <source>Make a visit of the open case; its file stays as it is</source>
+            <translation>Gör det öppna fallet till ett besök; filen förblir som den är</translation>
+        </message>
+        <message>
             <source>Measure over time</source>
             <translation>Mått över tid</translation>
         </message>
@@ -256,6 +284,10 @@
             <translation>Ingen hittas. Kontrollera stavningen, eller lägg till en ny patient.</translation>
         </message>
         <message>
+            <source>Nobody of the work list</source>
+            <translation>Ingen på arbetslistan</translation>
+        </message>
+        <message>
             <source>Not saved in the record; your work is kept here</source>
             <translation>Inte sparat i journalen; ditt arbete finns kvar här</translation>
         </message>
@@ -282,6 +314,14 @@
         <message>
             <source>Open the visit</source>
             <translation>Öppna besöket</translation>
+        </message>
+        <message>
+            <source>Order {number}</source>
+            <translation>Beställning {number}</translation>
+        </message>
+        <message>
+            <source>Order {number} is in the record, with its files.</source>
+            <translation>Beställning {number} finns i journalen, med sina filer.</translation>
         </message>
         <message>
             <source>Orders</source>
@@ -312,6 +352,10 @@
             <translation>Patienter</translation>
         </message>
         <message>
+            <source>Patients whose feet wait to be captured</source>
+            <translation>Patienter vars fötter väntar på avbildning</translation>
+        </message>
+        <message>
             <source>Personal number</source>
             <translation>Personnummer</translation>
         </message>
@@ -330,6 +374,10 @@
         <message>
             <source>Recent patients</source>
             <translation>Senaste patienter</translation>
+        </message>
+        <message>
+            <source>Remarks</source>
+            <translation>Anmärkningar</translation>
         </message>
         <message>
             <source>Remember the last prescription</source>
@@ -368,6 +416,10 @@
             <translation>Verkstad</translation>
         </message>
         <message>
+            <source>Shop and due date…</source>
+            <translation>Verkstad och klardatum…</translation>
+        </message>
+        <message>
             <source>Sign this version</source>
             <translation>Signera denna version</translation>
         </message>
@@ -390,6 +442,10 @@
         <message>
             <source>State</source>
             <translation>Läge</translation>
+        </message>
+        <message>
+            <source>The capture is in the record.</source>
+            <translation>Avbildningen finns i journalen.</translation>
         </message>
         <message>
             <source>The capture room has to capture the feet</source>
@@ -464,6 +520,14 @@
             <translation>Vilka beställningar</translation>
         </message>
         <message>
+            <source>Whose case is it? It becomes a visit; the file stays as it is.</source>
+            <translation>Vems fall är det? Det blir ett besök; filen förblir som den är.</translation>
+        </message>
+        <message>
+            <source>Whose feet are captured</source>
+            <translation>Vems fötter som avbildas</translation>
+        </message>
+        <message>
             <source>Why is it kept? The next change begins a new version.</source>
             <translation>Varför behålls den? Nästa ändring börjar en ny version.</translation>
         </message>
@@ -478,6 +542,10 @@
         <message>
             <source>{day}, overdue</source>
             <translation>{day}, försenad</translation>
+        </message>
+        <message>
+            <source>{name} (open here)</source>
+            <translation>{name} (öppen här)</translation>
         </message>
         <message>
             <source>{name} has this personal number already.</source>

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 
 from insole_core.errors import UsageError
+from insole_core.records.visit import VisitSummary
 from insole_studio.acquisition.capture_plan import parse_assignment
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
+from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_studio.features.capture.stage import CaptureStage
@@ -30,6 +32,8 @@ class CaptureWindow(StageWindow["CaptureStage"]):
 
     captured = Signal(object)
     """The path of a captured session."""
+    captured_for = Signal(str, object)
+    """The visit of the work list that a session was captured for, and the session's path."""
 
     def __init__(self, services: AppServices, source: SensorSource) -> None:
         super().__init__(services.window)
@@ -52,8 +56,42 @@ class CaptureWindow(StageWindow["CaptureStage"]):
 
     def connect_stage(self, stage: CaptureStage) -> None:
         """Collect the captured sessions until the stage is closed."""
-        stage.kept.connect(self._waiting.append)
+        stage.kept.connect(self._keep)
         stage.closed.connect(self.hand_on)
+        self._services.clinic.changed.connect(self._list_work)
+        self._list_work()
+
+    def _keep(self, path: Path) -> None:
+        """Keep a session to be opened; one of another visit is only stored with it."""
+        visit_id = "" if self.stage is None else self.stage.view.visit_id
+        if visit_id and visit_id != self._services.keeper.visit_id:
+            self.captured_for.emit(visit_id, path)
+        else:
+            self._waiting.append(path)
+
+    def _list_work(self) -> None:
+        """Show whose feet wait to be captured, if the clinic's record can be asked."""
+        clinic = self._services.clinic
+        if self.stage is not None and clinic.is_open:
+            clinic.ask(
+                "capture-work-list",
+                lambda records: records.visits.work_list(),
+                self._show_work,
+                self._services.messages.show_error,
+            )
+
+    def _show_work(self, waiting: Sequence[VisitSummary]) -> None:
+        if self.stage is None:
+            return
+        kept = self._services.case.kept
+        visits = [("", tr("Nobody of the work list"))]
+        if kept is not None:
+            visits.append((kept.visit.id, tr("{name} (open here)").format(name=kept.person.name)))
+        for visit in waiting:
+            if visit.id != self._services.keeper.visit_id:
+                born = "" if visit.birth_date is None else f", {visit.birth_date.isoformat()}"
+                visits.append((visit.id, f"{visit.person_name}{born}"))
+        self.stage.view.show_visits(visits, self._services.keeper.visit_id)
 
     def hand_on(self) -> None:
         """Pass on the next waiting session, if any."""

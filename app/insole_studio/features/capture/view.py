@@ -80,12 +80,38 @@ class CaptureView(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 8)
         layout.setSpacing(8)
+        self._visits = ComboBox([])
+        self._visits.setAccessibleName(tr("Whose feet are captured"))
+        self._visits.setToolTip(tr("Patients whose feet wait to be captured"))
+        self._visits.hide()
         layout.addWidget(self._offer)
+        layout.addWidget(self._visits)
         layout.addWidget(self._legend)
         layout.addWidget(self._pages, 1)
         layout.addLayout(self._option_row())
         layout.addWidget(self._sentence)
         layout.addLayout(self._button_row())
+
+    @property
+    def visit_id(self) -> str:
+        """The visit of the work list that is captured for; empty for none."""
+        return self._visits.currentData() or ""
+
+    def show_visits(self, visits: Sequence[tuple[str, str]], open_visit: str) -> None:
+        """Show the work list; the chosen visit stays chosen, at first it is the open one.
+
+        Parameters
+        ----------
+        visits
+            Id and name of each; the first one is nobody.
+        """
+        ids = [visit_id for visit_id, _name in visits]
+        before = self.visit_id if self._visits.count() else open_visit
+        self._visits.clear()
+        for visit_id, name in visits:
+            self._visits.addItem(name, visit_id)
+        self._visits.show_value(before if before in ids else "")
+        self._visits.setVisible(len(visits) > 1)
 
     def show_sensors(self, rows: Sequence[SensorRow]) -> None:
         """Show a card per sensor, in this order."""

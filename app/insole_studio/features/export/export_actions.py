@@ -40,6 +40,8 @@ class ExportActions(StageWindow["ExportStage"]):
     """Opens the export stage, and prints the outline."""
 
     changed = Signal()
+    exported_files = Signal(object, object)
+    """Emitted with the record of the open case that was exported, and the files."""
     """Emitted after an export."""
 
     def __init__(self, services: AppServices) -> None:
@@ -202,6 +204,7 @@ class ExportActions(StageWindow["ExportStage"]):
     def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
         self.exported = record
         self.changed.emit()
+        self.exported_files.emit(record, paths)
         names = ", ".join(path.name for path in paths)
         self._messages.say(tr("Exported {name}").format(name=names))
 

@@ -64,4 +64,10 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda: tr("What became of the insoles of the patient on the page"),
         lambda records, _on: records.ask_follow_up(),
     ),
+    ActionRecord(
+        "add_to_record",
+        lambda: tr("Add to the record…"),
+        lambda: tr("Make a visit of the open case; its file stays as it is"),
+        lambda records, _on: records.add_case(),
+    ),
 )

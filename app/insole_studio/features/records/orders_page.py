@@ -24,6 +24,7 @@ class OrdersPage(QWidget):
     move_requested = Signal(str, str)
     """The id of an order, and the value of the state to bring it to."""
     order_chosen = Signal(str)
+    edit_requested = Signal(str)
     patients_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -45,6 +46,8 @@ class OrdersPage(QWidget):
         self.move_button.clicked.connect(self._request_move)
         self.open_button = QPushButton(tr("Open the visit"))
         self.open_button.clicked.connect(self._request_open)
+        self.edit_button = QPushButton(tr("Shop and due date…"))
+        self.edit_button.clicked.connect(self._request_edit)
         back = QPushButton(tr("All patients"))
         back.clicked.connect(self.patients_requested)
         top = QHBoxLayout()
@@ -55,7 +58,7 @@ class OrdersPage(QWidget):
         top.addWidget(self.shown)
         bottom = QHBoxLayout()
         bottom.setSpacing(8)
-        for part in (self.open_button, self.to_state, self.move_button):
+        for part in self._of_chosen:
             bottom.addWidget(part)
         bottom.addStretch(1)
         layout = QVBoxLayout(self)
@@ -66,6 +69,11 @@ class OrdersPage(QWidget):
         layout.addLayout(bottom)
         self._show_chosen()
 
+    @property
+    def _of_chosen(self) -> tuple[QWidget, ...]:
+        """The widgets that need a chosen order."""
+        return self.open_button, self.edit_button, self.to_state, self.move_button
+
     def show_orders(self, title: str, rows: Sequence[TableRow], *, of_person: bool) -> None:
         """Show orders: those of the clinic in a state, or all those of a person."""
         self._title.setText(title)
@@ -74,11 +82,14 @@ class OrdersPage(QWidget):
         self._show_chosen()
 
     def _show_chosen(self) -> None:
-        for part in (self.open_button, self.to_state, self.move_button):
+        for part in self._of_chosen:
             part.setEnabled(bool(self.table.current_key))
 
     def _request_move(self) -> None:
         self.move_requested.emit(self.table.current_key, self.to_state.currentData())
+
+    def _request_edit(self) -> None:
+        self.edit_requested.emit(self.table.current_key)
 
     def _request_open(self) -> None:
         self.order_chosen.emit(self.table.current_key)

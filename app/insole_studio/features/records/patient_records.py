@@ -21,6 +21,7 @@ from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
+from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
 from insole_studio.features.records.conflict_dialog import (
     Choice,
     ComparedVersion,
@@ -30,17 +31,19 @@ from insole_studio.features.records.conflict_dialog import (
 from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
+from insole_studio.features.records.order_actions import OrderActions
 from insole_studio.features.records.orders_page import OrdersPage
 from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
-from insole_studio.features.records.record_texts import version_text
+from insole_studio.features.records.record_texts import person_rows, version_text
 from insole_studio.features.records.same_prescription import (
     SamePrescription,
     last_prescriptions,
 )
 from insole_studio.features.records.start_page import StartPage
-from insole_studio.features.records.start_presenter import StartPresenter
+from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
+from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -80,6 +83,8 @@ class PatientRecords(QObject):
         self._start_presenter: StartPresenter | None = None
         self._orders_presenter: OrdersPresenter | None = None
         self._same_prescription = SamePrescription(services)
+        self.captures = VisitCaptures(services)
+        self.order_actions = OrderActions(services)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
         self._keeper.conflicted.connect(self.decide)
@@ -159,9 +164,47 @@ class PatientRecords(QObject):
             self._orders_presenter = OrdersPresenter(self.orders, self._clinic, self._tell)
             self.orders.patients_requested.connect(self.show_start)
             self.orders.order_chosen.connect(self._open_order)
+            self.orders.edit_requested.connect(self.order_actions.ask)
         assert self._orders_presenter is not None
         self.page_requested.emit(self.orders)
         self._orders_presenter.show(self._shown_person if of_person else None)
+
+    def add_case(self) -> None:
+        """Ask whose the open case of a file is, and make a visit of it."""
+        case = self._services.case.record
+        dialog = ChoosePersonDialog(case.patient.name, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.accepted.connect(lambda: self._add_case(dialog.person_id))
+
+        def show(found: list[PersonSummary]) -> None:
+            if isValid(dialog):
+                dialog.show_found(person_rows(found))
+
+        def search(typed: str) -> None:
+            self._clinic.ask(
+                "records-choose",
+                lambda records: records.persons.search(typed, MOST_FOUND),
+                show,
+                self._tell,
+            )
+
+        dialog.search_edited.connect(search)
+        dialog.open()
+        search(case.patient.name)
+
+    def _add_case(self, person_id: str) -> None:
+        case = self._services.case.record
+
+        def add(records: Records) -> Visit:
+            from insole_core.workflows.records.keep_case import add_case
+
+            return add_case(records, case, person_id)
+
+        self._clinic.write(
+            add,
+            lambda visit: self._keeper.open_visit(visit.id, self._tell),
+            self._tell,
+        )
 
     def ask_follow_up(self) -> None:
         """Show what became of the insoles of the person on the page, and ask for more."""

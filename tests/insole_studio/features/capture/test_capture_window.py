@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import Signal
@@ -72,10 +73,11 @@ def test_the_step_of_the_path_opens_it_once(emulating: Application) -> None:
 
 
 class KeptStage(QWidget):
-    """Stands in for the stage."""
+    """Stands in for the stage, with nobody of the work list chosen."""
 
     kept = Signal(object)
     closed = Signal()
+    view = SimpleNamespace(visit_id="")
 
 
 def test_both_feet_of_a_visit_are_handed_on_one_after_the_other(

@@ -1,0 +1,71 @@
+"""Orders made of what is exported, and their shop and due date."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from insole_core.cases.case_record import CaseRecord
+from insole_core.records.order import Order
+from insole_studio.features.records.order_dialog import OrderDialog
+from insole_studio.services.app_services import AppServices
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+
+NOTICE = "record-order"
+
+
+class OrderActions(QObject):
+    """Adds an order for each export of a visit, with the files as they were written."""
+
+    def __init__(self, services: AppServices) -> None:
+        super().__init__(services.window)
+        self._services = services
+        self._clinic = services.clinic
+        self._tell = services.messages.show_error
+
+    def note_export(self, exported: CaseRecord, paths: Sequence[Path]) -> None:
+        """Add an order of the exported feet, once they are in the record as they were exported."""
+        visit_id = self._services.keeper.visit_id
+        if not visit_id:
+            return
+        sides = [foot.side for foot in exported.feet]
+
+        def add(records: Records) -> Order:
+            newest = [records.prescriptions.versions(visit_id, side)[0].id for side in sides]
+            return records.orders.add(visit_id, newest, files=list(paths))
+
+        self._services.keeper.leave(lambda: self._clinic.write(add, self._offer, self._tell))
+
+    def ask(self, order_id: str) -> None:
+        """Ask for shop and due date of an order."""
+        self._clinic.ask(
+            "records-order", lambda records: records.orders.get(order_id), self._ask, self._tell
+        )
+
+    def _offer(self, order: Order) -> None:
+        self._services.notices.put(
+            NOTICE,
+            tr("Order {number} is in the record, with its files.").format(number=order.number),
+            (tr("Shop and due date…"), lambda: self.ask(order.id)),
+        )
+
+    def _ask(self, order: Order) -> None:
+        dialog = OrderDialog(order, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.accepted.connect(lambda: self._change(order, dialog))
+        dialog.open()
+
+    def _change(self, order: Order, dialog: OrderDialog) -> None:
+        shop, due_on = dialog.shop.text(), dialog.due_on
+        remarks = dialog.remarks.toPlainText()
+        self._clinic.write(
+            lambda r: r.orders.change(order.id, shop, due_on, remarks, order.revision),
+            lambda _order: None,
+            self._tell,
+        )

@@ -1,0 +1,120 @@
+"""The captures of the open visit: scans made here are stored, those of others are offered."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from insole_core.cases.case_record import ScanSource
+from insole_core.records.capture import Capture
+from insole_studio.features.records.record_texts import moment_text
+from insole_studio.services.app_services import AppServices
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+
+CHANNEL = "records-captures"
+NOTICE = "record-capture"
+
+
+class VisitCaptures(QObject):
+    """Stores the scan of each foot with its visit, and offers captures of the capture room."""
+
+    fetched = Signal(object)
+    """The path of a capture that was copied out of the record, to be opened."""
+
+    def __init__(self, services: AppServices) -> None:
+        super().__init__(services.window)
+        self._services = services
+        self._case = services.case
+        self._clinic = services.clinic
+        self._visit_id = ""
+        self._stored: set[str] | None = None
+        """SHA-256 of the scans that the visit has; None before the first answer."""
+        self._case.opened.connect(self._begin)
+        self._case.changed.connect(self._store_new)
+        self._clinic.changed.connect(self._look)
+
+    def store(self, visit_id: str, path: Path, kind: str = "session") -> None:
+        """Store a capture with a visit, whether or not it is open here."""
+
+        def add(records: Records) -> Capture:
+            from insole_core.workflows.records.capture_facts import capture_facts
+
+            return records.captures.add(visit_id, kind, path, capture_facts(path))
+
+        def added(_capture: Capture) -> None:
+            self._services.messages.say(tr("The capture is in the record."))
+
+        self._clinic.write(add, added, self._services.messages.show_error)
+
+    def _begin(self) -> None:
+        if self._services.keeper.visit_id != self._visit_id:
+            self._visit_id, self._stored = self._services.keeper.visit_id, None
+        self._look()
+
+    def _look(self) -> None:
+        """Ask which captures the open visit has."""
+        visit_id = self._visit_id
+        if visit_id and self._clinic.is_open:
+            self._clinic.ask(
+                CHANNEL,
+                lambda records: records.captures.of_visit(visit_id),
+                lambda captures: self._take(visit_id, captures),
+                lambda _error: None,
+            )
+
+    def _take(self, visit_id: str, captures: Sequence[Capture]) -> None:
+        if visit_id != self._visit_id:
+            return
+        feet = self._case.record.feet
+        here = {foot.source.sha256 for foot in feet}
+        is_first, before = self._stored is None, self._stored or set()
+        new = [c for c in captures if c.source_sha256 not in before | here]
+        self._stored = before | {capture.source_sha256 for capture in captures}
+        # Those that were there before are offered only where no foot was made yet.
+        if new and not (is_first and feet):
+            self._offer(new[0])
+        self._store_new()
+
+    def _offer(self, capture: Capture) -> None:
+        sentence = tr("A new capture of this visit has come from {who} at {time}.")
+        self._services.notices.put(
+            NOTICE,
+            sentence.format(who=capture.author, time=moment_text(capture.created_at)),
+            (tr("Make a foot of it"), lambda: self._fetch(capture)),
+        )
+
+    def _fetch(self, capture: Capture) -> None:
+        folder = self._services.paths.data_folder / "from-record"
+
+        def copy(records: Records) -> Path:
+            from insole_core.export.atomic import make_private_folder
+
+            make_private_folder(folder)
+            return records.captures.copy_to(capture, folder)
+
+        self._clinic.ask(
+            f"{CHANNEL}-copy", copy, self.fetched.emit, self._services.messages.show_error
+        )
+
+    def _store_new(self) -> None:
+        """Store the scans of feet that the visit does not have yet."""
+        if not self._visit_id or self._stored is None or self._clinic.is_read_only:
+            return
+        for foot in self._case.record.feet:
+            source = foot.source
+            if source.sha256 not in self._stored and _is_there(source):
+                self._stored.add(source.sha256)
+                self.store(self._visit_id, Path(source.path), source.kind)
+
+
+def _is_there(source: ScanSource) -> bool:
+    try:
+        return Path(source.path).exists()
+    except (OSError, ValueError):  # a path of another system
+        return False

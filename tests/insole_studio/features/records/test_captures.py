@@ -1,0 +1,99 @@
+"""Scans are stored with the visit, and those of the capture room appear at the desk."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import date
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.case_record import ScanSource
+from insole_core.file_digest import sha256_of
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.records.visit import CaptureState, Visit
+from insole_studio.app.bootstrap import Application
+
+NOTICED_WITHIN_MS = 2000
+MOST_BYTES = 10_000_000
+
+
+@pytest.fixture
+def opened(clinic: Application, visit: Visit, qtbot: QtBot) -> Application:
+    """The window with the visit on its panels."""
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    return clinic
+
+
+def test_the_scan_of_a_foot_is_stored_with_its_visit(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    make_foot: Callable[[Side], Foot],
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    scan = tmp_path / "right.stl"
+    scan.write_bytes(b"solid foot")
+    source = ScanSource("mesh", str(scan), sha256_of(scan, MOST_BYTES))
+    qtbot.waitUntil(lambda: opened.features.records.captures._stored is not None, timeout=10_000)
+    opened.case.open_foot(make_foot(Side.RIGHT), source)
+    qtbot.waitUntil(lambda: len(records.captures.of_visit(visit.id)) == 1, timeout=10_000)
+    (capture,) = records.captures.of_visit(visit.id)
+    assert (capture.kind, capture.file_name) == ("mesh", "right.stl")
+    assert capture.source_sha256 == source.sha256
+
+
+def test_a_capture_of_another_station_is_offered_within_two_seconds(
+    opened: Application,
+    other_station: Records,
+    visit: Visit,
+    small_session: Path,
+    qtbot: QtBot,
+) -> None:
+    captures = opened.features.records.captures
+    qtbot.waitUntil(lambda: captures._stored is not None, timeout=10_000)
+    other_station.captures.add(visit.id, "session", small_session)
+    notices = opened.services.notices
+    qtbot.waitUntil(lambda: bool(notices.notices), timeout=NOTICED_WITHIN_MS)
+    (notice,) = notices.notices
+    assert "Dr. Dal" in notice.text
+    fetched: list[Path] = []
+    captures.fetched.disconnect(opened.features.case_files.opener.open_path)
+    captures.fetched.connect(fetched.append)
+    notices.take(notice.key)
+    qtbot.waitUntil(lambda: bool(fetched), timeout=10_000)
+    assert sha256_of(fetched[0], MOST_BYTES) == sha256_of(small_session, MOST_BYTES)
+
+
+def test_the_capture_room_stores_a_session_with_a_visit_of_its_work_list(
+    clinic: Application,
+    records: Records,
+    small_session: Path,
+    qtbot: QtBot,
+) -> None:
+    anna = records.persons.add(Person("Anna Berg"))
+    wanted = Visit(anna.id, date.today(), capture_state=CaptureState.WANTED)
+    records.visits.add(wanted)
+    clinic.controller.run_action("capture", False)
+    stage = clinic.features.capture.stage
+    assert stage is not None
+    visits = stage.view._visits
+    qtbot.waitUntil(lambda: visits.count() == 2, timeout=10_000)
+    assert [visits.itemText(number) for number in range(2)] == [
+        "Nobody of the work list",
+        "Anna Berg",
+    ]
+    visits.show_value(wanted.id)
+    stage.kept.emit(small_session)
+    qtbot.waitUntil(lambda: len(records.captures.of_visit(wanted.id)) == 1, timeout=10_000)
+    assert records.visits.get(wanted.id).capture_state is CaptureState.DONE
+    (capture,) = records.captures.of_visit(wanted.id)
+    assert capture.facts.sensor_serials
+    stage.close()
+    assert clinic.features.foot.stage is None
