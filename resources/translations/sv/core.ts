@@ -2140,8 +2140,16 @@
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
         </message>
         <message>
+            <source>account</source>
+            <translation>konto</translation>
+        </message>
+        <message>
             <source>add captures</source>
             <translation>lägga till inspelningar</translation>
+        </message>
+        <message>
+            <source>added</source>
+            <translation>tillagd</translation>
         </message>
         <message>
             <source>adjusted</source>
@@ -2212,6 +2220,10 @@
             <translation>djupets b</translation>
         </message>
         <message>
+            <source>backed up</source>
+            <translation>säkerhetskopierad</translation>
+        </message>
+        <message>
             <source>ball width of the simulated foot (mm)</source>
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
         </message>
@@ -2236,6 +2248,10 @@
             <translation>block</translation>
         </message>
         <message>
+            <source>capture</source>
+            <translation>avbildning</translation>
+        </message>
+        <message>
             <source>cast</source>
             <translation>gips</translation>
         </message>
@@ -2252,6 +2268,10 @@
             <translation>ändra klinikens inställningar</translation>
         </message>
         <message>
+            <source>changed</source>
+            <translation>ändrad</translation>
+        </message>
+        <message>
             <source>checked</source>
             <translation>kontrollerad</translation>
         </message>
@@ -2266,6 +2286,10 @@
         <message>
             <source>claw toes</source>
             <translation>klotår</translation>
+        </message>
+        <message>
+            <source>clinic</source>
+            <translation>klinik</translation>
         </message>
         <message>
             <source>cobra</source>
@@ -2396,8 +2420,16 @@
             <translation>radera patienter</translation>
         </message>
         <message>
+            <source>erased</source>
+            <translation>raderad</translation>
+        </message>
+        <message>
             <source>export patients</source>
             <translation>exportera patienter</translation>
+        </message>
+        <message>
+            <source>exported</source>
+            <translation>exporterad</translation>
         </message>
         <message>
             <source>fascia</source>
@@ -2868,6 +2900,10 @@
             <translation>slå ihop patienter</translation>
         </message>
         <message>
+            <source>merged</source>
+            <translation>sammanslagen</translation>
+        </message>
+        <message>
             <source>metatarsal bar</source>
             <translation>tvärbalk</translation>
         </message>
@@ -3148,6 +3184,10 @@
             <translation>pelott</translation>
         </message>
         <message>
+            <source>person</source>
+            <translation>person</translation>
+        </message>
+        <message>
             <source>personal number</source>
             <translation>Personnumret</translation>
         </message>
@@ -3212,6 +3252,10 @@
             <translation>posts i shell har två för samma område; behåll en av dem.</translation>
         </message>
         <message>
+            <source>prescription</source>
+            <translation>ordination</translation>
+        </message>
+        <message>
             <source>pseudonym</source>
             <translation>Pseudonymen</translation>
         </message>
@@ -3258,6 +3302,10 @@
         <message>
             <source>reason of the visit</source>
             <translation>Besöksorsaken</translation>
+        </message>
+        <message>
+            <source>record</source>
+            <translation>journal</translation>
         </message>
         <message>
             <source>relief at the base of the 5th metatarsal</source>
@@ -3312,6 +3360,10 @@
             <translation>upplösningen på fotens yta (mm)</translation>
         </message>
         <message>
+            <source>restored</source>
+            <translation>återställd</translation>
+        </message>
+        <message>
             <source>returned</source>
             <translation>returnerad</translation>
         </message>
@@ -3346,6 +3398,10 @@
         <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
+        </message>
+        <message>
+            <source>seen</source>
+            <translation>sedd</translation>
         </message>
         <message>
             <source>seen from above with the toes ahead, the big toe and the high side of the arch lie on the {direction}</source>
@@ -3390,6 +3446,14 @@
         <message>
             <source>sign prescriptions</source>
             <translation>signera ordinationer</translation>
+        </message>
+        <message>
+            <source>signed</source>
+            <translation>signerad</translation>
+        </message>
+        <message>
+            <source>signed in</source>
+            <translation>inloggad</translation>
         </message>
         <message>
             <source>slim shoe</source>
@@ -3706,6 +3770,10 @@
         <message>
             <source>undercut</source>
             <translation>underskärning</translation>
+        </message>
+        <message>
+            <source>unmerged</source>
+            <translation>åter isär</translation>
         </message>
         <message>
             <source>upper centre</source>

@@ -38,7 +38,7 @@ class AccountForm(RecordDialog):
         self.form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self.content.addLayout(self.form)
         self.accept_button = self.buttons.addButton(verb, QDialogButtonBox.ButtonRole.AcceptRole)
-        self.accept_button.setObjectName("primary")
+        self.make_primary(self.accept_button)
         self.close_button.setText(tr("Cancel"))
         self.buttons.accepted.connect(self._try)
 

@@ -85,7 +85,7 @@ class BackupDialog(RecordDialog):
         self._secret.hide()
         self.progress = ProgressBar()
         self.now = self.add_button(tr("Back up now"), self._begin)
-        self.now.setObjectName("primary")
+        self.make_primary(self.now)
         self.cancel = self.add_button(tr("Cancel backup"), self._cancel)
         self._lay_out()
         backups.finished.connect(self._finish)

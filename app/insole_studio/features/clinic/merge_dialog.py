@@ -52,7 +52,7 @@ class MergeDialog(RecordDialog):
         self.content.addWidget(self.tabs)
         self.swap = self.add_button(tr("Swap"), self._swap)
         self.merge = self.add_button(tr("Merge"), self._merge)
-        self.merge.setObjectName("primary")
+        self.make_primary(self.merge)
         self.undo = self.add_button(tr("Undo this merge"), self._undo)
         self._preview: MergePreview | None = None
         self._allow()

@@ -74,7 +74,7 @@ class PlaceDialog(RecordDialog):
         self.use = self.buttons.addButton(
             tr("Use this record"), QDialogButtonBox.ButtonRole.AcceptRole
         )
-        self.use.setObjectName("primary")
+        self.make_primary(self.use)
         self.buttons.accepted.connect(self._use)
         self.close_button.setText(tr("Cancel"))
         self._lay_out()

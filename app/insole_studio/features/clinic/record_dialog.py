@@ -56,6 +56,12 @@ class RecordDialog(QDialog):
         button.clicked.connect(run)
         return button
 
+    def make_primary(self, button: QPushButton) -> None:
+        """Let a button stand out: it does what the dialog is for."""
+        button.setObjectName("primary")
+        button.style().unpolish(button)  # it was polished as it was added
+        button.style().polish(button)
+
     def say(self, sentence: str, *, warns: bool = False) -> None:
         """Show a sentence above the buttons; an empty one hides it."""
         self.say_all([sentence] if sentence else [], warns=warns)

@@ -115,9 +115,9 @@ class SessionLock(QObject):
     def _hand_over(self, author: Author) -> None:
         self._author = author
         self._end_dialog()
+        self._clinic.take_author(author)
         if author.role is Role.ADMINISTRATOR:
             self.patients_hidden.emit()
-        self._clinic.take_author(author)
         self._clinic.ask(
             "clinic-lock-minutes",
             read_lock_minutes,

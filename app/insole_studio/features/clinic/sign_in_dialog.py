@@ -49,7 +49,7 @@ class SignInDialog(RecordDialog):
         mark_labels(form)
         self.content.addLayout(form)
         self.sign_in = self.buttons.addButton(tr("Sign in"), QDialogButtonBox.ButtonRole.AcceptRole)
-        self.sign_in.setObjectName("primary")
+        self.make_primary(self.sign_in)
         self.sign_in.setDefault(True)
         self.buttons.accepted.connect(self._try)
         if is_lock:

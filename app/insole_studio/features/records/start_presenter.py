@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
+from insole_core.errors import NotAllowed
 from insole_core.records.person import PersonSummary
 from insole_core.records.visit import VisitSummary
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
@@ -56,6 +57,8 @@ class StartPresenter:
         state = self._clinic.state
         self._page.show_usable(state in (RecordState.OPEN, RecordState.AWAY))
         self._page.show_message(self._sentence(state), _remedies(self._clinic))
+        if state is RecordState.SIGNED_OUT:
+            self._forget()
         if state is RecordState.OPEN:
             self.refresh()
             if self._page.isVisible() and not self._page.search.hasFocus():
@@ -99,7 +102,14 @@ class StartPresenter:
     def _show_lists(self, lists: _Lists) -> None:
         self._page.show_day(visit_rows(lists.today), order_rows(lists.orders, date.today()))
 
+    def _forget(self) -> None:
+        """Show no names to somebody who may not see them."""
+        self._page.show_found(tr("Recent patients"), [], "")
+        self._page.show_day([], [])
+
     def _show_failure(self, error: Exception) -> None:
+        if isinstance(error, NotAllowed):
+            self._forget()
         self._page.show_message(translate_core_message(str(error)))
 
 

@@ -225,6 +225,9 @@ def test_an_administrator_who_takes_over_sees_no_patient(
     eva = records.for_author(Author("eva", "desk"))
     eva.persons.add(Person("Anna Berg", date(1970, 2, 28)))
     pages = with_accounts.features.records
+    assert pages.start is not None
+    pages.start.begin()
+    qtbot.waitUntil(lambda: pages.start is not None and len(pages.start.found.rows) == 1)
     pages.show_person(eva.persons.recent()[0].id)
     rest()
     assert with_accounts.window.page is pages.person
@@ -232,7 +235,6 @@ def test_an_administrator_who_takes_over_sees_no_patient(
     signed_in(with_accounts, qtbot, "admin", PASSWORD)
     rest()
     assert with_accounts.window.page is pages.start
-    assert pages.start is not None
     assert pages.start.found.rows == ()
     assert "may not see patients" in pages.start.message.text()
 
