@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -176,7 +177,12 @@ class MainController(QObject):
 
     def _run_of(self, key: str) -> Run:
         """Return what an action does on the page that is shown."""
-        on_person = {"undo": self._features.records.undo, "redo": self._features.records.redo}
+        records, administration = self._features.records, self._features.clinic
+        on_person: dict[str, Callable[[], None]] = {
+            "undo": records.undo,
+            "redo": records.redo,
+            "erase_patient": lambda: administration.open_erase(records.pseudonym),
+        }
         if key in on_person and self._is_on_person:
             return lambda _on: on_person[key]()
         return self._run[key]

@@ -223,6 +223,11 @@ class PatientRecords(QObject):
         )
 
     @property
+    def pseudonym(self) -> str:
+        """The pseudonym of the person on the page; empty for none."""
+        return "" if self._shown_person is None else self._shown_person.pseudonym
+
+    @property
     def _shown_person(self) -> Person | None:
         return None if self._person_presenter is None else self._person_presenter.person
 

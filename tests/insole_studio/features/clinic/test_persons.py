@@ -8,6 +8,7 @@ from datetime import date, timedelta
 from administering import type_into
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from insole_core.records.person import Person
@@ -106,6 +107,22 @@ def test_erasing_tells_what_the_law_keeps_and_asks_for_the_reason(
     assert erased.name == anna.pseudonym
     assert erased.notes == ""
     assert not dialog.erase.isEnabled()
+
+
+def test_whoever_is_on_the_page_is_proposed_to_be_erased_by_the_pseudonym_there(
+    clinic: Application, records: Records, run: Run, rest: Callable[[], None]
+) -> None:
+    anna = records.persons.add(Person("Anna Berg", BORN))
+    pages = clinic.features.records
+    pages.show_person(anna.id)
+    rest()
+    assert pages.person is not None
+    assert anna.pseudonym in [label.text() for label in pages.person.findChildren(QLabel)]
+    dialog = run("erase_patient", EraseDialog)
+    assert isinstance(dialog, EraseDialog)
+    rest()
+    assert dialog.pseudonym.text() == anna.pseudonym
+    assert "visits 0, orders 0" in dialog.means.text()
 
 
 def test_the_log_is_filtered_by_patient_author_and_day_and_verified(
