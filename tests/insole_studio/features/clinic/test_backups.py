@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Mapping
 from datetime import date, datetime, timedelta
 from pathlib import Path
 
@@ -10,9 +11,11 @@ import pytest
 from administering import PASSWORD, shown, type_into
 from pytestqt.qtbot import QtBot
 
-from insole_core.records.backup.back_up import back_up, set_up_backups
+from insole_core.progress import Progress
+from insole_core.records.backup.back_up import _Source, back_up, set_up_backups
 from insole_core.records.backup.backup_folder import BackupFolder
 from insole_core.records.backup.backup_key import BackupKey
+from insole_core.records.backup.manifest import Manifest
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application
@@ -85,6 +88,39 @@ def test_a_public_key_is_taken_in_place_of_a_passphrase(
     assert snapshots_in(backup_folder) == []
 
 
+def test_a_backup_is_stopped_and_leaves_no_snapshot(
+    clinic: Application,
+    records: Records,
+    run: Run,
+    rest: Callable[[], None],
+    backup_folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    qtbot: QtBot,
+) -> None:
+    set_up(records)
+    monkeypatch.setattr(_Source, "write_all", _work_until_cancelled)
+    dialog = run("backup", BackupDialog)
+    assert isinstance(dialog, BackupDialog)
+    type_into(dialog.folder, str(backup_folder))
+    dialog.now.click()
+    qtbot.waitUntil(lambda: dialog.progress.isVisible() and dialog.cancel.isVisible())
+    assert not dialog.now.isEnabled()
+    dialog.cancel.click()
+    assert "was stopped" in dialog.message.text()
+    rest()
+    assert dialog.now.isEnabled()
+    assert not dialog.progress.isVisible()
+    assert snapshots_in(backup_folder) == []
+
+
+def _work_until_cancelled(
+    _source: _Source, _made_at: datetime, _settings: Mapping[str, Path], progress: Progress
+) -> Manifest:
+    while True:
+        progress.step(0.5, "Backing up files ({done} of {all})", done=1, all=2)
+        time.sleep(0.01)
+
+
 def test_a_missed_backup_is_made_up_for_and_another_one_is_not_due_yet(
     clinic: Application, records: Records, rest: Callable[[], None], backup_folder: Path
 ) -> None:
@@ -146,6 +182,7 @@ def test_after_a_failure_it_is_tried_again_only_after_a_while(
     assert len(asked) == 1
 
 
+@pytest.mark.slow
 def test_a_backup_is_shown_and_never_restored_over_a_newer_record_without_a_word(
     clinic: Application,
     records: Records,
@@ -187,6 +224,7 @@ def test_a_backup_is_shown_and_never_restored_over_a_newer_record_without_a_word
     assert len(list(paths.records_folder.glob("* until *.sqlite3"))) == 1
 
 
+@pytest.mark.slow
 def test_a_damaged_record_is_restored_from_the_start_page(
     clinic: Application,
     records: Records,
