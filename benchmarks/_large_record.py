@@ -14,7 +14,7 @@ from insole_core.records.audit import hash_of_line
 from insole_core.records.database import Database
 from insole_core.records.person import new_id, new_pseudonym
 from insole_core.records.schema import FIRST_HASH, audit, audit_head, orders, persons, visits
-from insole_core.records.search_text import search_text_of
+from insole_core.records.search_text import search_text_of, sort_key_of
 
 FIRST_NAMES: Final = [
     "Anna",
@@ -125,6 +125,7 @@ def _person(rng: random.Random, number: int) -> dict[str, Any]:
         "id": new_id(),
         "name": name,
         "search_text": search_text_of(name, born, personal_number, [pseudonym]),
+        "sort_key": sort_key_of(name),
         "birth_date": born,
         "personal_number": personal_number,
         "number_kind": "se",

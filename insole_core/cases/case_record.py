@@ -5,7 +5,7 @@ All positions are in the insole frame: mm, +y from heel to toes, +z dorsal.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -115,10 +115,17 @@ class ScanSource:
 
 @dataclass(frozen=True)
 class Variant:
-    """One of several prescriptions for the same foot, with a unique name."""
+    """One of several prescriptions for the same foot, with a unique name.
+
+    Parameters
+    ----------
+    identity
+        Stays while the variant is renamed or changed; another one of its name has its own.
+    """
 
     name: str
     design: InsoleDesign
+    identity: object = field(default_factory=object, compare=False, repr=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,7 +173,12 @@ class FootRecord:
     @property
     def design(self) -> InsoleDesign:
         """The chosen prescription."""
-        return self.variant(self.chosen).design
+        return self.chosen_variant.design
+
+    @property
+    def chosen_variant(self) -> Variant:
+        """The variant that is shown, checked and made."""
+        return self.variant(self.chosen)
 
     def variant(self, name: str) -> Variant:
         """Return the variant of a name, which must exist."""

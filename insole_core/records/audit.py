@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
@@ -30,6 +30,7 @@ LONGEST_DETAIL: Final = 200
 _WORD: Final = re.compile(r"[a-z][a-z_ ]{0,39}")
 _HEAD_ROW: Final = 1
 _BATCH: Final = 5000
+_ENCODER: Final = json.JSONEncoder(separators=(",", ":"))
 _COLUMNS: Final = (
     audit.c.seq,
     audit.c.at,
@@ -133,27 +134,38 @@ class AuditLog:
         ValueError
             When a word or a detail is not such a one: an error of the program.
         """
-        _check_words(action, subject_kind, subject_id, details)
+        (line,) = AuditLog.append_each(
+            connection, author, action, subject_kind, [subject_id], **details
+        )
+        return line
+
+    @staticmethod
+    def append_each(
+        connection: Connection,
+        author: Author,
+        action: str,
+        subject_kind: str,
+        subject_ids: Sequence[str],
+        **details: Detail,
+    ) -> list[AuditLine]:
+        """Do the same as `append` for each of some subjects, at least one."""
+        for subject_id in subject_ids:
+            _check_words(action, subject_kind, subject_id, details)
+        written = json.dumps(details, sort_keys=True, separators=(",", ":"), allow_nan=False)
         seq, previous_hash = connection.execute(
             select(audit_head.c.seq, audit_head.c.hash)
             .where(audit_head.c.id == _HEAD_ROW)
             .with_for_update()
         ).one()
-        fields = (
-            seq + 1,
-            utc_now(),
-            author.name,
-            author.station,
-            action,
-            subject_kind,
-            subject_id,
-            json.dumps(details, sort_keys=True, separators=(",", ":"), allow_nan=False),
-            previous_hash,
-        )
-        line = AuditLine(*fields, hash=hash_of_line(fields))
-        connection.execute(insert(audit).values(vars(line)))
-        connection.execute(update(audit_head).values(seq=line.seq, hash=line.hash))
-        return line
+        who, what = (author.name, author.station), (action, subject_kind)
+        lines: list[AuditLine] = []
+        for number, subject_id in enumerate(subject_ids, start=seq + 1):
+            fields = (number, utc_now(), *who, *what, subject_id, written, previous_hash)
+            lines.append(AuditLine(*fields, hash=hash_of_line(fields)))
+            previous_hash = lines[-1].hash
+        connection.execute(insert(audit), [vars(line) for line in lines])
+        connection.execute(update(audit_head).values(seq=lines[-1].seq, hash=lines[-1].hash))
+        return lines
 
     def lines(
         self,
@@ -233,7 +245,7 @@ def hash_of_line(fields: tuple[Any, ...]) -> str:
     fields
         seq, at, author, station, action, subject_kind, subject_id, details, previous_hash.
     """
-    return hashlib.sha256(json.dumps(fields, separators=(",", ":")).encode("ascii")).hexdigest()
+    return hashlib.sha256(_ENCODER.encode(fields).encode("ascii")).hexdigest()
 
 
 def verify_chain(

@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from sqlalchemy import Connection, insert, select, update
+from sqlalchemy import Connection, select
 
 from insole_core.records.context import RecordsContext
 from insole_core.records.rights import Right
 from insole_core.records.schema import clinic
+from insole_core.records.upsert import upsert
 
 
 class ClinicSettings:
@@ -44,7 +45,4 @@ def setting_of(connection: Connection, key: str, default: Any = None) -> Any:
 
 def write_setting(connection: Connection, key: str, value: Any) -> None:
     """Write a setting, in a transaction of the caller."""
-    written = json.dumps(value)
-    row = update(clinic).where(clinic.c.key == key)
-    if connection.execute(row.values(value=written)).rowcount == 0:
-        connection.execute(insert(clinic).values(key=key, value=written))
+    upsert(connection, clinic, {"key": key, "value": json.dumps(value)}, ["value"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -86,3 +86,14 @@ class RecordsContext:
     ) -> None:
         """Write the audit line of a transaction, its last statement."""
         AuditLog.append(connection, self.author, action, subject_kind, subject_id, **details)
+
+    def log_each(
+        self,
+        connection: Connection,
+        action: str,
+        subject_kind: str,
+        subject_ids: Sequence[str],
+        **details: Detail,
+    ) -> None:
+        """Do the same as `log` for each of some subjects, at least one."""
+        AuditLog.append_each(connection, self.author, action, subject_kind, subject_ids, **details)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sqlite3
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from functools import partial
@@ -58,6 +59,7 @@ class Database:
         self.problem = problem
         self.schema: str | None = None
         """Revision of the schema that this program writes; None does not check it."""
+        self._snapshots = threading.local()
         self.engine = _engine(place, self.is_read_only)
 
     @property
@@ -79,11 +81,32 @@ class Database:
         RecordsError
             Whatever goes wrong in the database, as a sentence.
         """
+        shared: Connection | None = getattr(self._snapshots, "connection", None)
+        if shared is not None:
+            yield shared
+            return
         options: dict[str, Any] = {}
         if not self.is_sqlite:
             options = {"isolation_level": "REPEATABLE READ", "postgresql_readonly": True}
         with self._transaction(**options) as connection:
             yield connection
+
+    @contextmanager
+    def snapshot(self) -> Iterator[None]:
+        """Let all that this thread reads meanwhile see the same moment, in one transaction.
+
+        Raises
+        ------
+        RecordsError
+            Whatever goes wrong in the database, as a sentence.
+        """
+        with self.reading() as connection:
+            before = getattr(self._snapshots, "connection", None)
+            self._snapshots.connection = connection
+            try:
+                yield
+            finally:
+                self._snapshots.connection = before
 
     @contextmanager
     def writing(self) -> Iterator[Connection]:

@@ -34,22 +34,119 @@ SHARED: Final = frozenset({PersonField.CONTACT, PersonField.NOTES})
 DATES: Final = (PersonField.BIRTH_DATE, PersonField.CONSENT_ON)
 
 _HEADINGS: Final = {
-    PersonField.NAME: "name, full name, patient, patient name, person, namn, patientnamn, kund",
-    PersonField.GIVEN_NAME: "first name, given name, forename, förnamn, tilltalsnamn, vorname",
-    PersonField.FAMILY_NAME: "last name, family name, surname, efternamn, nachname, familienname",
-    PersonField.BIRTH_DATE: "birth date, date of birth, birthday, born, dob, födelsedatum, född, "
-    "födelsedag, geburtsdatum, geboren, geb",
-    PersonField.PERSONAL_NUMBER: "personal number, personal id, identity number, national id, ssn, "
-    "personnummer, pnr, versichertennummer, personennummer",
-    PersonField.CONTACT: "contact, phone, telephone, mobile, email, mail, address, street, city, "
-    "town, zip, postcode, postal code, telefon, tel, mobil, telefonnummer, mobilnummer, epost, "
-    "adress, gata, gatuadress, ort, postort, postnummer, kontakt, adresse, strasse, plz, "
-    "handy, stadt, wohnort",
-    PersonField.NOTES: "notes, note, remarks, comment, comments, anteckningar, anteckning, "
-    "anmärkning, kommentar, notizen, notiz, bemerkung, bemerkungen",
-    PersonField.CONSENT_ON: "consent, consent date, date of consent, samtycke, samtyckesdatum, "
-    "einwilligung",
-    PersonField.PSEUDONYM: "pseudonym, patient code, patientkod",
+    PersonField.NAME: (
+        "name",
+        "full name",
+        "patient",
+        "patient name",
+        "person",
+        "namn",
+        "patientnamn",
+        "kund",
+    ),
+    PersonField.GIVEN_NAME: (
+        "first name",
+        "given name",
+        "forename",
+        "förnamn",
+        "tilltalsnamn",
+        "vorname",
+    ),
+    PersonField.FAMILY_NAME: (
+        "last name",
+        "family name",
+        "surname",
+        "efternamn",
+        "nachname",
+        "familienname",
+    ),
+    PersonField.BIRTH_DATE: (
+        "birth date",
+        "date of birth",
+        "birthday",
+        "born",
+        "dob",
+        "födelsedatum",
+        "född",
+        "födelsedag",
+        "geburtsdatum",
+        "geboren",
+        "geb",
+        "geb datum",
+    ),
+    PersonField.PERSONAL_NUMBER: (
+        "personal number",
+        "personal id",
+        "identity number",
+        "national id",
+        "ssn",
+        "personnummer",
+        "pnr",
+        "versichertennummer",
+        "personennummer",
+    ),
+    PersonField.CONTACT: (
+        "contact",
+        "phone",
+        "telephone",
+        "mobile",
+        "email",
+        "mail",
+        "address",
+        "street",
+        "city",
+        "town",
+        "zip",
+        "postcode",
+        "postal code",
+        "telefon",
+        "tel",
+        "mobil",
+        "telefonnummer",
+        "mobilnummer",
+        "epost",
+        "adress",
+        "gata",
+        "gatuadress",
+        "ort",
+        "postort",
+        "postnummer",
+        "kontakt",
+        "adresse",
+        "strasse",
+        "plz",
+        "handy",
+        "stadt",
+        "wohnort",
+    ),
+    PersonField.NOTES: (
+        "notes",
+        "note",
+        "remarks",
+        "comment",
+        "comments",
+        "anteckningar",
+        "anteckning",
+        "anmärkning",
+        "kommentar",
+        "notizen",
+        "notiz",
+        "bemerkung",
+        "bemerkungen",
+    ),
+    PersonField.CONSENT_ON: (
+        "consent",
+        "consent date",
+        "date of consent",
+        "samtycke",
+        "samtyckesdatum",
+        "einwilligung",
+    ),
+    PersonField.PSEUDONYM: (
+        "pseudonym",
+        "patient code",
+        "patientkod",
+    ),
 }
 """Usual headings in English, Swedish and German."""
 
@@ -129,9 +226,7 @@ def _plain(heading: str) -> str:
 
 
 _FIELD_OF: Final = {
-    _plain(heading): field
-    for field, headings in _HEADINGS.items()
-    for heading in headings.split(",")
+    _plain(heading): field for field, headings in _HEADINGS.items() for heading in headings
 }
 
 

@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Final
 
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.person_matching import PersonIndex, summary_of
-from insole_core.records.persons import add_person
+from insole_core.records.persons import add_persons
 from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.records import Records
 from insole_core.records.rights import Right
+
+_AT_ONCE: Final = 500
+"""Persons between two looks at whether the user has cancelled."""
 
 
 class Outcome(StrEnum):
@@ -105,10 +109,9 @@ def import_persons(
     plan = plan_import(rows, records.persons.everybody())
     added = list(plan.persons(with_doubtful=with_doubtful))
     with records.context.writing(Right.WRITE) as connection:
-        for number, person in enumerate(added):
-            if number % 100 == 0:
-                progress.step(number / len(added), "Adding persons")
-            add_person(records.context, connection, person)
+        for begin in range(0, len(added), _AT_ONCE):
+            progress.step(begin / len(added), "Adding persons")
+            add_persons(records.context, connection, added[begin : begin + _AT_ONCE])
     return plan
 
 

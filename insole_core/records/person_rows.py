@@ -10,7 +10,7 @@ from sqlalchemy import Connection, select, update
 from insole_core.errors import RecordsError
 from insole_core.records.person import Person
 from insole_core.records.schema import audit_head, orders, persons
-from insole_core.records.search_text import search_text_of
+from insole_core.records.search_text import search_text_of, sort_key_of
 
 PERSON_FIELDS: Final = tuple(field.name for field in fields(Person))
 
@@ -56,7 +56,7 @@ def write_search_text(connection: Connection, person_id: str) -> None:
         person.name, person.birth_date, person.personal_number, [person.pseudonym, *numbers]
     )
     row = update(persons).where(persons.c.id == person_id)
-    connection.execute(row.values(search_text=text))
+    connection.execute(row.values(search_text=text, sort_key=sort_key_of(person.name)))
 
 
 def _one(connection: Connection, person_id: str, *, locked: bool = False) -> Person:

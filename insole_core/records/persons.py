@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from datetime import date
 from typing import Any, Final
@@ -35,13 +36,16 @@ from insole_core.records.person_rows import (
     PERSON_FIELDS,
     locked_person,
     person_of,
+    touch_person,
     write_search_text,
 )
 from insole_core.records.rights import Right
 from insole_core.records.schema import persons, visits
-from insole_core.records.search_text import search_text_of, search_words
+from insole_core.records.search_text import search_text_of, search_words, sort_key_of
 from insole_core.records.times import utc_now
 
+_LAST_CHARACTER: Final = "\U0010ffff"
+_MOST_VALUES: Final = 500
 _EDITED: Final = (
     "name",
     "birth_date",
@@ -76,10 +80,11 @@ class Persons:
         words = search_words(typed)
         if not words:
             return self.recent(limit)
-        text = persons.c.search_text
-        found = and_(*(_holds(text, word) for word in words))
-        rank = case((_begins(text, f" {words[0]}"), 0), (_holds(text, f" {words[0]}"), 1), else_=2)
-        return self._summaries(_listed().where(found).order_by(rank, text).limit(limit))
+        with self._context.reading() as connection:
+            found = _found(connection, _by_name(words).limit(limit))
+            if len(found) < limit:
+                found += _found(connection, _by_rest(words).limit(limit - len(found)))
+        return found
 
     def recent(self, limit: int = 20) -> list[PersonSummary]:
         """Return those who were seen or changed last, the latest first."""
@@ -114,8 +119,9 @@ class Persons:
         """
         if self._context.database.is_read_only:
             return self.get(person_id)
-        with self._context.writing(Right.SEE, person_id) as connection:
+        with self._context.writing(Right.SEE) as connection:
             person = person_of(connection, person_id)
+            touch_person(connection, person.id)
             self._context.log(connection, "seen", "person", person.id)
         return person
 
@@ -128,7 +134,8 @@ class Persons:
             When a field cannot be right, or the pseudonym is that of somebody else.
         """
         with self._context.writing(Right.WRITE) as connection:
-            return add_person(self._context, connection, person)
+            (stored,) = add_persons(self._context, connection, [person])
+            return stored
 
     def change(self, person: Person, revision: int) -> Person:
         """Store the changed fields of a person; return them as they are stored.
@@ -210,27 +217,39 @@ class Persons:
 
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
         with self._context.reading() as connection:
-            return [PersonSummary(*row) for row in connection.execute(query)]
+            return _found(connection, query)
 
 
-def add_person(context: RecordsContext, connection: Connection, person: Person) -> Person:
-    """Add a person within a transaction; return them as they are stored.
+def add_persons(
+    context: RecordsContext, connection: Connection, added: Sequence[Person]
+) -> list[Person]:
+    """Add persons, at least one, within a transaction; return them as they are stored.
 
     Raises
     ------
     InputError
-        When a field cannot be right, or the pseudonym is that of somebody else.
+        When a field cannot be right, or a pseudonym is that of somebody else.
     """
-    now = utc_now()
-    person = _with_free_pseudonym(connection, person.checked(date.today()))
-    person = replace(person, created_at=now, changed_at=now, revision=1)
-    values = {name: getattr(person, name) for name in PERSON_FIELDS}
+    now, today = utc_now(), date.today()
+    taken = _taken(connection, [person.pseudonym for person in added])
+    stored = []
+    for given in added:
+        person = _with_free_pseudonym(connection, given.checked(today), taken)
+        taken.add(person.pseudonym)
+        stored.append(replace(person, created_at=now, changed_at=now, revision=1))
+    connection.execute(insert(persons), [_values(person) for person in stored])
+    context.log_each(connection, "added", "person", [person.id for person in stored])
+    return stored
+
+
+def _values(person: Person) -> dict[str, Any]:
+    """Return the columns of a person without orders."""
     text = search_text_of(
         person.name, person.birth_date, person.personal_number, [person.pseudonym]
     )
-    connection.execute(insert(persons).values(**values, search_text=text))
-    context.log(connection, "added", "person", person.id)
-    return person
+    key = sort_key_of(person.name)
+    fields = {name: getattr(person, name) for name in PERSON_FIELDS}
+    return fields | {"search_text": text, "sort_key": key}
 
 
 def _listed() -> Select[Any]:
@@ -250,30 +269,59 @@ def _listed() -> Select[Any]:
     ).where(persons.c.merged_into.is_(None), persons.c.is_erased.is_(False))
 
 
-def _holds(text: ColumnElement[str], word: str) -> ColumnElement[bool]:
-    return text.contains(word, autoescape=True)
+def _found(connection: Connection, query: Select[Any]) -> list[PersonSummary]:
+    return [PersonSummary(*row) for row in connection.execute(query)]
 
 
-def _begins(text: ColumnElement[str], word: str) -> ColumnElement[bool]:
-    return text.startswith(word, autoescape=True)
+def _by_name(words: list[str]) -> Select[Any]:
+    """Return the query of those whose name begins with the first word; an index finds them."""
+    rest = (_holds(word) for word in words[1:])
+    return _listed().where(_name_begins(words[0]), *rest).order_by(persons.c.sort_key)
 
 
-def _with_free_pseudonym(connection: Connection, person: Person) -> Person:
+def _by_rest(words: list[str]) -> Select[Any]:
+    """Return the query of all others; those come first of whom a word begins with the first."""
+    rank = case((_holds(f" {words[0]}"), 0), else_=1)
+    others = (~_name_begins(words[0]), *(_holds(word) for word in words))
+    return _listed().where(*others).order_by(rank, persons.c.sort_key)
+
+
+def _name_begins(word: str) -> ColumnElement[bool]:
+    key = persons.c.sort_key
+    return and_(key >= word, key < f"{word}{_LAST_CHARACTER}")
+
+
+def _holds(word: str) -> ColumnElement[bool]:
+    return persons.c.search_text.contains(word, autoescape=True)
+
+
+def _with_free_pseudonym(connection: Connection, person: Person, taken: set[str]) -> Person:
     """Return the person with a pseudonym that nobody has; a drawn one is drawn anew."""
-    while _is_taken(connection, person.pseudonym) and person.pseudonym.startswith("P-"):
+    while person.pseudonym in taken and person.pseudonym.startswith("P-"):
         person = replace(person, pseudonym=new_pseudonym())
-    _check_free(connection, person)
+        taken |= _taken(connection, [person.pseudonym])
+    if person.pseudonym in taken:
+        raise _is_taken(person)
     return person
 
 
 def _check_free(connection: Connection, person: Person) -> None:
-    if _is_taken(connection, person.pseudonym):
-        raise InputError(
-            "Another person has the pseudonym {pseudonym}; choose another one.",
-            pseudonym=person.pseudonym,
-        )
+    if _taken(connection, [person.pseudonym]):
+        raise _is_taken(person)
 
 
-def _is_taken(connection: Connection, pseudonym: str) -> bool:
-    query = select(persons.c.id).where(persons.c.pseudonym == pseudonym)
-    return connection.execute(query).first() is not None
+def _is_taken(person: Person) -> InputError:
+    return InputError(
+        "Another person has the pseudonym {pseudonym}; choose another one.",
+        pseudonym=person.pseudonym,
+    )
+
+
+def _taken(connection: Connection, pseudonyms: Sequence[str]) -> set[str]:
+    """Return those pseudonyms that somebody has; a statement takes `_MOST_VALUES` of them."""
+    found: set[str] = set()
+    for begin in range(0, len(pseudonyms), _MOST_VALUES):
+        some = pseudonyms[begin : begin + _MOST_VALUES]
+        query = select(persons.c.pseudonym).where(persons.c.pseudonym.in_(some))
+        found |= set(connection.execute(query).scalars())
+    return found

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import Final
 
-from sqlalchemy import Connection, delete, func, insert, select, update
+from sqlalchemy import Connection, delete, func, select
 
 from insole_core.records.context import RecordsContext
 from insole_core.records.rights import Right
 from insole_core.records.schema import presence
 from insole_core.records.times import TIME_FORMAT, utc_now
+from insole_core.records.upsert import upsert
 
 STALE_S: Final = 90.0
 """A station that has not said so for so long has left, or was switched off."""
@@ -45,24 +46,16 @@ class Presence:
         Call it again at least every minute.
         """
         author = self._context.author
-        mine = (
-            (presence.c.visit_id == visit_id)
-            & (presence.c.station == author.station)
-            & (presence.c.author == author.name)
-        )
         with self._context.writing(Right.SEE) as connection:
             now = self._now(connection)
-            seen = connection.execute(update(presence).where(mine).values(seen_at=now))
-            if seen.rowcount == 0:
-                connection.execute(
-                    insert(presence).values(
-                        visit_id=visit_id,
-                        station=author.station,
-                        author=author.name,
-                        since=now,
-                        seen_at=now,
-                    )
-                )
+            row = {
+                "visit_id": visit_id,
+                "station": author.station,
+                "author": author.name,
+                "since": now,
+                "seen_at": now,
+            }
+            upsert(connection, presence, row, ["seen_at"])
         return self.others(visit_id)
 
     def leave(self, visit_id: str) -> None:

@@ -62,6 +62,7 @@ persons = Table(
     _id(),
     Column("name", Text, nullable=False),
     Column("search_text", _bytewise(), nullable=False),
+    Column("sort_key", _bytewise(), nullable=False, server_default="", index=True),
     Column("birth_date", Date),
     _text("personal_number"),
     _text("number_kind"),
@@ -70,7 +71,7 @@ persons = Table(
     Column("consent_on", Date),
     Column("pseudonym", Text, nullable=False, unique=True),
     Column("is_erased", Boolean, nullable=False, server_default=text("false")),
-    Column("merged_into", Text, ForeignKey("persons.id"), index=True),
+    Column("merged_into", Text, ForeignKey("persons.id")),
     # seq of the latest line of the audit log that concerns this person: the order of recent ones
     Column("last_seq", BigInteger, nullable=False, server_default="0", index=True),
     *_times(),

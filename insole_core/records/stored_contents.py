@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from sqlalchemy import Connection
-from sqlalchemy.dialects import postgresql, sqlite
 
 from insole_core.records.content_store import ContentStore
 from insole_core.records.schema import contents
 from insole_core.records.times import utc_now
+from insole_core.records.upsert import upsert
 
 
 def refer_to(connection: Connection, sha256: str, size: int, kind: str) -> None:
@@ -22,9 +22,8 @@ def refer_to(connection: Connection, sha256: str, size: int, kind: str) -> None:
     kind
         ``mesh``, ``session``, ``file``, …: what to expect in it.
     """
-    dialect = sqlite if connection.dialect.name == "sqlite" else postgresql
     values = {"sha256": sha256, "size": size, "kind": kind, "created_at": utc_now()}
-    connection.execute(dialect.insert(contents).values(values).on_conflict_do_nothing())
+    upsert(connection, contents, values)
 
 
 def put_file(store: ContentStore, path: Path) -> tuple[str, int]:

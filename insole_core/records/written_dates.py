@@ -34,15 +34,21 @@ _YEAR_LAST: Final = re.compile(r"(\d{1,2})([-./ ])(\d{1,2})\2(\d{4})")
 _DAY_AND_NAME: Final = re.compile(r"(\d{1,2})[. -]+([^\W\d_]+)[., -]+(\d{4})")
 _NAME_AND_DAY: Final = re.compile(r"([^\W\d_]+)[. ]+(\d{1,2})[., ]+(\d{4})")
 _MONTHS: Final = (
-    "jan january januari januar", "feb february februari februar", "mar march mars marz mrz",
-    "apr april", "may maj mai", "jun june juni", "jul july juli", "aug august augusti",
-    "sep sept september", "oct okt october oktober", "nov november",
-    "dec dez december dezember",
-)  # fmt: skip
+    ("jan", "january", "januari", "januar"),
+    ("feb", "february", "februari", "februar"),
+    ("mar", "march", "mars", "marz", "mrz"),
+    ("apr", "april"),
+    ("may", "maj", "mai"),
+    ("jun", "june", "juni"),
+    ("jul", "july", "juli"),
+    ("aug", "august", "augusti"),
+    ("sep", "sept", "september"),
+    ("oct", "okt", "october", "oktober"),
+    ("nov", "november"),
+    ("dec", "dez", "december", "dezember"),
+)
 """Names in English, Swedish and German, without accents."""
-_MONTH_OF: Final = {
-    name: number for number, names in enumerate(_MONTHS, start=1) for name in names.split()
-}
+_MONTH_OF: Final = {name: number for number, names in enumerate(_MONTHS, start=1) for name in names}
 
 
 def read_date(text: str, order: DateOrder | None) -> date:

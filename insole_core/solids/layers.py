@@ -1,4 +1,4 @@
-"""An insole in layers: cover, shell and base, each a solid that fits on the next."""
+"""An insole in layers: cover, middle layer and base, each a solid that fits on the next."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def layer_parts(
     Parameters
     ----------
     insole
-        Its design gives the thickness of cover and shell; the base is below them.
+        Its design gives the thickness of cover and middle layer; the base is below them.
     solid : mm, insole frame
         Of this insole, with or without markings or reduction.
     makes

@@ -46,7 +46,7 @@ class Order:
     most_triangles, most_deviation_mm
         Target of the reduction, and its greatest distance from the surface; None for no reduction.
     layered
-        Whether cover, shell and base are separate objects, where the format allows it.
+        Whether cover, middle layer and base are separate objects, where the format allows it.
     """
 
     kind: Kind = "insole"

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint, Variant
+from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint
 from insole_core.foot.alignment import PoseAngles, levelled, quarter_turned, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
@@ -81,7 +81,7 @@ def lying_anew(record: FootRecord, foot: Foot) -> FootRecord:
         With the same source frame; its ``source2insole`` determines the motion.
     """
     step = foot.source2insole @ inverse(record.foot.source2insole)
-    variants = (Variant(v.name, _moved_design(v.design, step)) for v in record.variants)
+    variants = (replace(v, design=_moved_design(v.design, step)) for v in record.variants)
     return replace(
         record,
         foot=foot,

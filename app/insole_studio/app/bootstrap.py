@@ -35,6 +35,7 @@ from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import RecordKeeper
 from insole_studio.document.record_location import RecordLocation
+from insole_studio.document.record_maintenance import RecordMaintenance
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
@@ -66,6 +67,7 @@ class Application:
     controller: MainController
     autosave: Autosave
     hand_over: HandOver
+    maintenance: RecordMaintenance
     complaints: list[Message]
     """What was set aside at the start because it could not be read, to be told to the user."""
     events: ApplicationEvents
@@ -108,6 +110,8 @@ class Application:
         self.events.close()
         self.features.close_windows()
         self.hand_over.close()
+        self.features.records.close()
+        self.maintenance.close()
         self.services.clinic.close()
         self.jobs.close()
         self.autosave.close()
@@ -138,6 +142,7 @@ def build_application(
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
+    events = ApplicationEvents(application)  # before any label could be polished without it
     case, jobs = Case(), Jobs()
     # Once all that listens has let go of the case before.
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
@@ -174,11 +179,11 @@ def build_application(
         complaints.append(
             Message("The arrangement of the window is damaged, so it has its usual one.")
         )
-    events = ApplicationEvents(application)
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
+    maintenance = RecordMaintenance(clinic, window)
     return Application(
-        services, features, main, controller, autosave, hand_over, complaints, events
+        services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )
 
 
@@ -243,8 +248,7 @@ def run_application(
     QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
-    if not app.settings.tour_seen:
-        QTimer.singleShot(0, app.window, app.main.help.begin_tour)
+    app.main.help.begin_tour_with_first_case()
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
     _quit_on_signals(qt)

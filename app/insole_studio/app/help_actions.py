@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QMessageBox
 
 from insole_studio.app.main_window import MainWindow
@@ -32,12 +32,22 @@ class HelpActions(QObject):
         self._stage = stage
         self._keys = keys
 
+    def begin_tour_with_first_case(self) -> None:
+        """Start the tour when the first case is opened, unless it was seen before."""
+        if not self._services.settings.tour_seen:
+            self._services.case.opened.connect(self._begin_first_tour)
+
     def begin_tour(self) -> None:
-        """Start the tour of the window in five steps."""
+        """Start the tour of the panels in five steps, which a page of the record would hide."""
+        self._window.show_panels()
         section_tool = self._window.tool_button("tool_section")
         tour = Tour(tour_stops(self._stage, section_tool), self._window)
         tour.ended.connect(self._end_tour)
         tour.begin()
+
+    def _begin_first_tour(self) -> None:
+        self._services.case.opened.disconnect(self._begin_first_tour)
+        QTimer.singleShot(0, self, self.begin_tour)  # once the panels are laid out
 
     def show_keys(self) -> None:
         """List all keyboard shortcuts."""

@@ -39,7 +39,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--deviation", type=number, default=0.05, metavar="MM", help="for --triangles"
     )
     shape.add_argument(
-        "--layers", action="store_true", help="cover, shell and base as objects of a 3MF file"
+        "--layers",
+        action="store_true",
+        help="cover, middle layer and base as objects of a 3MF file",
     )
     shape.add_argument("--ascii", action="store_true", help="STL as text")
     shape.add_argument(

@@ -226,7 +226,7 @@ class Case(QObject):
         self.saved_changed.emit()
 
     def mark_saved(self, record: CaseRecord, path: Path, digest: str = "") -> None:
-        """Note that the file contains `record`.
+        """Note that the file contains `record`; the case is one of a file from then on.
 
         Parameters
         ----------
@@ -234,6 +234,7 @@ class Case(QObject):
             SHA-256 of the file.
         """
         self.path, self.digest, self.is_read_only = path, digest, False
+        self.kept = None
         self._saved_record = record
         self.saved_changed.emit()
 

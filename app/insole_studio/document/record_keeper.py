@@ -83,6 +83,7 @@ class RecordKeeper(QObject):
         self._timer.timeout.connect(self._save)
         case.opened.connect(self._begin)
         case.changed.connect(self._note_change)
+        case.saved_changed.connect(self._let_go)
         clinic.state_changed.connect(self._save_if_back)
 
     @property
@@ -165,6 +166,11 @@ class RecordKeeper(QObject):
         self._set_state(state if self.is_keeping else KeepState.NOTHING)
         if self.is_keeping and is_changed:
             self._timer.start(SAVE_AFTER_MS)
+
+    def _let_go(self) -> None:
+        """Keep nothing any more of a case that has become one of a file."""
+        if not self.is_keeping and self.state is not KeepState.NOTHING:
+            self._begin()
 
     def _note_change(self) -> None:
         if not self.is_keeping or not self._case.has_unsaved_changes:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from insole_core.geometry.arrays import FloatArray
 
 
@@ -24,6 +26,12 @@ class GuideLines:
     lines: tuple[FloatArray, ...]
     place: FloatArray
     text: str
+
+    @property
+    def bounds_mm(self) -> FloatArray:
+        """The box (2, 3) of the lines."""
+        points = np.concatenate(self.lines)
+        return np.stack([points.min(axis=0), points.max(axis=0)])
 
     def axes_alone(self) -> GuideLines:
         """Return the axes without the last line (the sole's level) and the text."""

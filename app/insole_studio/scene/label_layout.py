@@ -41,7 +41,7 @@ def name_boxes(
     boxes = np.zeros((len(anchors_px), 4))
     for i in np.lexsort((anchors_px[:, 0], anchors_px[:, 1])):
         tried = _candidates(anchors_px[i], sizes_px[i])
-        free = ~_overlap(tried, taken).any(axis=1)
+        free = ~is_covered(tried, taken)
         inside = (tried[:, :2] >= 0).all(axis=1) & (tried[:, 2:] <= room_px).all(axis=1)
         boxes[i] = tried[int((free & inside).argmax())]
         taken = np.vstack([taken, boxes[i]])
@@ -67,6 +67,11 @@ def leader_ends(anchors_px: FloatArray, boxes_px: FloatArray) -> FloatArray:
     near[:, 1] = boxes_px[:, 1::2].mean(axis=1)
     away = np.hypot(*(near - anchors_px).T) > GAP_PX + 2
     return np.where(away[:, None], near, np.nan)
+
+
+def is_covered(boxes_px: FloatArray, taken_px: FloatArray) -> BoolArray:
+    """Return which boxes (n, 4) overlap any of the taken ones (m, 4): left, top, right, bottom."""
+    return np.asarray(_overlap(boxes_px, taken_px).any(axis=1))
 
 
 def is_across_view(places: FloatArray, look: ViewTransform) -> BoolArray:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import compress
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,12 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import MISSING, Coloring
 from insole_studio.scene.contour_lines import ContourLines
-from insole_studio.scene.label_layout import is_across_view, moved_clear, moved_into_image
+from insole_studio.scene.label_layout import (
+    is_across_view,
+    is_covered,
+    moved_clear,
+    moved_into_image,
+)
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view_camera import ViewTransform
@@ -35,7 +41,10 @@ GRAZING = (((0.0, 0.0, 1.0), 0.3), ((-1.0, 0.4, 0.3), 1.0))
 """The same, with the second one nearly along the surface."""
 GHOST_OPACITY = 0.35
 SURE = 0.6
-NAME_PX, DIRECTION_PX = 12, 13
+NAME_PX, DIRECTION_PX, LABEL_PX = 12, 13, 13
+HANDLE_PX = {"move": 17.0, "size": 12.0}
+"""Diameter of the handles, without their rims."""
+RIM_PX = 5.0
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 22.0)
 """Distance of the anatomical directions from the surface, in x and in y."""
@@ -81,6 +90,12 @@ class Painter:
         self._directions: tuple[list[FloatArray], list[str]] = ([], [])
         self._written: tuple[FloatArray, list[str]] = (np.zeros((0, 3)), [])
         """Those of the directions that are shown, and where."""
+        self._contour_labels: tuple[tuple[FloatArray, str], ...] = ()
+        self._contour_labels_free: list[bool] | None = None
+        """Which of them are written; None before they are."""
+        self._handles: Sequence[Handle] = ()
+        self._labels: dict[str, tuple[FloatArray, str]] = {}
+        """Places and texts of the shown labels."""
         self._look: ViewTransform | None = None
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
@@ -103,6 +118,9 @@ class Painter:
         self._in_front.clear()
         self._texts.clear()
         self._directions, self._written = ([], []), (np.zeros((0, 3)), [])
+        self._contour_labels, self._contour_labels_free = (), None
+        self._handles = ()
+        self._labels.clear()
         self._named = ()
         self._tags.show((), NAME_PX, self.scheme.text, self.scheme.bottom)
         self._plotter.renderer.clear_actors()
@@ -231,19 +249,9 @@ class Painter:
         none = np.empty((0, 2, 3))
         self._draw_contour("contours", none if lines is None else lines.thin)
         self._draw_contour("strong-contours", none if lines is None else lines.strong)
-        labels = () if lines is None else lines.labels
-        places, words = [place for place, _ in labels], [text for _, text in labels]
-        self._show_texts(
-            CONTOUR_LABELS,
-            places,
-            words,
-            CONTOUR_PX,
-            centred=True,
-            boxed=True,
-            colors=(CONTOUR, PAPER),
-        )
-        if self._look is not None:
-            self._show_labels_from_above(self._look)
+        self._contour_labels = () if lines is None else lines.labels
+        self._contour_labels_free = None
+        self._show_contour_labels()
 
     def _draw_contour(self, name: str, segments: FloatArray) -> None:
         self._plotter.remove_actor(name, render=False)
@@ -261,11 +269,47 @@ class Painter:
             render=False,
         )
 
-    def _show_labels_from_above(self, look: ViewTransform) -> None:
-        """Hide the labels of the contour lines when the contact surface is not seen."""
+    def _show_contour_labels(self) -> None:
+        """Write those labels of contour lines that cover no handle and no other label.
+
+        They are hidden when the contact surface is not seen from above.
+        """
+        free = [True] * len(self._contour_labels)
+        if self._look is not None and free:
+            boxes = self._boxes_of_contour_labels(self._look)
+            free = (~is_covered(boxes, self._taken(self._look))).tolist()
+        if free != self._contour_labels_free:
+            self._contour_labels_free = free
+            labels = list(compress(self._contour_labels, free))
+            self._show_texts(
+                CONTOUR_LABELS,
+                [place for place, _ in labels],
+                [text for _, text in labels],
+                CONTOUR_PX,
+                centred=True,
+                boxed=True,
+                colors=(CONTOUR, PAPER),
+            )
         actor = self._plotter.actors.get(f"{CONTOUR_LABELS}-labels")
-        if actor is not None:
-            actor.visibility = bool(look.back[2] > _SEEN)
+        if actor is not None and self._look is not None:
+            actor.visibility = bool(self._look.back[2] > _SEEN)
+
+    def _boxes_of_contour_labels(self, look: ViewTransform) -> FloatArray:
+        """Return left, top, right, bottom (n, 4) of the labels of contour lines, px."""
+        middle = look.pixels_of(np.array([place for place, _ in self._contour_labels]))
+        half = _half_sizes_px([text for _, text in self._contour_labels], CONTOUR_PX)
+        return np.hstack([middle - half, middle + half])
+
+    def _taken(self, look: ViewTransform) -> FloatArray:
+        """Return left, top, right, bottom (n, 4) of handles and labels, px."""
+        middle = look.pixels_of(np.array([h.position_mm for h in self._handles]).reshape(-1, 3))
+        radius = np.array([[(HANDLE_PX[h.kind] + RIM_PX) / 2] for h in self._handles])
+        radius = radius.reshape(-1, 1)
+        places = np.array([place for place, _ in self._labels.values()]).reshape(-1, 3)
+        half = _half_sizes_px([text for _, text in self._labels.values()], LABEL_PX)
+        beside = look.pixels_of(places) + half * [1.0, 0.0]
+        handles = np.hstack([middle - radius, middle + radius])
+        return np.concatenate([handles, np.hstack([beside - half, beside + half])])
 
     def show_grazing_light(self, on: bool) -> None:
         """Light the surface from the side, so that every bump casts its shade, or from ahead."""
@@ -300,10 +344,12 @@ class Painter:
 
     def show_handles(self, handles: Sequence[Handle]) -> None:
         """Show draggable handles of constant size on the screen."""
-        for kind, size in (("move", 17.0), ("size", 12.0)):
-            places = [h.position_mm for h in handles if (h.kind == "move") == (kind == "move")]
-            self._show_dots(f"rim-{kind}", places, size + 5, "white")
+        for kind, size in HANDLE_PX.items():
+            places = [h.position_mm for h in handles if h.kind == kind]
+            self._show_dots(f"rim-{kind}", places, size + RIM_PX, "white")
             self._show_dots(f"handles-{kind}", places, size, self.scheme.accent)
+        self._handles = handles
+        self._show_contour_labels()
 
     def show_key_points(self, points: Sequence[MarkedPoint]) -> None:
         """Show points with their names; uncertain ones are highlighted."""
@@ -348,8 +394,13 @@ class Painter:
         name
             Name of the actor, for several labels at a time.
         """
+        words = f"  {text}  "
         places = [] if place_mm is None else [place_mm]
-        self._show_texts(name, places, [f"  {text}  "] * len(places), 13, boxed=True)
+        self._show_texts(name, places, [words] * len(places), LABEL_PX, boxed=True)
+        self._labels.pop(name, None)
+        if place_mm is not None:
+            self._labels[name] = place_mm, words
+        self._show_contour_labels()
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
         """Write the anatomical directions around a box.
@@ -407,16 +458,16 @@ class Painter:
         self._look = look
         self._write_directions(look)
         self._place_names(look)
-        self._show_labels_from_above(look)
+        self._show_contour_labels()
 
     def _write_directions(self, look: ViewTransform | None) -> None:
         """Write the directions that can be told in this view, whole and beside the thing."""
         places, words = np.array(self._directions[0]).reshape(-1, 3), self._directions[1]
         if look is not None and words:
             kept, gaps = is_across_view(places, look), np.repeat(WORD_GAP_MM, 2)
-            places = moved_clear(places, _half_sizes_px(words), gaps, look)[kept]
+            places = moved_clear(places, _half_sizes_px(words, DIRECTION_PX), gaps, look)[kept]
             words = [word for word, is_kept in zip(words, kept, strict=True) if is_kept]
-            places = moved_into_image(places, _half_sizes_px(words), look)
+            places = moved_into_image(places, _half_sizes_px(words, DIRECTION_PX), look)
         if words == self._written[1] and np.array_equal(places, self._written[0]):
             return
         self._written = (places, words)
@@ -425,7 +476,7 @@ class Painter:
     def _place_names(self, look: ViewTransform) -> None:
         """Lay out the names of the key points clear of the anatomical directions."""
         places, words = self._written
-        middle, half = look.pixels_of(places), _half_sizes_px(words)
+        middle, half = look.pixels_of(places), _half_sizes_px(words, DIRECTION_PX)
         leaders = self._tags.place(look, np.hstack([middle - half, middle + half]))
         self.show_lines("name-leaders", leaders, self.scheme.text, 1.0)
 
@@ -527,9 +578,13 @@ def _title(coloring: Coloring | None) -> str:
     return "" if coloring is None else coloring.title
 
 
-def _half_sizes_px(words: Sequence[str]) -> FloatArray:
-    """Return half the widths and heights (n, 2) of the words of directions, about."""
-    sizes = [(0.3 * DIRECTION_PX * len(word), 0.7 * DIRECTION_PX) for word in words]
+def _half_sizes_px(words: Sequence[str], size_px: int) -> FloatArray:
+    """Return half the widths and heights (n, 2) of words in a size of type, about.
+
+    Of words in several lines, those of the longest line and of all.
+    """
+    lines = [word.split("\n") for word in words]
+    sizes = [(0.3 * size_px * max(map(len, each)), 0.7 * size_px * len(each)) for each in lines]
     return np.array(sizes, dtype=float).reshape(-1, 2)
 
 

@@ -19,6 +19,11 @@ def case_kinds() -> str:
     return tr("Insole Studio case") + f" (*{CASE_SUFFIX})"
 
 
+def table_kinds() -> str:
+    """Return the filter for tables of text."""
+    return tr("Table") + " (*.csv *.txt *.tsv)"
+
+
 def template_kinds() -> str:
     """Return the filter for template files."""
     return tr("Template of a prescription") + f" (*{TEMPLATE_SUFFIX})"

@@ -186,6 +186,8 @@ class BackupWriter:
                 with output_errors(path / name):
                     make_private_folder(path / name)
             self._known = self._folder.objects()
+            for folder in _subfolders(path / OBJECTS):
+                sweep(folder)  # what a program left that was killed
         except BaseException:
             self._lock.release()
             raise
@@ -253,7 +255,6 @@ class BackupWriter:
             if not folder.is_dir():
                 make_private_folder(folder)
                 self._unsynced.add(folder.parent)
-                sweep(folder)
 
         def path_of(size: int, digest: str) -> Path:
             return folder / f"{name}-{size}-{digest[:32]}.age"

@@ -20,6 +20,10 @@ _ROWS_EXPECTED: Final = 512
 """Mean number of rows of a piece."""
 _MOST_BYTES: Final = 8 * 2**20
 _BATCH: Final = 500
+_ENCODER: Final = json.JSONEncoder(
+    ensure_ascii=False, separators=(",", ":"), default=date.isoformat
+)
+"""Days are all that JSON does not know."""
 
 
 def tables_of(connection: Connection) -> list[Table]:
@@ -38,8 +42,7 @@ def pieces_of(connection: Connection, table: Table) -> Iterator[tuple[bytes, int
     size = 0
     keys = [column.name for column in table.primary_key]
     for row in _rows(connection, table):
-        values = [_written(value) for value in row]
-        line = json.dumps(values, ensure_ascii=False, separators=(",", ":")).encode() + b"\n"
+        line = _ENCODER.encode(tuple(row)).encode() + b"\n"
         lines.append(line)
         size += len(line)
         if _ends_piece([row._mapping[name] for name in keys]) or size > _MOST_BYTES:
@@ -69,7 +72,7 @@ def insert_pieces(
     ]
     count, later = 0, []
     for piece in pieces:
-        rows = [_row(table, columns, line) for line in piece.splitlines()]
+        rows = _read_rows(table, columns, piece)
         for row in rows:
             later += [_referring(table, row, name) for name in to_itself if row[name] is not None]
         for start in range(0, len(rows), _BATCH):
@@ -85,8 +88,7 @@ def replace_pieces(
 ) -> int:
     """Do the same for a table that comes with rows, such as the head of the audit log."""
     count = 0
-    for line in (line for piece in pieces for line in piece.splitlines()):
-        row = _row(table, columns, line)
+    for row in (row for piece in pieces for row in _read_rows(table, columns, piece)):
         (key,) = table.primary_key.columns
         found = connection.execute(select(table).where(key == row[key.name])).one_or_none()
         if found is None:
@@ -139,18 +141,13 @@ def _ends_piece(key: list[Any]) -> bool:
     return zlib.crc32(repr(key).encode()) % _ROWS_EXPECTED == 0
 
 
-def _written(value: Any) -> Any:
-    return value.isoformat() if isinstance(value, date) else value
-
-
-def _row(table: Table, columns: Sequence[str], line: bytes) -> dict[str, Any]:
-    values = json.loads(line)
-    if not isinstance(values, list) or len(values) != len(columns):
-        raise ValueError(f"a row of {table.name} has other columns")
-    return {name: _read(table.c[name], value) for name, value in zip(columns, values, strict=True)}
-
-
-def _read(column: Column[Any], value: Any) -> Any:
-    if isinstance(column.type, Date) and value is not None:
-        return date.fromisoformat(value)
-    return value
+def _read_rows(table: Table, columns: Sequence[str], piece: bytes) -> list[dict[str, Any]]:
+    days = [name for name in columns if isinstance(table.c[name].type, Date)]
+    rows = []
+    for line in piece.splitlines():
+        row = dict(zip(columns, json.loads(line), strict=True))
+        for name in days:
+            if row[name] is not None:
+                row[name] = date.fromisoformat(row[name])
+        rows.append(row)
+    return rows

@@ -234,7 +234,7 @@ def _insert_table(
             count = replace_pieces(connection, table, saved.columns, pieces)
         else:
             count = insert_pieces(connection, table, saved.columns, pieces)
-    except (ValueError, KeyError) as error:
+    except (ValueError, KeyError, TypeError) as error:
         raise damaged(f"{opened.snapshot.file_name}, {table.name}") from error
     if count != saved.rows:
         raise damaged(f"{opened.snapshot.file_name}, {table.name}")
@@ -326,7 +326,7 @@ def _close_journal(path: Path) -> None:
     """
     try:
         with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=rw", uri=True)) as file:
-            file.execute("PRAGMA journal_mode = DELETE")
+            file.execute("PRAGMA journal_mode=DELETE")
     except sqlite3.OperationalError as error:
         if getattr(error, "sqlite_errorcode", None) == sqlite3.SQLITE_BUSY:
             raise RecordsError(

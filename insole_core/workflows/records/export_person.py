@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from datetime import date
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
@@ -34,9 +34,11 @@ from insole_core.records.fhir import (
 from insole_core.records.order import Order
 from insole_core.records.records import Records
 from insole_core.records.rights import Right, require
+from insole_core.records.statement import statement_of, write_statement_paper
 from insole_core.records.visits import patient_of
 from insole_core.solids.checks import survey_heights
 from insole_core.solids.export_job import standing
+from insole_core.solids.prescription_paper import NOBODY, Responsible
 from insole_core.solids.solid import make_solid
 from insole_core.workflows.records.person_dossier import (
     PersonDossier,
@@ -47,11 +49,10 @@ from insole_core.workflows.records.person_dossier import (
 )
 from insole_core.workflows.records.person_json import ExportedFile, person_json
 from insole_core.workflows.records.person_summary import FootPicture, person_report
+from insole_core.workflows.records.plain_name import plain_name
 
 SUMS_NAME: Final = "SHA256SUMS"
 _PERSON_NAME: Final = "person.json"
-_PLAIN_NAME: Final = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]{0,99}")
-"""Names of files that every system takes as they are."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +78,7 @@ def export_person(
     folder: Path,
     *,
     is_pseudonymous: bool = False,
+    responsible: Responsible = NOBODY,
     progress: Progress = SILENT,
 ) -> PersonExport:
     """Export all that the record holds of a person, as a whole or not at all.
@@ -90,6 +92,9 @@ def export_person(
         New or empty.
     is_pseudonymous
         Leave out all that names or describes the person.
+    responsible
+        Maker and clinic, for the statement (Annex XIII) of each order whose prescriptions are
+        signed; who signed is in the record.
 
     Raises
     ------
@@ -108,7 +113,7 @@ def export_person(
     if is_pseudonymous:
         dossier = pseudonymous(dossier)
     with replacing_folder(folder) as beside:
-        writer = _ExportWriter(records, dossier, name, beside)
+        writer = _ExportWriter(records, dossier, name, beside, responsible)
         writer.write(progress)
     files = tuple(file.path for file in writer.files)
     with records.context.writing(Right.EXPORT, dossier.person.id) as connection:
@@ -126,12 +131,20 @@ def export_person(
 class _ExportWriter:
     """Writes the parts of an export into an unfinished folder."""
 
-    def __init__(self, records: Records, dossier: PersonDossier, name: str, folder: Path) -> None:
+    def __init__(
+        self,
+        records: Records,
+        dossier: PersonDossier,
+        name: str,
+        folder: Path,
+        responsible: Responsible,
+    ) -> None:
         self._records = records
         self._dossier = dossier
         self._name = name
         """Of the person, also where the dossier is pseudonymous."""
         self._folder = folder
+        self._responsible = responsible
         self._feet: dict[str, Any] = {}
         self._pictures: dict[str, list[FootPicture]] = {}
         self._requests: list[Resource] = []
@@ -154,7 +167,7 @@ class _ExportWriter:
             self._write_visit(visit, f"visits/{name}", step)
         progress.step(0.8, "Exporting orders")
         orders = self._dossier.orders
-        numbers = _numbered([_plain_name(order.number, "order") for order in orders])
+        numbers = _numbered([plain_name(order.number, "order") for order in orders])
         for order, name in zip(orders, numbers, strict=True):
             self._write_order(order, f"orders/{name}")
         self._write_fhir()
@@ -202,7 +215,8 @@ class _ExportWriter:
         insole = None
         with self._told(f"{place}/{foot.side}.stl"):
             insole = self._write_insole(foot, f"{place}/{foot.side}.stl", progress)
-        picture = FootPicture(foot, survey_heights(foot.foot.mesh), insole)
+        sole = survey_heights(foot.foot.mesh)
+        picture = FootPicture(foot.side, foot.variant(foot.chosen), sole, insole)
         self._pictures.setdefault(dossier.visit.id, []).append(picture)
         version = dossier.newest(foot.side)
         if version is not None:
@@ -219,12 +233,27 @@ class _ExportWriter:
         return survey_heights(solid)
 
     def _write_order(self, order: Order, place: str) -> None:
-        names = _numbered([_plain_name(file.name, "file") for file in order.files])
+        names = _numbered([plain_name(file.name, "file") for file in order.files])
         for file, name in zip(order.files, names, strict=True):
             with self._told(f"{place}/{name}"):
                 path = self._new_folder(place) / name
                 self._records.contents.copy_to(file.content_sha256, path)
                 self._note(path)
+        self._write_statement(order, place)
+
+    def _write_statement(self, order: Order, place: str) -> None:
+        """Write the statement of an order, which names the patient; nothing unsigned is stated."""
+        versions = (v for visit in self._dossier.visits for v in visit.versions)
+        signed = {version.id for version in versions if version.signed_by}
+        if self._dossier.is_pseudonymous or not signed.issuperset(order.version_ids):
+            return
+        with self._told(f"{place}/statement.pdf"):
+            statement = statement_of(self._records.context, order.id, self._responsible)
+            self._add_json(f"{place}/statement.json", statement.as_json())
+            self._add(
+                f"{place}/statement.pdf",
+                lambda path: write_statement_paper(statement, path, date.today()),
+            )
 
     def _write_fhir(self) -> None:
         person, is_pseudonymous = self._dossier.person, self._dossier.is_pseudonymous
@@ -282,11 +311,3 @@ def _numbered(names: Sequence[str]) -> list[str]:
         stem, dot, suffix = name.partition(".")
         unique.append(name if count == 1 else f"{stem}-{count}{dot}{suffix}")
     return unique
-
-
-def _plain_name(name: str, otherwise: str) -> str:
-    """Return a name if it can be that of a file everywhere; what people typed becomes no path."""
-    if _PLAIN_NAME.fullmatch(name) and not name.endswith("."):
-        return name
-    suffix = PurePosixPath(name).suffix
-    return f"{otherwise}{suffix}" if _PLAIN_NAME.fullmatch(suffix[1:]) else otherwise

@@ -6,6 +6,7 @@ was interrupted goes on where it stopped.
 
 from __future__ import annotations
 
+import logging
 import os
 import re
 from dataclasses import dataclass, replace
@@ -17,17 +18,23 @@ import numpy as np
 
 from insole_core.cases.case_file import read_case_and_digest
 from insole_core.cases.case_json import foot_to_json
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.cases.days import read_day
 from insole_core.errors import InputError, RecordsError, Unreachable
+from insole_core.file_digest import sha256_of
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
+from insole_core.recording.session_layout import MANIFEST
+from insole_core.records.content_store import MOST_BYTES
 from insole_core.records.field_checks import check_text
 from insole_core.records.person import Person, PersonSummary, new_pseudonym
 from insole_core.records.person_import import Outcome
 from insole_core.records.person_matching import PersonIndex, summary_of
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
+from insole_core.workflows.records.capture_facts import capture_facts
+
+log = logging.getLogger(__name__)
 
 SUFFIX: Final = ".insole"
 MOST_FILES: Final = 20_000
@@ -233,10 +240,22 @@ class _Planner:
         visit = found.visit
         if visit.revision == 0:
             visit = self._records.visits.add(visit)
+        for source in dict.fromkeys(foot.source for foot in found.feet):
+            self._add_scan(visit, source)
         number = found.case.patient.pseudonym
         reason = f"Imported from {name}" + (f", {number}" if number else "")
         for foot in found.feet:
             self._records.prescriptions.save(visit.id, foot, None, reason[:MOST_REASON])
+
+    def _add_scan(self, visit: Visit, source: ScanSource) -> None:
+        """Store the scan of a foot, which the case holds anyhow, if it can be had."""
+        path = _unchanged_scan(source)
+        if path is None:
+            return
+        try:
+            self._records.captures.add(visit.id, source.kind, path, capture_facts(path))
+        except InputError as error:
+            log.warning("the scan of an imported case is not stored: %s", error)
 
     def _placed(
         self, line: CaseLine, case: CaseRecord, day: date
@@ -369,3 +388,13 @@ def _day_of(case: CaseRecord) -> date:
     if not day:
         raise InputError("It has no date of a visit; open it and choose one.")
     return date.fromisoformat(day)
+
+
+def _unchanged_scan(source: ScanSource) -> Path | None:
+    """Return where the scan of a foot still lies as it was; None if it does not."""
+    path = Path(source.path)
+    try:
+        digest = sha256_of(path / MANIFEST if path.is_dir() else path, MOST_BYTES)
+    except (OSError, ValueError):  # on another computer, moved, or no name of a file here
+        return None
+    return path if digest == source.sha256 else None

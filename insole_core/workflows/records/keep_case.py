@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import date
 
-from insole_core.cases.case_record import CaseRecord, Patient
+import numpy as np
+
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
@@ -82,11 +84,24 @@ def keep_case(records: Records, change: CaseChange, reason: str = "") -> KeptCha
             try:
                 bases[side] = records.prescriptions.save(visit.id, foot, base, reason)
             except Conflict as conflict:
-                conflicts[side] = conflict
+                stored = records.prescriptions.read(conflict.theirs.id)
+                if _are_equal(stored, foot):  # ours, whose acknowledgement was lost
+                    bases[side] = Base(conflict.theirs.id, conflict.theirs.revision)
+                else:
+                    conflicts[side] = conflict
         visit = _keep_visit(records, visit, change)
     except RecordsError as error:
         return KeptChange(person, visit, bases, conflicts, error)
     return KeptChange(person, visit, bases, conflicts)
+
+
+def _are_equal(stored: FootRecord, foot: FootRecord) -> bool:
+    """Return whether two feet of one visit hold the same prescriptions on the same scan."""
+    mine, theirs = (
+        (record.variants, record.chosen, record.annotations, record.source.sha256)
+        for record in (foot, stored)
+    )
+    return mine == theirs and np.array_equal(foot.foot.mesh.vertices, stored.foot.mesh.vertices)
 
 
 def _keep_person(records: Records, person_id: str, change: CaseChange) -> Person:

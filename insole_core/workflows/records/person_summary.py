@@ -9,10 +9,11 @@ from functools import partial
 import numpy as np
 from matplotlib.figure import Figure
 
-from insole_core.cases.case_record import FootRecord
+from insole_core.cases.case_record import Variant
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table
 from insole_core.export.paper import paper_texts
 from insole_core.geometry.height_map import HeightMap
+from insole_core.geometry.side import Side
 from insole_core.insole.prescription.prescription_lines import (
     correction_lines,
     make_facts,
@@ -31,19 +32,20 @@ _SOLE_MM = 40.0
 
 @dataclass(frozen=True, eq=False)
 class FootPicture:
-    """What is drawn of one foot on one visit.
+    """What is told and drawn of one foot on one visit, without its surface, which is large.
 
     Parameters
     ----------
-    foot
-        Of the newest version.
+    variant
+        The chosen one of the newest version.
     sole : mm
         Heights of the foot.
     insole : mm
         Heights of the solid; None where it cannot be made.
     """
 
-    foot: FootRecord
+    side: Side
+    variant: Variant
     sole: HeightMap
     insole: HeightMap | None
 
@@ -104,8 +106,8 @@ def _visit_section(
     keys = ("reason", "findings", "weight_kg", "shoe_size_eu")
     lines = [line for key in keys for line in _fact(texts[key], getattr(visit, key))]
     for picture in pictures:
-        version = dossier.newest(picture.foot.side)
-        lines += [] if version is None else _prescription_lines(picture.foot, version, texts)
+        version = dossier.newest(picture.side)
+        lines += [] if version is None else _prescription_lines(picture.variant, version, texts)
     captures = (f"{c.file_name}, {c.facts.recorded_at or c.created_at}" for c in dossier.captures)
     lines += [f"{texts['captures']}: {line}" for line in captures]
     rows = tuple((name.replace("_", " "), f"{mm:g}") for name, mm in visit.measures.items())
@@ -115,9 +117,9 @@ def _visit_section(
     return ReportSection(visit.id, title, sentences=tuple(lines), tables=tables, plots=plots)
 
 
-def _prescription_lines(foot: FootRecord, version: VersionSummary, texts: Texts) -> list[str]:
+def _prescription_lines(variant: Variant, version: VersionSummary, texts: Texts) -> list[str]:
     head = [
-        _filled(texts["variant"], name=foot.chosen),
+        _filled(texts["variant"], name=variant.name),
         _filled(
             texts["version"],
             number=str(version.number),
@@ -127,10 +129,10 @@ def _prescription_lines(foot: FootRecord, version: VersionSummary, texts: Texts)
     ]
     if version.signed_by and version.signed_at:
         head.append(_filled(texts["signed"], name=version.signed_by, day=version.signed_at[:10]))
-    facts = (f"{name} {value}" for name, value in make_facts(foot.design).items())
+    facts = (f"{name} {value}" for name, value in make_facts(variant.design).items())
     return [
-        f"{texts[str(foot.side)]}: {', '.join(head)}",
-        *(f"– {line}" for line in correction_lines(foot.design)),
+        f"{texts[str(version.side)]}: {', '.join(head)}",
+        *(f"– {line}" for line in correction_lines(variant.design)),
         f"– {'; '.join(facts)}",
     ]
 
@@ -171,9 +173,9 @@ def _plot(pictures: Sequence[FootPicture], texts: Texts) -> Plot:
 
 def _draw(figure: Figure, *, pictures: Sequence[FootPicture], texts: Texts) -> None:
     """Draw the feet and then the insoles, the left one on the left, both to one scale."""
-    insoles = [(p.foot.side, p.insole) for p in pictures if p.insole is not None]
+    insoles = [(p.side, p.insole) for p in pictures if p.insole is not None]
     highest_mm = max((float(np.nanmax(i.top_mm)) for _, i in insoles), default=0.0)
-    maps = [(f"{p.foot.side} foot", p.sole.bottom_mm, p.sole, _SOLE_MM) for p in pictures]
+    maps = [(f"{p.side} foot", p.sole.bottom_mm, p.sole, _SOLE_MM) for p in pictures]
     maps += [(f"{side} insole", i.top_mm, i, highest_mm) for side, i in insoles]
     for axes, (title, heights_mm, height_map, most_mm) in zip(
         figure.subplots(1, len(maps), squeeze=False)[0], maps, strict=True

@@ -200,6 +200,10 @@
             <translation>Lägger till pelotter</translation>
         </message>
         <message>
+            <source>Adding persons</source>
+            <translation>Lägger till personer</translation>
+        </message>
+        <message>
             <source>Ahead of the toes</source>
             <translation>Framför tårna</translation>
         </message>
@@ -232,8 +236,16 @@
             <translation>En annan person har pseudonymen {pseudonym}; välj en annan.</translation>
         </message>
         <message>
+            <source>Another person has the pseudonym {pseudonym}; correct it.</source>
+            <translation>En annan person har pseudonymen {pseudonym}; rätta den.</translation>
+        </message>
+        <message>
             <source>Another program is making a backup in {folder}; wait until it is done.</source>
             <translation>Ett annat program gör en säkerhetskopia i {folder}; vänta tills det är klart.</translation>
+        </message>
+        <message>
+            <source>Any number</source>
+            <translation>Valfritt nummer</translation>
         </message>
         <message>
             <source>Arch fill</source>
@@ -488,6 +500,14 @@
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
         </message>
         <message>
+            <source>Exporting orders</source>
+            <translation>Exporterar beställningar</translation>
+        </message>
+        <message>
+            <source>Exporting the visit of {day}</source>
+            <translation>Exporterar besöket {day}</translation>
+        </message>
+        <message>
             <source>Extent</source>
             <translation>Längd</translation>
         </message>
@@ -636,6 +656,18 @@
             <translation>Inlägget är byggt</translation>
         </message>
         <message>
+            <source>It has no date of a visit; open it and choose one.</source>
+            <translation>Det saknar besöksdatum; öppna det och välj ett.</translation>
+        </message>
+        <message>
+            <source>It is the same as {name}.</source>
+            <translation>Det är detsamma som {name}.</translation>
+        </message>
+        <message>
+            <source>It names nobody whom the record knows; type the patient's name.</source>
+            <translation>Det nämner ingen som finns i journalen; skriv patientens namn.</translation>
+        </message>
+        <message>
             <source>Joining the views</source>
             <translation>Fogar ihop vyerna</translation>
         </message>
@@ -702,6 +734,10 @@
         <message>
             <source>Length of the taper</source>
             <translation>Avsmalningens längd</translation>
+        </message>
+        <message>
+            <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
+            <translation>Rad {line} i {path} har {count} kolumner, och en tabell får ha {most}; kontrollera citattecknen.</translation>
         </message>
         <message>
             <source>Line {number} of the audit log ({at}) is not what was written; compare it with a backup.</source>
@@ -800,6 +836,10 @@
             <translation>Inget bräde i {folder} syns för båda kamerorna; ge ir_003 och color_003 samma nummer när de visar samma läge.</translation>
         </message>
         <message>
+            <source>No column holds the names; say which one does.</source>
+            <translation>Ingen kolumn innehåller namnen; ange vilken som gör det.</translation>
+        </message>
+        <message>
             <source>No distance of the object was measured; mark its points again.</source>
             <translation>Inget avstånd på föremålet mättes; märk dess punkter igen.</translation>
         </message>
@@ -864,6 +904,10 @@
             <translation>Inget skrevs till {place}: dess disk är full eller tar inte emot mer från dig; frigör utrymme och försök igen.</translation>
         </message>
         <message>
+            <source>One column holds the whole name, and another a part of it; choose either the whole name, or given name and family name.</source>
+            <translation>En kolumn innehåller hela namnet och en annan en del av det; välj antingen hela namnet eller förnamn och efternamn.</translation>
+        </message>
+        <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
             <translation>En vy utan referenssystem: tas som ett föremål på ett bord.</translation>
         </message>
@@ -890,6 +934,10 @@
         <message>
             <source>Only {share:.0%} of the {pad} lie below the foot; move it inwards.</source>
             <translation>Bara {share:.0%} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
+        </message>
+        <message>
+            <source>Order {number}: {count} files that may name the patient</source>
+            <translation>Beställning {number}: {count} filer som kan nämna patienten</translation>
         </message>
         <message>
             <source>Outline</source>
@@ -962,6 +1010,10 @@
         <message>
             <source>Reading {file}</source>
             <translation>Läser {file}</translation>
+        </message>
+        <message>
+            <source>Reading {name}</source>
+            <translation>Läser {name}</translation>
         </message>
         <message>
             <source>Rearfoot post</source>
@@ -1040,6 +1092,10 @@
             <translation>Löser distorsionskartan</translation>
         </message>
         <message>
+            <source>Some dates can be read in two ways; say whether the day or the month comes first.</source>
+            <translation>Vissa datum kan läsas på två sätt; ange om dagen eller månaden kommer först.</translation>
+        </message>
+        <message>
             <source>Somebody else has changed the fields of this person meanwhile; choose which to keep.</source>
             <translation>Någon annan har under tiden ändrat den här personens fält; välj vilka som ska behållas.</translation>
         </message>
@@ -1062,6 +1118,10 @@
         <message>
             <source>SureFit; orthoscan</source>
             <translation>SureFit; orthoscan</translation>
+        </message>
+        <message>
+            <source>Swedish personal number</source>
+            <translation>Svenskt personnummer</translation>
         </message>
         <message>
             <source>TPU, printed</source>
@@ -1138,6 +1198,10 @@
         <message>
             <source>The backup {name} comes from a newer Insole Studio; install the newest version.</source>
             <translation>Säkerhetskopian {name} kommer från en nyare Insole Studio; installera den senaste versionen.</translation>
+        </message>
+        <message>
+            <source>The birth date {born} is not that of the personal number, {of_number}; correct one of them.</source>
+            <translation>Födelsedatumet {born} är inte personnumrets, {of_number}; rätta ett av dem.</translation>
         </message>
         <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
@@ -1588,6 +1652,14 @@
             <translation>Randen ligger {below_mm:.1f} mm under sulan, så att hela inlägget blir {below_mm:.1f} mm tjockare för att behålla minsta tjockleken där; höj randen eller minska kilningen.</translation>
         </message>
         <message>
+            <source>The row has {count} cells under {headings} headings; check its quotation marks.</source>
+            <translation>Raden har {count} celler under {headings} rubriker; kontrollera citattecknen.</translation>
+        </message>
+        <message>
+            <source>The same person stands in line {line}.</source>
+            <translation>Samma person står på rad {line}.</translation>
+        </message>
+        <message>
             <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
@@ -1678,6 +1750,10 @@
         <message>
             <source>The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to {most_mm:g} mm long; check its unit, and that it is a whole foot.</source>
             <translation>Ytan skulle vara en fot på {length_mm:.0f} mm, och fötter är {least_mm:g} till {most_mm:g} mm långa; kontrollera enheten, och att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The table has {count} columns, and {mapped} are chosen; choose the columns anew.</source>
+            <translation>Tabellen har {count} kolumner och {mapped} är valda; välj kolumnerna på nytt.</translation>
         </message>
         <message>
             <source>The table needs at least one material; add one.</source>
@@ -1836,6 +1912,10 @@
             <translation>{what} saknas; fyll i fältet.</translation>
         </message>
         <message>
+            <source>The {what} is that of {name}, {born}; name or birth date differ.</source>
+            <translation>Uppgiften {what} tillhör {name}, {born}; namn eller födelsedatum skiljer sig.</translation>
+        </message>
+        <message>
             <source>The {what} must be between {least:g} and {most:g}, not {value:g}.</source>
             <translation>{what} måste vara mellan {least:g} och {most:g}, inte {value:g}.</translation>
         </message>
@@ -1892,12 +1972,24 @@
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
         </message>
         <message>
+            <source>There is no order {number} in the record; check the number.</source>
+            <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
             <source>There is no such account any more; look at the list again.</source>
             <translation>Kontot finns inte längre; titta i listan igen.</translation>
         </message>
         <message>
             <source>There is nobody to erase with the pseudonym {pseudonym}; it stands on the patient's page.</source>
             <translation>Det finns ingen att radera med pseudonymen {pseudonym}; den står på patientens sida.</translation>
+        </message>
+        <message>
+            <source>There is somebody of this name, {born}, and a birth date is missing to tell whether it is the same person.</source>
+            <translation>Det finns någon med detta namn, {born}, och det saknas ett födelsedatum för att avgöra om det är samma person.</translation>
+        </message>
+        <message>
+            <source>There is somebody with this name and birth date, and another personal number.</source>
+            <translation>Det finns någon med detta namn och födelsedatum men ett annat personnummer.</translation>
         </message>
         <message>
             <source>Thesis 3.3: the contact surface as it was measured, without a designed rim</source>
@@ -2020,6 +2112,10 @@
             <translation>Vrider foten och formar hälen</translation>
         </message>
         <message>
+            <source>Two columns hold the {field}; choose one of them.</source>
+            <translation>Två kolumner innehåller samma uppgift, {field}; välj en av dem.</translation>
+        </message>
+        <message>
             <source>Two files of the order have the name {name}; give one another name.</source>
             <translation>Två filer i beställningen heter {name}; ge en av dem ett annat namn.</translation>
         </message>
@@ -2108,6 +2204,10 @@
             <translation>Skriver ordinationen</translation>
         </message>
         <message>
+            <source>Writing the summary</source>
+            <translation>Skriver sammanfattningen</translation>
+        </message>
+        <message>
             <source>Writing view {view}</source>
             <translation>Skriver vyn {view}</translation>
         </message>
@@ -2166,6 +2266,10 @@
         <message>
             <source>all connections are in use</source>
             <translation>alla anslutningar är upptagna</translation>
+        </message>
+        <message>
+            <source>already there</source>
+            <translation>finns redan</translation>
         </message>
         <message>
             <source>and height are {width}×{height}, but must be {allowed}</source>
@@ -2236,6 +2340,10 @@
             <translation>Födelsedatumet</translation>
         </message>
         <message>
+            <source>birth date unknown</source>
+            <translation>födelsedatum okänt</translation>
+        </message>
+        <message>
             <source>bisection of the calcaneus against the Achilles axis; &gt; 0 is valgus</source>
             <translation>calcaneus mittlinje mot akillesaxeln; &gt; 0 är valgus</translation>
         </message>
@@ -2246,6 +2354,10 @@
         <message>
             <source>block</source>
             <translation>block</translation>
+        </message>
+        <message>
+            <source>born {day}</source>
+            <translation>född {day}</translation>
         </message>
         <message>
             <source>capture</source>
@@ -2309,7 +2421,7 @@
         </message>
         <message>
             <source>contact</source>
-            <translation>Kontaktuppgiften</translation>
+            <translation>kontakt</translation>
         </message>
         <message>
             <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
@@ -2350,6 +2462,10 @@
         <message>
             <source>dark</source>
             <translation>mörk</translation>
+        </message>
+        <message>
+            <source>date of consent</source>
+            <translation>datum för samtycke</translation>
         </message>
         <message>
             <source>date of the consent</source>
@@ -2400,6 +2516,10 @@
             <translation>hör inte hit: en inläggstyp passar båda fötterna; utelämna det</translation>
         </message>
         <message>
+            <source>doubtful</source>
+            <translation>tveksamma</translation>
+        </message>
+        <message>
             <source>downwards</source>
             <translation>nedåt</translation>
         </message>
@@ -2430,6 +2550,10 @@
         <message>
             <source>exported</source>
             <translation>exporterad</translation>
+        </message>
+        <message>
+            <source>family name</source>
+            <translation>efternamn</translation>
         </message>
         <message>
             <source>fascia</source>
@@ -2526,6 +2650,10 @@
         <message>
             <source>full length</source>
             <translation>hel längd</translation>
+        </message>
+        <message>
+            <source>given name</source>
+            <translation>förnamn</translation>
         </message>
         <message>
             <source>greatest width of the heel at 10 to 22 % of the length</source>
@@ -3025,7 +3153,7 @@
         </message>
         <message>
             <source>name</source>
-            <translation>Namnet</translation>
+            <translation>namn</translation>
         </message>
         <message>
             <source>name and birth date</source>
@@ -3088,6 +3216,10 @@
             <translation>neuropati</translation>
         </message>
         <message>
+            <source>new</source>
+            <translation>nya</translation>
+        </message>
+        <message>
             <source>no</source>
             <translation>nej</translation>
         </message>
@@ -3105,7 +3237,11 @@
         </message>
         <message>
             <source>notes</source>
-            <translation>Anteckningarna</translation>
+            <translation>anteckningar</translation>
+        </message>
+        <message>
+            <source>number of an order</source>
+            <translation>beställningsnummer</translation>
         </message>
         <message>
             <source>number of colour frames</source>
@@ -3189,7 +3325,7 @@
         </message>
         <message>
             <source>personal number</source>
-            <translation>Personnumret</translation>
+            <translation>personnummer</translation>
         </message>
         <message>
             <source>pes cavus</source>
@@ -3306,6 +3442,10 @@
         <message>
             <source>record</source>
             <translation>journal</translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation>avvisade</translation>
         </message>
         <message>
             <source>relief at the base of the 5th metatarsal</source>
@@ -3748,6 +3888,10 @@
             <translation>vriden {turn_deg:.0f}° liknar den sig själv inom {apart_mm:.1f} mm; flytta några markörer ett par knoppar så att den blir mindre regelbunden</translation>
         </message>
         <message>
+            <source>twice in the file</source>
+            <translation>två gånger i filen</translation>
+        </message>
+        <message>
             <source>two corrections have the id "{twice}"; give each its own.</source>
             <translation>två korrigeringar har id ”{twice}”; ge varje sitt eget.</translation>
         </message>
@@ -3920,6 +4064,10 @@
             <translation>{count} svarta prickar hittades på {name} och fyra behövs; välj punkterna i stället.</translation>
         </message>
         <message>
+            <source>{count} captures, which may show or name the patient</source>
+            <translation>{count} inspelningar, som kan visa eller nämna patienten</translation>
+        </message>
+        <message>
             <source>{count} corners, seen from the front</source>
             <translation>{count} hörn, sedda framifrån</translation>
         </message>
@@ -3962,6 +4110,10 @@
         <message>
             <source>{count} small {scraps} beside the foot left out.</source>
             <translation>{count} små {scraps} bredvid foten utelämnades.</translation>
+        </message>
+        <message>
+            <source>{count} {outcome}</source>
+            <translation>{count} {outcome}</translation>
         </message>
         <message>
             <source>{count} {things} were asked for, but 1 to {most} are possible.</source>
@@ -4032,6 +4184,10 @@
             <translation>{finding} Ändra designen, eller gå förbi regeln med ett skäl.</translation>
         </message>
         <message>
+            <source>{folder} cannot be read: {reason}; check its name.</source>
+            <translation>{folder} kan inte läsas: {reason}; kontrollera namnet.</translation>
+        </message>
+        <message>
             <source>{folder} does not answer ({reason}); check that its disk or share is connected and that you may use it.</source>
             <translation>{folder} svarar inte ({reason}); kontrollera att dess disk eller nätverksmapp är ansluten och att du får använda den.</translation>
         </message>
@@ -4048,12 +4204,20 @@
             <translation>{folder} innehåller färg på {width}×{height}, vilket ingen Kinect v1 sänder.</translation>
         </message>
         <message>
+            <source>{folder} holds more than {most} cases; choose the folders in it one by one.</source>
+            <translation>{folder} innehåller mer än {most} fall; välj mapparna i den en i taget.</translation>
+        </message>
+        <message>
             <source>{folder} holds no PNG images; name the folder with the wall captures.</source>
             <translation>{folder} innehåller inga PNG-bilder; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
             <source>{folder} holds no backup; choose the folder that has {name} in it.</source>
             <translation>{folder} innehåller ingen säkerhetskopia; välj den mapp som har {name} i sig.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no case files ({suffix}); choose another folder.</source>
+            <translation>{folder} innehåller inga fallfiler ({suffix}); välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds no pictures named {kind}…; name the folder with the {words}.</source>
@@ -4288,6 +4452,10 @@
             <translation>{path} kan inte läsas ({reason}); kontrollera att den finns och att du får läsa den.</translation>
         </message>
         <message>
+            <source>{path} cannot be read after line {line}: a quotation mark is not closed, or a text is too long; correct it, or export it again.</source>
+            <translation>{path} kan inte läsas efter rad {line}: ett citattecken är inte avslutat eller en text är för lång; rätta det eller exportera filen igen.</translation>
+        </message>
+        <message>
             <source>{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, so export it again.</source>
             <translation>{path} kan inte läsas som en ytmodell i formatet {format} ({reason}); den kan vara skadad eller avskuren, så exportera den igen.</translation>
         </message>
@@ -4360,6 +4528,10 @@
             <translation>{path} har förlorat {file}; återställ filen från en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>{path} has more than {most} rows; divide it.</source>
+            <translation>{path} har mer än {most} rader; dela upp den.</translation>
+        </message>
+        <message>
             <source>{path} has no header of a PLY; export it again.</source>
             <translation>{path} saknar en PLY-fils huvud; exportera den på nytt.</translation>
         </message>
@@ -4412,8 +4584,16 @@
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
         <message>
+            <source>{path} is empty; choose a table with one row for a person.</source>
+            <translation>{path} är tom; välj en tabell med en rad för varje person.</translation>
+        </message>
+        <message>
             <source>{path} is flat, which is no surface of a foot; export it again.</source>
             <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} is in a character set that is not known, or damaged (at byte {place}); save it again as CSV UTF-8.</source>
+            <translation>{path} har en okänd teckenkodning eller är skadad (vid byte {place}); spara den igen som CSV UTF-8.</translation>
         </message>
         <message>
             <source>{path} is larger than {limit_mb} MB, which no file of its kind is; choose another file.</source>
@@ -4454,6 +4634,10 @@
         <message>
             <source>{path} is no readable picture; restore it or take it out of the folder.</source>
             <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
+        </message>
+        <message>
+            <source>{path} is no table of text; save it again as CSV UTF-8.</source>
+            <translation>{path} är ingen tabell med text; spara den igen som CSV UTF-8.</translation>
         </message>
         <message>
             <source>{path} is no valid JSON: {reason}; export the design again.</source>
@@ -4640,6 +4824,10 @@
             <translation>{share:.0%} av {pad} ligger på övergången till randen; flytta den inåt eller ställ in en smalare övergång.</translation>
         </message>
         <message>
+            <source>{text} can be {first} or {second}; say whether day or month comes first.</source>
+            <translation>{text} kan vara {first} eller {second}; ange om dag eller månad kommer först.</translation>
+        </message>
+        <message>
             <source>{text} holds a day in the future; check its year.</source>
             <translation>{text} innehåller en dag i framtiden; kontrollera året.</translation>
         </message>
@@ -4714,6 +4902,10 @@
         <message>
             <source>{what}: {before} → {after}</source>
             <translation>{what}: {before} → {after}</translation>
+        </message>
+        <message>
+            <source>{what}: {reason}</source>
+            <translation>{what}: {reason}</translation>
         </message>
         <message>
             <source>{where} has the key "{key}", which this version does not know; check its spelling or leave it out.</source>

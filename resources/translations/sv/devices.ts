@@ -156,6 +156,10 @@
             <translation>Dra en kantpunkt för att forma kanten; dubbelklick lägger till en, Delete tar bort den</translation>
         </message>
         <message>
+            <source>Drag the handle to move the rocker line, drag beside it to turn the view</source>
+            <translation>Dra i handtaget för att flytta rullsulans linje, dra bredvid för att vrida vyn</translation>
+        </message>
+        <message>
             <source>Drag to move the front edge of the shell</source>
             <translation>Dra för att flytta skalets framkant</translation>
         </message>

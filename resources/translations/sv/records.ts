@@ -48,6 +48,10 @@
             <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
+            <source>Address, phone</source>
+            <translation>Adress, telefon</translation>
+        </message>
+        <message>
             <source>Adjusted</source>
             <translation>Justerad</translation>
         </message>
@@ -470,6 +474,10 @@
         <message>
             <source>Theirs</source>
             <translation>Deras</translation>
+        </message>
+        <message>
+            <source>This visit is open elsewhere too: {who}. Nothing gets lost.</source>
+            <translation>Besöket är öppet även på annat håll: {who}. Inget går förlorat.</translation>
         </message>
         <message>
             <source>Today's visits</source>

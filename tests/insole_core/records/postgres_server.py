@@ -14,6 +14,7 @@ from pathlib import Path
 import psycopg
 
 _FAST = ("-c", "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off")
+_SOCKETS = Path("/tmp")
 _OTHER_USERS = ("postgres", "nobody")
 
 
@@ -34,10 +35,13 @@ class PostgresServer:
     Parameters
     ----------
     folder
-        Of its socket and its data.
+        Of its socket, whose path must be short.
+    data
+        Folder of its data.
     """
 
     folder: Path
+    data: str
     bin: Path
     user: str
     options: tuple[str, ...]
@@ -67,33 +71,45 @@ class PostgresServer:
     def stop(self, mode: str = "fast") -> None:
         self.run("pg_ctl", "-D", self.data, "-m", mode, "-w", "stop")
 
-    @property
-    def data(self) -> str:
-        return str(self.folder / "data")
+    def is_running(self) -> bool:
+        command = [*_as_user(self.user), str(self.bin / "pg_ctl"), "-D", self.data, "status"]
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, check=False)
+        return done.returncode == 0
 
 
 @contextmanager
 def running_server(
-    *, durable: bool = False, options: tuple[str, ...] = ()
+    *, durable: bool = False, options: tuple[str, ...] = (), parent: Path = _SOCKETS
 ) -> Iterator[PostgresServer]:
-    """Yield a server; `durable` keeps what is written also when it is killed."""
+    """Yield a server.
+
+    Parameters
+    ----------
+    durable
+        Keep what is written also when the server is killed.
+    parent
+        Of the folder of its data, which every user may enter.
+    """
     folder = binaries()
     if folder is None:
         raise RuntimeError("PostgreSQL is not installed")
     user = _user()
-    with tempfile.TemporaryDirectory(prefix="pg-", dir="/tmp") as name:
-        place = Path(name)
+    with (
+        tempfile.TemporaryDirectory(prefix="pg-", dir=_SOCKETS) as sockets,
+        tempfile.TemporaryDirectory(prefix="pg-data-", dir=parent) as data,
+    ):
         if os.geteuid() == 0:
-            shutil.chown(place, user)
-        server = PostgresServer(place, folder, user, (*(() if durable else _FAST), *options))
-        server.run(
-            "initdb", "-D", server.data, "-U", user, "-A", "trust", "-E", "UTF8", "--no-sync"
-        )
+            for path in (sockets, data):
+                shutil.chown(path, user)
+        options = (*(() if durable else _FAST), *options)
+        server = PostgresServer(Path(sockets), data, folder, user, options)
+        server.run("initdb", "-D", data, "-U", user, "-A", "trust", "-E", "UTF8", "--no-sync")
         server.start()
         try:
             yield server
         finally:
-            server.stop("immediate")
+            if server.is_running():
+                server.stop("immediate")
 
 
 def _user() -> str:

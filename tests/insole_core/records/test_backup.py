@@ -624,6 +624,30 @@ def test_backups_are_due_by_the_schedule() -> None:
     )
 
 
+@pytest.mark.parametrize("killed_at", range(1, 16, 2))
+def test_a_killed_backup_is_completed_by_the_next_one(
+    context: RecordsContext, folder: Path, killed_at: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each object and each snapshot appears by one rename, with all it refers to on the disk."""
+    renames = 0
+    replace = Path.replace
+
+    def killed(path: Path, target: Path) -> Path:
+        nonlocal renames
+        renames += 1
+        if renames == killed_at:
+            raise KeyboardInterrupt
+        return replace(path, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "replace", killed)
+        with pytest.raises(KeyboardInterrupt):
+            back_up(context, folder)
+    assert BackupFolder(folder).snapshots() == []
+    back_up(context, folder)
+    assert check_backup(folder, SECRET).is_sound
+
+
 def test_any_age_program_opens_the_key_and_the_files(context: RecordsContext, folder: Path) -> None:
     """Nothing but age is needed to read a backup (docs/formats/backup.md)."""
     back_up(context, folder)

@@ -100,8 +100,21 @@ def test_a_station_that_was_switched_off_is_forgotten(
     desk, room = stations.open(ANNA), stations.open(BEN)
     visit = added_visit(desk)
     room.presence.enter(visit.id)
-    monkeypatch.setattr(presence_module, "STALE_S", 0.05)
-    time.sleep(0.1)
-    assert desk.presence.enter(visit.id) == []
+    assert len(desk.presence.enter(visit.id)) == 1
+    monkeypatch.setattr(presence_module, "STALE_S", 0.0)
+    assert desk.presence.others(visit.id) == []
+    monkeypatch.undo()
     [other] = room.presence.enter(visit.id)
     assert other.author == "anna"
+
+
+def test_a_snapshot_sees_one_moment(stations: Stations) -> None:
+    desk, room = stations.open(ANNA), stations.open(BEN)
+    room.persons.add(Person("Anna"))
+    with desk.snapshot():
+        assert len(desk.persons.recent()) == 1
+        room.persons.add(Person("Ben"))
+        with desk.snapshot():
+            assert len(desk.persons.recent()) == 1
+        assert len(desk.persons.recent()) == 1
+    assert len(desk.persons.recent()) == 2

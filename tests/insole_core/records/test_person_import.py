@@ -176,8 +176,23 @@ def test_importing_the_same_file_twice_adds_nobody(tmp_path, records):
     assert len(records.persons.everybody()) == 50
 
 
+def test_both_databases_add_the_same_persons_and_their_audit_lines(tmp_path, stations):
+    records = stations.open()
+    text = (
+        'Name;Born;Personnummer;Ort\nÅsa Öberg;;640823-3234;Malmö\n"\'; DROP TABLE";1970-01-01;;\n'
+    )
+    import_persons(records, _rows(tmp_path, text))
+    found = {person.name: person for person in records.persons.everybody()}
+    assert found.keys() == {"Åsa Öberg", "'; DROP TABLE"}
+    assert found["Åsa Öberg"].birth_date == date(1964, 8, 23)
+    added = [line.subject_id for line in records.audit.lines() if line.action == "added"]
+    assert set(added) == {person.id for person in found.values()}
+    assert records.audit.verify().is_intact
+    assert [person.name for person in records.persons.search("asa 1964")] == ["Åsa Öberg"]
+
+
 def test_an_interrupted_import_adds_nobody(tmp_path, records):
-    rows = _rows(tmp_path, "Name\n" + "".join(f"Person {n}\n" for n in range(300)))
+    rows = _rows(tmp_path, "Name\n" + "".join(f"Person {n}\n" for n in range(1200)))
     answers = iter([False, False, True])
     with pytest.raises(Cancelled):
         import_persons(records, rows, progress=Progress(is_cancelled=lambda: next(answers)))

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from insole_core.errors import InputError
 from insole_core.records.text_table import MOST_COLUMNS, read_table
@@ -83,6 +87,13 @@ def test_what_is_no_file_is_refused(tmp_path):
         read_table(tmp_path / "none.csv")
     with pytest.raises(InputError, match="cannot be read"):
         read_table(tmp_path)
+
+
+@given(st.binary(max_size=300) | st.text(max_size=200).map(str.encode))
+def test_any_content_is_a_table_or_refused_in_words(content):
+    with tempfile.TemporaryDirectory() as folder, suppress(InputError):
+        table = _read(Path(folder), content)
+        assert all(len(row.cells) >= len(table.headings) for row in table.rows)
 
 
 def _read(folder: Path, content: bytes):

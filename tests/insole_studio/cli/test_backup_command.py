@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import io
+import json
+from collections.abc import Callable
+from datetime import date
 from pathlib import Path
 
 import pyrage
 import pytest
 
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
 from insole_core.records.author import Author
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.visit import Visit
 from insole_studio.cli.main import run
 from insole_studio.user_paths import UserPaths
 
@@ -126,6 +133,37 @@ def test_what_is_wrong_with_the_arguments_is_told(
     given = [str(key) if argument == "KEY" else argument for argument in arguments]
     assert run(["records", *given]) == code
     assert sentence in capsys.readouterr().err.splitlines()[-1]
+
+
+def test_the_statement_of_an_order_is_asked_for_by_its_number(
+    record: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    make_foot: Callable[[Side], Foot],
+) -> None:
+    records = open_records(RecordsPlace.local(record), ANNA)
+    person = records.persons.recent()[0]
+    visit = records.visits.add(Visit(person.id, date.today()))
+    foot = FootRecord.begun(make_foot(Side.LEFT), ScanSource("mesh", "left.stl", "a" * 64))
+    version_id = records.prescriptions.save(visit.id, foot, None).version_id
+    order = records.orders.add(visit.id, [version_id])
+    out = str(tmp_path / "statement.pdf")
+    command = ["records", "statement", order.number, "--out", out, "--json"]
+    maker = ["--maker", "Fotkliniken", "--maker-address", "Storgatan 1"]
+    assert run([*command, *maker]) == 1
+    assert "left foot is not signed" in capsys.readouterr().err
+    records.prescriptions.sign(version_id)
+    records.close()
+    assert run(command) == 1
+    assert "the maker" in capsys.readouterr().err
+    assert run([*command, *maker]) == 0
+    stated = json.loads(capsys.readouterr().out)
+    assert stated["identification"]["pseudonym"] == order.number
+    assert stated["feet"][0]["provenance"]["signed by"].startswith("anna, ")
+    assert Path(out).read_bytes().startswith(b"%PDF")
+    assert run(["records", "statement", order.number]) == 1
+    assert run(["records", "statement", "26-NONE", "--json"]) == 1
+    assert "no order 26-NONE" in capsys.readouterr().err
 
 
 @pytest.mark.slow

@@ -11,9 +11,16 @@ import numpy as np
 import pytest
 from pointing import LEFT, drag, lead
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QPushButton,
+    QStyle,
+    QStyleOptionSlider,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import FootRecord, ScanSource, Variant
 from insole_core.geometry.side import Side
@@ -287,25 +294,78 @@ def test_cup_flange_and_fill_are_the_first_controls(designed: Application) -> No
     assert keys[:3] == ["device.cup", "device.flange", "device.fill"]
 
 
-def test_a_slider_is_followed_and_is_one_step(
+def knob(field: SliderField) -> QPoint:
+    """Where the handle of a slider is painted."""
+    option = QStyleOptionSlider()
+    field.slider.initStyleOption(option)
+    part = QStyle.SubControl.SC_SliderHandle
+    control = QStyle.ComplexControl.CC_Slider
+    return field.slider.style().subControlRect(control, option, part, field.slider).center()
+
+
+def shown_finish(app: Application) -> Finish:
+    shown = app.case.shown.design
+    assert shown is not None
+    assert shown.finish is not None
+    return shown.finish
+
+
+def test_a_slider_dragged_with_the_mouse_is_followed_and_is_one_step(
     designed: Application, settle: Callable[[], None]
 ) -> None:
     act(designed, "tool_orbit")
     cup = slider(designed, "device.cup")
     before, steps = finish(designed), len(designed.case.history)
-    cup.slider.setSliderDown(True)
-    for place in range(25, 41):
-        cup.slider.setValue(place)
-    shown = designed.case.shown.design
-    assert shown is not None
-    assert shown.finish is not None
-    assert shown.finish.rim[0].height_mm == 20.0
+    start = knob(cup)
+    QTest.mousePress(cup.slider, LEFT, pos=start)
+    for right in (8, 16, 24):
+        QTest.mouseMove(cup.slider, start + QPoint(right, 0))
+    dragged = shown_finish(designed).rim[0].height_mm
+    assert dragged == cup.number.value() > before.rim[0].height_mm + 2.0
     assert finish(designed) == before
-    cup.slider.setSliderDown(False)
+    QTest.mouseRelease(cup.slider, LEFT, pos=start + QPoint(24, 0))
     settle()
-    assert finish(designed).rim[0].height_mm == 20.0
+    assert finish(designed).rim[0].height_mm == dragged
     assert len(designed.case.history) == steps + 1
     assert not designed.stage.tool_controller.is_busy
+
+
+def turn_wheel(widget: QWidget, notches: int) -> None:
+    """Turn the wheel over the middle of a widget."""
+    middle = QPointF(widget.rect().center())
+    turned = QWheelEvent(
+        middle,
+        widget.mapToGlobal(middle),
+        QPoint(),
+        QPoint(0, 120 * notches),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(widget, turned)
+
+
+def test_the_wheel_moves_a_slider_that_was_clicked_and_no_other(
+    designed: Application, settle: Callable[[], None], qtbot: QtBot
+) -> None:
+    act(designed, "tool_orbit")
+    cup, before = slider(designed, "device.cup"), design(designed)
+    designed.window.activateWindow()
+    qtbot.waitUntil(designed.window.isActiveWindow)
+    turn_wheel(cup.slider, 1)
+    assert design(designed) == before
+    QTest.mouseClick(cup.slider, LEFT, pos=knob(cup))
+    assert cup.slider.hasFocus()
+    turn_wheel(cup.slider, 1)
+    settle()
+    raised = finish(designed).rim[0].height_mm
+    assert before.finish is not None
+    assert raised > before.finish.rim[0].height_mm
+    assert raised == cup.number.value()
+    act(designed, "undo")
+    settle()
+    assert design(designed) == before
 
 
 def with_form(app: Application, settle: Callable[[], None]) -> None:
@@ -451,6 +511,28 @@ def test_each_variant_gets_its_own_device_back(
     act(designed, "toggle_as_scanned")
     assert finish(designed) == other.finish
     settle()
+
+
+def test_a_renamed_variant_gets_its_device_back_and_a_new_one_of_that_name_does_not(
+    designed: Application, questions: Any, settle: Callable[[], None]
+) -> None:
+    changed = replace(finish(designed), toe_line_mm=finish(designed).toe_line_mm + 6.0)
+    designed.case.apply(replace(design(designed), finish=changed), "Move the toe line")
+    act(designed, "variant_duplicate")
+    act(designed, "toggle_as_scanned")
+    questions.typed = "softer"
+    act(designed, "variant_name")
+    act(designed, "toggle_as_scanned")
+    settle()
+    assert finish(designed) == changed
+    act(designed, "toggle_as_scanned")
+    act(designed, "variant_duplicate")
+    record = designed.case.record.current
+    assert record is not None
+    assert record.chosen == "B"
+    act(designed, "toggle_as_scanned")
+    settle()
+    assert finish(designed) != changed
 
 
 def entry(devices: DeviceActions, key: str) -> QAction:

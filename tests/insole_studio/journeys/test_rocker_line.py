@@ -114,3 +114,7 @@ def test_another_selection_takes_the_handle_away(rocked: Application) -> None:
     rocked.case.select(None)
     names = [handle.name for handle in rocked.stage.insole.scene.handles]
     assert "rocker_line" not in names
+
+
+def test_the_hint_names_the_handle_of_the_line(rocked: Application) -> None:
+    assert "rocker" in rocked.stage.tool_controller.tool.hint(rocked.case)

@@ -144,6 +144,55 @@ def test_contour_lines_are_drawn_and_labelled_from_above_only(
     assert not labels.visibility
 
 
+@pytest.fixture
+def written(painter: Painter, plotter: Any, monkeypatch: pytest.MonkeyPatch) -> list[list[str]]:
+    """What is written on the labels of contour lines, each time they are written."""
+    found: list[list[str]] = []
+    write = plotter.add_point_labels
+
+    def watch(places: Any, words: list[str], *, name: str, **how: Any) -> None:
+        if name == "contour-labels":
+            found.append(words)
+        write(places, words, name=name, **how)
+
+    monkeypatch.setattr(plotter, "add_point_labels", watch)
+    box = np.array([[-50.0, 0.0, 0.0], [50.0, 250.0, 20.0]])
+    painter.aim(
+        look(fitted(ViewCamera(Preset.PLANTAR), box, SIZE), Subject.INSOLE, Side.LEFT, SIZE)
+    )
+    places = {"5": (-30.0, 60.0, 5.0), "10": (0.0, 120.0, 10.0), "15": (30.0, 200.0, 15.0)}
+    labels = tuple((np.array(place), text) for text, place in places.items())
+    painter.show_contours(ContourLines(np.empty((0, 2, 3)), np.empty((0, 2, 3)), labels))
+    assert found == [["5", "10", "15"]]
+    return found
+
+
+def test_a_contour_label_gives_way_to_a_handle(painter: Painter, written: list[list[str]]) -> None:
+    painter.show_handles((Handle("move", (2.0, 122.0, 10.0), kind="move"),))
+    assert written[-1] == ["5", "15"]
+    painter.show_handles((Handle("front", (2.0, 128.0, 10.0), kind="size"),))
+    assert written[-1] == ["5", "15"]
+    painter.show_handles(())
+    assert written[-1] == ["5", "10", "15"]
+
+
+def test_a_contour_label_gives_way_to_a_measure_that_starts_left_of_it(
+    painter: Painter, written: list[list[str]]
+) -> None:
+    painter.show_label(np.array([12.0, 200.0, 15.0]), "12.8 mm")
+    assert written[-1] == ["5", "10"]
+    painter.show_label(None, "")
+    assert written[-1] == ["5", "10", "15"]
+
+
+def test_contour_labels_that_stay_are_not_written_again(
+    painter: Painter, written: list[list[str]]
+) -> None:
+    for y_mm in (10.0, 20.0, 30.0):
+        painter.show_handles((Handle("move", (40.0, y_mm, 0.0), kind="move"),))
+    assert len(written) == 1
+
+
 def test_light_from_the_side_shades_a_slope(painter: Painter, plotter: Any, make_foot: Any) -> None:
     mesh = make_foot(Side.LEFT).mesh
     aim(painter, replace(mesh, colors=None))

@@ -10,8 +10,8 @@ from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.place import add_place, opened
-from insole_studio.cli.records.saved_settings import saved_settings
 from insole_studio.cli.records.secrets import ask
+from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
     from insole_core.records.backup.backup_key import BackupKey
@@ -47,7 +47,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     with opened(arguments, Right.BACK_UP) as records:
         if key_of_backups(records.context) is None:
             set_up_backups(records.context, _new_key(arguments))
-        report = back_up(records.context, arguments.folder, saved_settings(), progress)
+        saved = UserPaths.of_user().backed_up_folders
+        report = back_up(records.context, arguments.folder, saved, progress)
     print(
         f"snapshot {report.snapshot.number}: {report.rows} rows, {report.contents} files "
         f"({report.contents_bytes / 1e6:.1f} MB); {report.written_bytes / 1e6:.1f} MB were new"

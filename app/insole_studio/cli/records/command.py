@@ -13,6 +13,7 @@ from insole_studio.cli.records import (
     migrate,
     restore,
     show,
+    statement,
     verify,
 )
 from insole_studio.cli.subcommands import Command, add_steps
@@ -24,6 +25,7 @@ STEPS: tuple[Command, ...] = (
     show,
     import_,
     export,
+    statement,
     backup,
     restore,
     verify,

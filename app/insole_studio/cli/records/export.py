@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import argparse
 import sys
+from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.person_argument import add_person, person_id_of
 from insole_studio.cli.records.place import add_place, opened
+
+if TYPE_CHECKING:
+    from insole_core.solids.prescription_paper import Responsible
 
 NAME = "export"
 HELP = "export a person as a folder that opens without this program"
@@ -38,10 +42,23 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             person_id_of(records, arguments.person),
             arguments.out,
             is_pseudonymous=arguments.pseudonymous,
+            responsible=_responsible(),
             progress=progress,
         )
     for sentence in export.left_out:
         print(f"Not exported: {sentence}", file=sys.stderr)
     progress.step(
         1.0, "Done: {count} files in {folder}", count=len(export.files), folder=export.folder
+    )
+
+
+def _responsible() -> Responsible:
+    """Return maker and clinic, as the settings of the window name them."""
+    from insole_core.solids.prescription_paper import Responsible
+    from insole_studio.settings import load_settings
+    from insole_studio.user_paths import UserPaths
+
+    settings = load_settings(UserPaths.of_user().settings_file)
+    return Responsible(
+        clinic=settings.clinic, maker=settings.maker, maker_address=settings.maker_address
     )

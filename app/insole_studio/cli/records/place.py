@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import getpass
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import NotAllowed, UsageError
+from insole_studio.cli.records.secrets import ask
 
 if TYPE_CHECKING:
     from insole_core.records.author import Author
@@ -101,10 +100,4 @@ def _signed_in(records: Records, account: str) -> Author:
     accounts = Accounts(records.context.database, records.who)
     if not accounts.are_on:
         raise NotAllowed("The record has no accounts; leave out --account.")
-    return accounts.sign_in(account, _password(account))
-
-
-def _password(account: str) -> str:
-    if sys.stdin.isatty():
-        return getpass.getpass(f"Password of {account}: ")
-    return sys.stdin.readline().rstrip("\r\n")
+    return accounts.sign_in(account, ask(f"Password of {account}: ", None))

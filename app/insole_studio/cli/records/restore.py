@@ -8,8 +8,8 @@ from pathlib import Path
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.records.place import add_place, place_of
-from insole_studio.cli.records.saved_settings import saved_settings
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
+from insole_studio.user_paths import UserPaths
 
 NAME = "restore"
 HELP = "restore the record with all of its files, into an empty place"
@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         Author.of_user(),
         number=arguments.snapshot,
         replace_existing=arguments.set_aside,
-        settings=saved_settings(),
+        settings=UserPaths.of_user().backed_up_folders,
         progress=progress,
     )
     print(

@@ -11,6 +11,7 @@ from insole_core.progress import Progress
 from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.document.case_name import case_name, file_stem
+from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.case_files.case_guard import CaseGuard, ChangedOnDiskError, FileState
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds
@@ -77,7 +78,8 @@ class SaveActions:
             return self._guard.write(record, path, known)
 
         def saved(state: FileState) -> None:
-            if self._services.keeper.is_keeping:
+            keeper = self._services.keeper
+            if keeper.is_keeping and keeper.state is not KeepState.REFUSED:
                 state.lock.release()  # a copy to send: the case stays the visit of the record
                 self._messages.say(tr("A copy was written: {name}").format(name=path.name))
                 then()

@@ -32,6 +32,24 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         shortcut="Ctrl+Shift+N",
     ),
     ActionRecord(
+        "import_table",
+        lambda: tr("Import patients…"),
+        lambda: tr("Add the patients of a table (CSV) from another program"),
+        lambda records, _on: records.transfer.import_table(),
+    ),
+    ActionRecord(
+        "import_cases",
+        lambda: tr("Import case files…"),
+        lambda: tr("Add the case files of a folder as visits"),
+        lambda records, _on: records.transfer.import_cases(),
+    ),
+    ActionRecord(
+        "export_patient",
+        lambda: tr("Export patient…"),
+        lambda: tr("Export the patient as a folder that opens without this program"),
+        lambda records, _on: records.export_patient(),
+    ),
+    ActionRecord(
         "new_visit",
         lambda: tr("New visit"),
         lambda: tr("Add a visit of today for the patient on the page, and open it"),

@@ -45,11 +45,13 @@ from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
 from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_dialog import VisitDialog
+from insole_studio.features.records.visit_presence import VisitPresence
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
+    from insole_studio.features.records.record_transfer import RecordTransfer
 
 Then = Callable[[], None]
 CONFLICT = "record-conflict"
@@ -84,11 +86,17 @@ class PatientRecords(QObject):
         self._orders_presenter: OrdersPresenter | None = None
         self._same_prescription = SamePrescription(services)
         self.captures = VisitCaptures(services)
+        self._presence = VisitPresence(services)
         self.order_actions = OrderActions(services)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
+        self._transfer: RecordTransfer | None = None
         self._keeper.conflicted.connect(self.decide)
         services.recent.changed.connect(self._show_recent_files)
+
+    def close(self) -> None:
+        """Leave the open visit to other stations."""
+        self._presence.close()
 
     def show_start(self) -> None:
         """Show the start page, its search line empty and with the focus."""
@@ -127,6 +135,26 @@ class PatientRecords(QObject):
         dialog.finished.connect(dialog.deleteLater)
         dialog.accepted.connect(lambda: self._add(dialog.person))
         dialog.open()
+
+    @property
+    def transfer(self) -> RecordTransfer:
+        """Imports and exports; the library of the database is imported with them."""
+        if self._transfer is None:
+            from insole_studio.features.records.record_transfer import RecordTransfer
+
+            self._transfer = RecordTransfer(self._services)
+            self._transfer.imported.connect(self._refresh)
+        return self._transfer
+
+    def export_patient(self) -> None:
+        """Export the patient on the page, or the one whose visit is open."""
+        person = None if self._person_presenter is None else self._person_presenter.person
+        kept = self._services.case.kept
+        person = person or (None if kept is None else kept.person)
+        if person is None:
+            self._services.messages.say(tr("Open a patient first."))
+            return
+        self.transfer.export(person.id, person.name)
 
     def open_visit(self, visit_id: str) -> None:
         """Open a visit as the case of the window."""
@@ -374,6 +402,10 @@ class PatientRecords(QObject):
         """Redraw the icons in the colours of the palette."""
         if self.start is not None:
             self.start.renew_icons()
+
+    def _refresh(self) -> None:
+        if self._start_presenter is not None:
+            self._start_presenter.refresh()
 
     def _make_start(self) -> None:
         self.start = page = StartPage()

@@ -147,7 +147,7 @@ class PersonPage(QWidget):
             ("name", tr("Name")),
             ("birth_date", tr("Born")),
             ("personal_number", tr("Personal number")),
-            ("contact", tr("Contact")),
+            ("contact", tr("Address, phone")),
             ("consent_on", tr("Consent on")),
         ):
             form.addRow(label, self._fields[key])

@@ -190,10 +190,9 @@ class PersonPresenter:
 
 def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView:
     person = records.persons.open(person_id) if seen else records.persons.get(person_id)
-    return PersonView(
-        person,
-        tuple(_visit_view(records, visit) for visit in records.visits.of_person(person.id)),
-    )
+    with records.snapshot():
+        visits = records.visits.of_person(person.id)
+        return PersonView(person, tuple(_visit_view(records, visit) for visit in visits))
 
 
 def _visit_view(records: Records, visit: Visit) -> VisitView:

@@ -162,6 +162,12 @@ def _make_tables() -> None:
             sa.Text().with_variant(sa.Text(collation="C"), "postgresql"),
             nullable=False,
         ),
+        sa.Column(
+            "sort_key",
+            sa.Text().with_variant(sa.Text(collation="C"), "postgresql"),
+            server_default="",
+            nullable=False,
+        ),
         sa.Column("birth_date", sa.Date(), nullable=True),
         sa.Column("personal_number", sa.Text(), server_default="", nullable=False),
         sa.Column("number_kind", sa.Text(), server_default="", nullable=False),
@@ -182,8 +188,8 @@ def _make_tables() -> None:
         sa.UniqueConstraint("pseudonym", name=op.f("uq_persons_pseudonym")),
     )
     op.create_index(op.f("ix_persons_last_seq"), "persons", ["last_seq"], unique=False)
-    op.create_index(op.f("ix_persons_merged_into"), "persons", ["merged_into"], unique=False)
     op.create_index("ix_persons_personal_number", "persons", ["personal_number"], unique=False)
+    op.create_index(op.f("ix_persons_sort_key"), "persons", ["sort_key"], unique=False)
     op.create_table(
         "merges",
         sa.Column("id", sa.Text(), nullable=False),

@@ -257,6 +257,7 @@ CREATE TABLE public.persons (
     id text NOT NULL,
     name text NOT NULL,
     search_text text NOT NULL COLLATE pg_catalog."C",
+    sort_key text DEFAULT ''::text NOT NULL COLLATE pg_catalog."C",
     birth_date date,
     personal_number text DEFAULT ''::text NOT NULL,
     number_kind text DEFAULT ''::text NOT NULL,
@@ -349,18 +350,18 @@ INSERT INTO public.alembic_version VALUES ('0001');
 -- Data for Name: audit; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.audit VALUES (1, '2026-11-22T15:30:05.287662Z', 'anna', 'desk', 'added', 'person', 'b28d316f-2aa1-40a5-ae8d-4509252e1a84', '{}', '0000000000000000000000000000000000000000000000000000000000000000', '85c01283b5391bb367fb14da4e8784f59bc545b37c4a2043eef6d8adbd558cae');
-INSERT INTO public.audit VALUES (2, '2026-11-22T15:30:05.327610Z', 'anna', 'desk', 'added', 'visit', 'dab6323f-f590-4a2b-b699-fce800ed9e44', '{"person":"b28d316f-2aa1-40a5-ae8d-4509252e1a84"}', '85c01283b5391bb367fb14da4e8784f59bc545b37c4a2043eef6d8adbd558cae', 'e1d77f03ea1e354f7c39dc5d03d10c83c8d836ea67222f921b0bf975dd02371a');
-INSERT INTO public.audit VALUES (3, '2026-11-22T15:30:05.487875Z', 'anna', 'desk', 'changed', 'prescription', '1fbece58-3789-489c-81bb-4c1e00ab0ecc', '{"revision":1,"side":"left"}', 'e1d77f03ea1e354f7c39dc5d03d10c83c8d836ea67222f921b0bf975dd02371a', '7a5223c87da5f0fb8f183be8db106f5008668796920a1963512dc30f04e01ce6');
-INSERT INTO public.audit VALUES (4, '2026-11-22T15:30:05.546006Z', 'anna', 'desk', 'added', 'order', 'cb8ee065-ed3b-4ccb-98bf-70a7376f5c2b', '{"visit":"dab6323f-f590-4a2b-b699-fce800ed9e44"}', '7a5223c87da5f0fb8f183be8db106f5008668796920a1963512dc30f04e01ce6', '1d2ef7ac1aa2a34eca247ac0cc4ed7867f45ed8a1ffd32fdd2da9e1a7f3e9a4f');
-INSERT INTO public.audit VALUES (5, '2026-11-22T15:30:05.568192Z', 'anna', 'desk', 'seen', 'person', 'b28d316f-2aa1-40a5-ae8d-4509252e1a84', '{}', '1d2ef7ac1aa2a34eca247ac0cc4ed7867f45ed8a1ffd32fdd2da9e1a7f3e9a4f', '73aa17d54674849387297fdc2410d23357e83bae915279fa46a7804949b4e65f');
+INSERT INTO public.audit VALUES (1, '2026-11-22T16:15:35.139641Z', 'anna', 'desk', 'added', 'person', '78d90da7-86c2-44d9-b484-8295e88e543b', '{}', '0000000000000000000000000000000000000000000000000000000000000000', 'a0f3a5148b7a11388c55d9ff478a6e436115d9008f4c457dd0c87211827a0f09');
+INSERT INTO public.audit VALUES (2, '2026-11-22T16:15:35.167921Z', 'anna', 'desk', 'added', 'visit', 'c9228e99-9f12-42c6-9cff-04500b2386cb', '{"person":"78d90da7-86c2-44d9-b484-8295e88e543b"}', 'a0f3a5148b7a11388c55d9ff478a6e436115d9008f4c457dd0c87211827a0f09', 'fe9e2542026f60d9ee2cbf4d2f7428c7899f19da7aa60946014d6fd8d5a9e3fd');
+INSERT INTO public.audit VALUES (3, '2026-11-22T16:15:35.291659Z', 'anna', 'desk', 'changed', 'prescription', 'a8c06d9e-55fe-4bed-bc79-19c6314df1ee', '{"revision":1,"side":"left"}', 'fe9e2542026f60d9ee2cbf4d2f7428c7899f19da7aa60946014d6fd8d5a9e3fd', 'ab22e4187701b782cbdc4fe3fb1b62ef08ab35890005e5702e0c76179a77b371');
+INSERT INTO public.audit VALUES (4, '2026-11-22T16:15:35.339396Z', 'anna', 'desk', 'added', 'order', '72f2d570-92d9-4e9c-a048-691f1cabe677', '{"visit":"c9228e99-9f12-42c6-9cff-04500b2386cb"}', 'ab22e4187701b782cbdc4fe3fb1b62ef08ab35890005e5702e0c76179a77b371', 'f8998ce00ceaadffa4dbc3cc28f1fd061aa507fd16834ece66f487467be992ef');
+INSERT INTO public.audit VALUES (5, '2026-11-22T16:15:35.359138Z', 'anna', 'desk', 'seen', 'person', '78d90da7-86c2-44d9-b484-8295e88e543b', '{}', 'f8998ce00ceaadffa4dbc3cc28f1fd061aa507fd16834ece66f487467be992ef', '545455d4c5bbf17bb216f66429321b6f8fd9f41b0664f85cdb9a5df4a038dda4');
 
 
 --
 -- Data for Name: audit_head; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.audit_head VALUES (1, 5, '73aa17d54674849387297fdc2410d23357e83bae915279fa46a7804949b4e65f');
+INSERT INTO public.audit_head VALUES (1, 5, '545455d4c5bbf17bb216f66429321b6f8fd9f41b0664f85cdb9a5df4a038dda4');
 
 
 --
@@ -373,14 +374,14 @@ INSERT INTO public.audit_head VALUES (1, 5, '73aa17d54674849387297fdc2410d23357e
 -- Data for Name: clinic; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.clinic VALUES ('contents_identity', '"b7c1b8bd-d405-468b-8725-a3d7f90573c3"');
+INSERT INTO public.clinic VALUES ('contents_identity', '"f3bc1a38-c33f-4af1-a536-cfcdea74f54a"');
 
 
 --
 -- Data for Name: contents; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.contents VALUES ('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', 312785, 'mesh', '2026-11-22T15:30:05.460351Z');
+INSERT INTO public.contents VALUES ('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', 312785, 'mesh', '2026-11-22T16:15:35.281053Z');
 
 
 --
@@ -399,14 +400,14 @@ INSERT INTO public.contents VALUES ('f710c3b7842b09462a9125d0529e2337f9411a76608
 -- Data for Name: order_events; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.order_events VALUES ('cb8ee065-ed3b-4ccb-98bf-70a7376f5c2b', 1, '2026-11-22T15:30:05.534561Z', 'anna', NULL, 'designed', '');
+INSERT INTO public.order_events VALUES ('72f2d570-92d9-4e9c-a048-691f1cabe677', 1, '2026-11-22T16:15:35.326811Z', 'anna', NULL, 'designed', '');
 
 
 --
 -- Data for Name: order_feet; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.order_feet VALUES ('cb8ee065-ed3b-4ccb-98bf-70a7376f5c2b', '1fbece58-3789-489c-81bb-4c1e00ab0ecc');
+INSERT INTO public.order_feet VALUES ('72f2d570-92d9-4e9c-a048-691f1cabe677', 'a8c06d9e-55fe-4bed-bc79-19c6314df1ee');
 
 
 --
@@ -419,21 +420,21 @@ INSERT INTO public.order_feet VALUES ('cb8ee065-ed3b-4ccb-98bf-70a7376f5c2b', '1
 -- Data for Name: orders; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.orders VALUES ('cb8ee065-ed3b-4ccb-98bf-70a7376f5c2b', '26-VM8R8', 'dab6323f-f590-4a2b-b699-fce800ed9e44', 'b28d316f-2aa1-40a5-ae8d-4509252e1a84', 'designed', 'CNC', '2026-12-01', '', '2026-11-22T15:30:05.493874Z', '2026-11-22T15:30:05.493874Z', 1);
+INSERT INTO public.orders VALUES ('72f2d570-92d9-4e9c-a048-691f1cabe677', '26-KC42N', 'c9228e99-9f12-42c6-9cff-04500b2386cb', '78d90da7-86c2-44d9-b484-8295e88e543b', 'designed', 'CNC', '2026-12-01', '', '2026-11-22T16:15:35.294800Z', '2026-11-22T16:15:35.294800Z', 1);
 
 
 --
 -- Data for Name: persons; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.persons VALUES ('b28d316f-2aa1-40a5-ae8d-4509252e1a84', 'Anna Berg', ' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-yrv9ry63 26-vm8r8', '1970-02-28', '19811228-9874', 'se', '', '', NULL, 'P-YRV9RY63', false, NULL, 5, '2026-11-22T15:30:05.265172Z', '2026-11-22T15:30:05.265172Z', 1);
+INSERT INTO public.persons VALUES ('78d90da7-86c2-44d9-b484-8295e88e543b', 'Anna Berg', ' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-dnpcnjvt 26-kc42n', 'anna berg', '1970-02-28', '19811228-9874', 'se', '', '', NULL, 'P-DNPCNJVT', false, NULL, 5, '2026-11-22T16:15:35.127563Z', '2026-11-22T16:15:35.127563Z', 1);
 
 
 --
 -- Data for Name: prescription_versions; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.prescription_versions VALUES ('1fbece58-3789-489c-81bb-4c1e00ab0ecc', 'dab6323f-f590-4a2b-b699-fce800ed9e44', 'left', 1, '{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}', 'f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', NULL, 'anna', 'desk', '', '0.1.0', '2026-11-22T15:30:05.471681Z', '2026-11-22T15:30:05.471681Z', 1, true, NULL, NULL, NULL);
+INSERT INTO public.prescription_versions VALUES ('a8c06d9e-55fe-4bed-bc79-19c6314df1ee', 'c9228e99-9f12-42c6-9cff-04500b2386cb', 'left', 1, '{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}', 'f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf', NULL, 'anna', 'desk', '', '0.1.0', '2026-11-22T16:15:35.285094Z', '2026-11-22T16:15:35.285094Z', 1, true, NULL, NULL, NULL);
 
 
 --
@@ -446,7 +447,7 @@ INSERT INTO public.prescription_versions VALUES ('1fbece58-3789-489c-81bb-4c1e00
 -- Data for Name: visits; Type: TABLE DATA; Schema: public; Owner: -
 --
 
-INSERT INTO public.visits VALUES ('dab6323f-f590-4a2b-b699-fce800ed9e44', 'b28d316f-2aa1-40a5-ae8d-4509252e1a84', '2026-11-20', '', 'flat foot', 70.5, NULL, '{}', 'none', '2026-11-22T15:30:05.307018Z', '2026-11-22T15:30:05.307018Z', 1);
+INSERT INTO public.visits VALUES ('c9228e99-9f12-42c6-9cff-04500b2386cb', '78d90da7-86c2-44d9-b484-8295e88e543b', '2026-11-20', '', 'flat foot', 70.5, NULL, '{}', 'none', '2026-11-22T16:15:35.144194Z', '2026-11-22T16:15:35.144194Z', 1);
 
 
 --
@@ -717,17 +718,17 @@ CREATE INDEX ix_persons_last_seq ON public.persons USING btree (last_seq);
 
 
 --
--- Name: ix_persons_merged_into; Type: INDEX; Schema: public; Owner: -
---
-
-CREATE INDEX ix_persons_merged_into ON public.persons USING btree (merged_into);
-
-
---
 -- Name: ix_persons_personal_number; Type: INDEX; Schema: public; Owner: -
 --
 
 CREATE INDEX ix_persons_personal_number ON public.persons USING btree (personal_number);
+
+
+--
+-- Name: ix_persons_sort_key; Type: INDEX; Schema: public; Owner: -
+--
+
+CREATE INDEX ix_persons_sort_key ON public.persons USING btree (sort_key);
 
 
 --

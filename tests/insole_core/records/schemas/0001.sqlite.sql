@@ -30,18 +30,18 @@ CREATE TABLE audit (
 	hash TEXT NOT NULL, 
 	CONSTRAINT pk_audit PRIMARY KEY (seq)
 );
-INSERT INTO "audit" VALUES(1,'2026-11-22T15:30:01.625804Z','anna','desk','added','person','ba9f84c7-62b2-45d6-9c8d-f669b7bebe96','{}','0000000000000000000000000000000000000000000000000000000000000000','0f587eb17be2ba29ec4e98adb366b0a74973505f6810bbf1291b5e2f7b3234ec');
-INSERT INTO "audit" VALUES(2,'2026-11-22T15:30:01.650963Z','anna','desk','added','visit','72c1fef0-4723-4a31-b50b-b9b471617dcb','{"person":"ba9f84c7-62b2-45d6-9c8d-f669b7bebe96"}','0f587eb17be2ba29ec4e98adb366b0a74973505f6810bbf1291b5e2f7b3234ec','5c4e13f6ee8e5339a73bfc77d5cf50c1a2b7c9ff2d72933e8f7d31c333e7aacb');
-INSERT INTO "audit" VALUES(3,'2026-11-22T15:30:01.804414Z','anna','desk','changed','prescription','755f1b29-0e32-4d5b-8529-c07425a356f4','{"revision":1,"side":"left"}','5c4e13f6ee8e5339a73bfc77d5cf50c1a2b7c9ff2d72933e8f7d31c333e7aacb','22707bd2e1496d0a149096e79b649d0a70bf3deeffd9edb8982b668d60ff25cf');
-INSERT INTO "audit" VALUES(4,'2026-11-22T15:30:01.830038Z','anna','desk','added','order','97f667cd-677a-46b7-9760-73e48121e0ad','{"visit":"72c1fef0-4723-4a31-b50b-b9b471617dcb"}','22707bd2e1496d0a149096e79b649d0a70bf3deeffd9edb8982b668d60ff25cf','8c97c8c88eeb2dabb636222eedd30d3a9406bf2836944d97b5e095d3a5c271b4');
-INSERT INTO "audit" VALUES(5,'2026-11-22T15:30:01.859670Z','anna','desk','seen','person','ba9f84c7-62b2-45d6-9c8d-f669b7bebe96','{}','8c97c8c88eeb2dabb636222eedd30d3a9406bf2836944d97b5e095d3a5c271b4','0af9ab428ae5a64283e6c2dfadd0e1184cccb9e90864543f70ac90e466009b39');
+INSERT INTO "audit" VALUES(1,'2026-11-22T16:15:32.553270Z','anna','desk','added','person','eaf6240a-78a1-454d-b718-a6c97d81d1df','{}','0000000000000000000000000000000000000000000000000000000000000000','1fb58b52a237cfc3e609f980854fee45a3046871287b1fcf6c431f7ec0ddc0b7');
+INSERT INTO "audit" VALUES(2,'2026-11-22T16:15:32.567288Z','anna','desk','added','visit','094bc03c-78f1-4061-b923-d62cc260ad12','{"person":"eaf6240a-78a1-454d-b718-a6c97d81d1df"}','1fb58b52a237cfc3e609f980854fee45a3046871287b1fcf6c431f7ec0ddc0b7','dd70f60c4e6633bdf02f9a2c9c1a1bb60e4863a8a441eaf8bbb9a6cb0b382f35');
+INSERT INTO "audit" VALUES(3,'2026-11-22T16:15:32.693443Z','anna','desk','changed','prescription','2781890f-5432-458e-a80c-bba7e5d77ddd','{"revision":1,"side":"left"}','dd70f60c4e6633bdf02f9a2c9c1a1bb60e4863a8a441eaf8bbb9a6cb0b382f35','10fcd87c498cae1de411a21c10a674f88aec8090e890319a9deb8406bc148eb9');
+INSERT INTO "audit" VALUES(4,'2026-11-22T16:15:32.701113Z','anna','desk','added','order','130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5','{"visit":"094bc03c-78f1-4061-b923-d62cc260ad12"}','10fcd87c498cae1de411a21c10a674f88aec8090e890319a9deb8406bc148eb9','549184ca69f2502e9188294328e2333b555a8da2c15cc2211593ccb36d10bc79');
+INSERT INTO "audit" VALUES(5,'2026-11-22T16:15:32.708596Z','anna','desk','seen','person','eaf6240a-78a1-454d-b718-a6c97d81d1df','{}','549184ca69f2502e9188294328e2333b555a8da2c15cc2211593ccb36d10bc79','9dcf0c1b6a3d65d683e459d5d7113848642ec4ad69fd3c924bdf7e37683820ee');
 CREATE TABLE audit_head (
 	id INTEGER NOT NULL, 
 	seq BIGINT NOT NULL, 
 	hash TEXT NOT NULL, 
 	CONSTRAINT pk_audit_head PRIMARY KEY (id)
 );
-INSERT INTO "audit_head" VALUES(1,5,'0af9ab428ae5a64283e6c2dfadd0e1184cccb9e90864543f70ac90e466009b39');
+INSERT INTO "audit_head" VALUES(1,5,'9dcf0c1b6a3d65d683e459d5d7113848642ec4ad69fd3c924bdf7e37683820ee');
 CREATE TABLE captures (
 	id TEXT NOT NULL, 
 	visit_id TEXT NOT NULL, 
@@ -68,7 +68,7 @@ CREATE TABLE clinic (
 	value TEXT NOT NULL, 
 	CONSTRAINT pk_clinic PRIMARY KEY ("key")
 );
-INSERT INTO "clinic" VALUES('contents_identity','"e94c3021-39c4-466c-8543-1fb711a5f13e"');
+INSERT INTO "clinic" VALUES('contents_identity','"a35c9416-0f49-4004-94bb-1f85b74f28d3"');
 CREATE TABLE contents (
 	sha256 TEXT NOT NULL, 
 	size BIGINT NOT NULL, 
@@ -76,7 +76,7 @@ CREATE TABLE contents (
 	created_at TEXT NOT NULL, 
 	CONSTRAINT pk_contents PRIMARY KEY (sha256)
 );
-INSERT INTO "contents" VALUES('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',312785,'mesh','2026-11-22T15:30:01.786383Z');
+INSERT INTO "contents" VALUES('f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',312785,'mesh','2026-11-22T16:15:32.690774Z');
 CREATE TABLE follow_ups (
 	id TEXT NOT NULL, 
 	person_id TEXT NOT NULL, 
@@ -115,7 +115,7 @@ CREATE TABLE order_events (
 	CONSTRAINT pk_order_events PRIMARY KEY (order_id, seq), 
 	CONSTRAINT fk_order_events_order_id FOREIGN KEY(order_id) REFERENCES orders (id)
 );
-INSERT INTO "order_events" VALUES('97f667cd-677a-46b7-9760-73e48121e0ad',1,'2026-11-22T15:30:01.827711Z','anna',NULL,'designed','');
+INSERT INTO "order_events" VALUES('130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5',1,'2026-11-22T16:15:32.698960Z','anna',NULL,'designed','');
 CREATE TABLE order_feet (
 	order_id TEXT NOT NULL, 
 	prescription_version_id TEXT NOT NULL, 
@@ -123,7 +123,7 @@ CREATE TABLE order_feet (
 	CONSTRAINT fk_order_feet_order_id FOREIGN KEY(order_id) REFERENCES orders (id), 
 	CONSTRAINT fk_order_feet_prescription_version_id FOREIGN KEY(prescription_version_id) REFERENCES prescription_versions (id)
 );
-INSERT INTO "order_feet" VALUES('97f667cd-677a-46b7-9760-73e48121e0ad','755f1b29-0e32-4d5b-8529-c07425a356f4');
+INSERT INTO "order_feet" VALUES('130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5','2781890f-5432-458e-a80c-bba7e5d77ddd');
 CREATE TABLE order_files (
 	order_id TEXT NOT NULL, 
 	name TEXT NOT NULL, 
@@ -150,11 +150,12 @@ CREATE TABLE orders (
 	CONSTRAINT fk_orders_visit_id FOREIGN KEY(visit_id) REFERENCES visits (id), 
 	CONSTRAINT uq_orders_number UNIQUE (number)
 );
-INSERT INTO "orders" VALUES('97f667cd-677a-46b7-9760-73e48121e0ad','26-45TY4','72c1fef0-4723-4a31-b50b-b9b471617dcb','ba9f84c7-62b2-45d6-9c8d-f669b7bebe96','designed','CNC','2026-12-01','','2026-11-22T15:30:01.812905Z','2026-11-22T15:30:01.812905Z',1);
+INSERT INTO "orders" VALUES('130023e5-2d6a-4f3f-a35d-e3c5e69d5fe5','26-W5NXP','094bc03c-78f1-4061-b923-d62cc260ad12','eaf6240a-78a1-454d-b718-a6c97d81d1df','designed','CNC','2026-12-01','','2026-11-22T16:15:32.695230Z','2026-11-22T16:15:32.695230Z',1);
 CREATE TABLE persons (
 	id TEXT NOT NULL, 
 	name TEXT NOT NULL, 
 	search_text TEXT NOT NULL, 
+	sort_key TEXT DEFAULT '' NOT NULL, 
 	birth_date DATE, 
 	personal_number TEXT DEFAULT '' NOT NULL, 
 	number_kind TEXT DEFAULT '' NOT NULL, 
@@ -172,7 +173,7 @@ CREATE TABLE persons (
 	CONSTRAINT fk_persons_merged_into FOREIGN KEY(merged_into) REFERENCES persons (id), 
 	CONSTRAINT uq_persons_pseudonym UNIQUE (pseudonym)
 );
-INSERT INTO "persons" VALUES('ba9f84c7-62b2-45d6-9c8d-f669b7bebe96','Anna Berg',' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-h4xrpnpr 26-45ty4','1970-02-28','19811228-9874','se','','',NULL,'P-H4XRPNPR',0,NULL,5,'2026-11-22T15:30:01.622858Z','2026-11-22T15:30:01.622858Z',1);
+INSERT INTO "persons" VALUES('eaf6240a-78a1-454d-b718-a6c97d81d1df','Anna Berg',' anna berg 1970-02-28 19700228 28.02.1970 28/02/1970 19811228-9874 198112289874 p-2kf3n227 26-w5nxp','anna berg','1970-02-28','19811228-9874','se','','',NULL,'P-2KF3N227',0,NULL,5,'2026-11-22T16:15:32.542544Z','2026-11-22T16:15:32.542544Z',1);
 CREATE TABLE prescription_versions (
 	id TEXT NOT NULL, 
 	visit_id TEXT NOT NULL, 
@@ -198,7 +199,7 @@ CREATE TABLE prescription_versions (
 	CONSTRAINT fk_prescription_versions_visit_id FOREIGN KEY(visit_id) REFERENCES visits (id), 
 	CONSTRAINT uq_prescription_versions_visit_id_side_number UNIQUE (visit_id, side, number)
 );
-INSERT INTO "prescription_versions" VALUES('755f1b29-0e32-4d5b-8529-c07425a356f4','72c1fef0-4723-4a31-b50b-b9b471617dcb','left',1,'{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}','f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',NULL,'anna','desk','','0.1.0','2026-11-22T15:30:01.786973Z','2026-11-22T15:30:01.786973Z',1,1,NULL,NULL,NULL);
+INSERT INTO "prescription_versions" VALUES('2781890f-5432-458e-a80c-bba7e5d77ddd','094bc03c-78f1-4061-b923-d62cc260ad12','left',1,'{"side": "left", "length_mm": 245.23449920464157, "source2insole": [[0.9990730294724757, -0.04300986183341374, -0.001798211823092699, -3.436813259204993], [0.0430449224916815, 0.9985941242955774, 0.030933954969163308, 121.74572312376779], [0.00046521863159445153, -0.030982683993155773, 0.9995198131423932, 0.20500090028788567], [0.0, 0.0, 0.0, 1.0]], "notes": ["A left foot by its shape: seen from above with the toes ahead, the big toe and the high side of the arch lie on the right (margin 2.7 to 1).", "2 small pieces that float beside the foot left out."], "source": {"kind": "mesh", "path": "l.stl", "sha256": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "recorded_at": ""}, "annotations": {"key_points": []}, "variants": [{"name": "A", "design": {"format": "insole-design", "version": 1, "side": "left", "corrections": [], "thickness_mm": 3.0, "grid_mm": 1.0, "max_height_mm": 30.0, "margin_mm": 10.0, "outline": {"source": "foot", "extent": "full", "toe_allowance_mm": 5.0, "ball_allowance_mm": 2.0, "heel_allowance_mm": 2.0}, "layers": {"cover_mm": 0.0, "shell_mm": 0.0, "base_mm": 0.0, "cover_is_taken_off": false}, "bottom": "flat", "device": ""}}], "chosen": "A"}','f710c3b7842b09462a9125d0529e2337f9411a76608cbd36234727579d27becf',NULL,'anna','desk','','0.1.0','2026-11-22T16:15:32.691239Z','2026-11-22T16:15:32.691239Z',1,1,NULL,NULL,NULL);
 CREATE TABLE presence (
 	visit_id TEXT NOT NULL, 
 	station TEXT NOT NULL, 
@@ -224,11 +225,11 @@ CREATE TABLE visits (
 	CONSTRAINT pk_visits PRIMARY KEY (id), 
 	CONSTRAINT fk_visits_person_id FOREIGN KEY(person_id) REFERENCES persons (id)
 );
-INSERT INTO "visits" VALUES('72c1fef0-4723-4a31-b50b-b9b471617dcb','ba9f84c7-62b2-45d6-9c8d-f669b7bebe96','2026-11-20','','flat foot',70.5,NULL,'{}','none','2026-11-22T15:30:01.647726Z','2026-11-22T15:30:01.647726Z',1);
+INSERT INTO "visits" VALUES('094bc03c-78f1-4061-b923-d62cc260ad12','eaf6240a-78a1-454d-b718-a6c97d81d1df','2026-11-20','','flat foot',70.5,NULL,'{}','none','2026-11-22T16:15:32.563714Z','2026-11-22T16:15:32.563714Z',1);
 CREATE INDEX ix_audit_subject_id ON audit (subject_id);
 CREATE INDEX ix_persons_last_seq ON persons (last_seq);
-CREATE INDEX ix_persons_merged_into ON persons (merged_into);
 CREATE INDEX ix_persons_personal_number ON persons (personal_number);
+CREATE INDEX ix_persons_sort_key ON persons (sort_key);
 CREATE INDEX ix_merges_kept_id ON merges (kept_id);
 CREATE INDEX ix_merges_merged_id ON merges (merged_id);
 CREATE INDEX ix_visits_capture_state ON visits (capture_state);

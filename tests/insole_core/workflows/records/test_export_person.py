@@ -22,6 +22,7 @@ from insole_core.insole.prescription.design import Pelott
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.person import Person
 from insole_core.records.visit import Visit
+from insole_core.solids.prescription_paper import Responsible
 from insole_core.workflows.records.export_person import export_person
 
 _SCHEMA = Path(__file__).parents[4] / "docs/formats/record.schema.json"
@@ -121,6 +122,7 @@ def test_the_fhir_resources_are_read_by_a_reader_of_r4(export, clinic):
     assert {r.subject.reference for r in requests} == {f"Patient/{patient.id}"}
 
 
+@pytest.mark.slow
 def test_a_pseudonymous_export_names_and_describes_nobody(pseudonymous, clinic):
     for path in filter(Path.is_file, pseudonymous.folder.rglob("*")):
         content = path.read_bytes()
@@ -182,6 +184,27 @@ def test_a_damaged_surface_and_an_impossible_insole_are_told_and_the_rest_export
     page = _Page((export.folder / "summary.html").read_text(encoding="utf-8"))
     assert thin in page.text
     assert _json(export, "person.json")["visits"][1]["prescriptions"][0]["foot"] is None
+
+
+@pytest.mark.slow
+def test_the_statement_of_a_signed_order_is_exported_where_the_maker_is_known(clinic, tmp_path):
+    records = clinic.records
+    person = records.persons.add(Person("Per Ek"))
+    visit = records.visits.add(Visit(person.id, date(2026, 11, 20)))
+    foot = records.visits.open_case(clinic.visits[0].id).record.feet[0]
+    base = records.prescriptions.save(visit.id, foot, None)
+    records.prescriptions.sign(base.version_id)
+    order = records.orders.add(visit.id, [base.version_id])
+    maker = Responsible(maker="Shop", maker_address="Street 1")
+    export = export_person(records, person.id, tmp_path / "p", responsible=maker)
+    content = _json(export, f"orders/{order.number}/statement.json")
+    assert content["identification"]["name"] == "Per Ek"
+    assert content["responsible"]["prescriber"] == "anna"
+    assert f"orders/{order.number}/statement.pdf" in export.files
+    assert _json(export, "fhir/DeviceRequest-1.json")["requester"] == {"display": "anna"}
+    nobody = export_person(records, person.id, tmp_path / "q")
+    (missing,) = nobody.left_out
+    assert "without the maker" in missing
 
 
 def test_names_that_could_be_paths_become_plain_ones(clinic, tmp_path):

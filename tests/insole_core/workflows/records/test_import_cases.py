@@ -10,6 +10,8 @@ import pytest
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.errors import InputError
+from insole_core.export.stl import write_stl
+from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_core.progress import Cancelled, Progress
@@ -60,6 +62,23 @@ def test_a_case_becomes_a_person_and_a_visit_with_both_feet(records, folder, fee
     assert case.feet[0].design == left.design
     (version,) = records.prescriptions.versions(visit.id, Side.LEFT)
     assert version.reason == "Imported from 2026/anna.INSOLE, 26-7KQ4M"
+
+
+def test_the_scan_comes_along_where_it_still_lies_as_it_was(records, folder, feet, tmp_path):
+    scan, changed = tmp_path / "left.stl", tmp_path / "right.stl"
+    for foot, path in zip(feet, (scan, changed), strict=True):
+        write_stl(foot.foot.mesh, path)
+    sources = [ScanSource("mesh", str(path), sha256_of(path)) for path in (scan, changed)]
+    left, right = (replace(f, source=s) for f, s in zip(feet, sources, strict=True))
+    changed.write_bytes(b"another scan")
+    write_case(CaseRecord(_ANNA, (left, right), Side.LEFT), folder / "anna.insole")
+    import_cases(records, folder)
+    (person,) = records.persons.everybody()
+    (visit,) = records.visits.of_person(person.id)
+    (capture,) = records.captures.of_visit(visit.id)
+    assert capture.source_sha256 == sources[0].sha256
+    (version,) = records.prescriptions.versions(visit.id, Side.LEFT)
+    assert version.capture_id == capture.id
 
 
 def test_a_dry_run_changes_nothing_and_importing_twice_adds_nothing(records, folder, feet):

@@ -421,6 +421,27 @@ class TestModels:
         assert view.shown["show_directions"][0] is side
         assert presenter.side is side
 
+    def test_directions_stand_around_a_shown_shoe(
+        self,
+        view: Any,
+        surface: InsolePreview,
+        facts: dict[str, Any],
+        open_foot: Any,
+        qtbot: QtBot,
+    ) -> None:
+        presenter = InsolePresenter(view, ShownModels(**facts))
+        open_foot()
+        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        _, alone = view.shown["show_directions"]
+        presenter.show_shoe(True)
+        (shoe,), (_, box) = view.shown["show_shoe"], view.shown["show_directions"]
+        points = np.concatenate(shoe.lines)
+        assert points[:, 1].max() > alone[1, 1]
+        assert (box[0] <= points.min(axis=0)).all()
+        assert (box[1] >= points.max(axis=0)).all()
+        presenter.show_shoe(False)
+        assert np.array_equal(view.shown["show_directions"][1], alone)
+
     def test_a_pelott_raises_the_insole_at_its_place(
         self,
         view: Any,

@@ -97,3 +97,17 @@ def test_the_capture_room_stores_a_session_with_a_visit_of_its_work_list(
     assert capture.facts.sensor_serials
     stage.close()
     assert clinic.features.foot.stage is None
+
+
+def test_who_else_has_the_visit_open_is_told(
+    clinic: Application, other_station: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    other_station.presence.enter(visit.id)
+    clinic.features.records.open_visit(visit.id)
+    notices = clinic.services.notices
+    qtbot.waitUntil(lambda: bool(notices.notices), timeout=10_000)
+    (notice,) = notices.notices
+    assert "Dr. Dal, capture-room" in notice.text
+    assert [present.station for present in other_station.presence.others(visit.id)]
+    clinic.controller.run_action("new_case", False)
+    qtbot.waitUntil(lambda: not other_station.presence.others(visit.id), timeout=10_000)

@@ -13,15 +13,17 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
-from insole_core.errors import Unreachable
+from insole_core.errors import RecordsError, Unreachable
 from insole_core.geometry.side import Side
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import record_keeper
+from insole_studio.document.autosave import find_recovered
 from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
 from insole_studio.features.records.conflict_dialog import Choice, ConflictDialog
+from insole_studio.user_paths import UserPaths
 
 SAVED_WITHIN_MS = 2000
 """After the last change; the timer takes one second of it."""
@@ -232,3 +234,85 @@ def test_a_visit_left_meanwhile_is_handed_over_when_the_database_is_back(
     notices = opened.services.notices
     said = "Anna Berg: what was not saved yet is now in the record."
     qtbot.waitUntil(lambda: [notice.text for notice in notices.notices] == [said])
+
+
+def test_a_journal_left_by_a_crash_is_handed_over(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    away: Callable[[bool], None],
+    paths: UserPaths,
+    qtbot: QtBot,
+) -> None:
+    away(True)
+    thicken(opened, 5.5)
+    opened.autosave.set_aside()  # as the copy of a program that has crashed: its lock is free
+    opened.case.undo()
+    away(False)
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    qtbot.waitUntil(lambda: newest_mm(records, visit) == 5.5, timeout=10_000)
+    qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")), timeout=10_000)
+
+
+def test_a_journal_of_what_is_stored_already_is_no_conflict(
+    opened: Application, records: Records, visit: Visit, paths: UserPaths, qtbot: QtBot
+) -> None:
+    thicken(opened, 5.5)
+    opened.autosave.set_aside()
+    wait_until_saved(opened, qtbot)
+    told: list[tuple[str, bool]] = []
+    opened.hand_over.handed_over.connect(lambda *said: told.append(said))
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    qtbot.waitUntil(lambda: told == [("Anna Berg", False)], timeout=10_000)
+    assert len(records.prescriptions.versions(visit.id, Side.LEFT)) == 2
+
+
+def test_a_journal_that_somebody_else_has_overtaken_stays_in_the_history(
+    opened: Application,
+    records: Records,
+    other_station: Records,
+    visit: Visit,
+    away: Callable[[bool], None],
+    paths: UserPaths,
+    qtbot: QtBot,
+) -> None:
+    away(True)
+    thicken(opened, 5.5)
+    opened.autosave.set_aside()
+    opened.case.undo()
+    away(False)
+    change_elsewhere(other_station, visit, 7.0)
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    notices = opened.services.notices
+    qtbot.waitUntil(lambda: bool(notices.notices), timeout=10_000)
+    assert "somebody else changed the same foot" in notices.notices[0].text
+    assert newest_mm(records, visit) == 7.0
+    kept = records.prescriptions.versions(visit.id, Side.LEFT)
+    thicknesses = [records.prescriptions.read(v.id).design.thickness_mm for v in kept]
+    assert 5.5 in thicknesses
+
+
+def test_what_the_record_refuses_can_be_saved_as_a_file(
+    opened: Application,
+    questions,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    qtbot: QtBot,
+) -> None:
+    def refuse(*_given: object) -> None:
+        raise RecordsError("This visit may not be changed.")
+
+    monkeypatch.setattr(Prescriptions, "save", refuse)
+    thicken(opened, 5.5)
+    keeper = opened.services.keeper
+    qtbot.waitUntil(lambda: keeper.state is KeepState.REFUSED, timeout=10_000)
+    (dialog,) = opened.services.messages.dialogs
+    assert dialog.text() == "This visit may not be changed."
+    questions.path = tmp_path / "kept.insole"
+    opened.controller.run_action("save_as", False)
+    qtbot.waitUntil(lambda: opened.case.path is not None, timeout=10_000)
+    assert keeper.state is KeepState.NOTHING
+    assert not opened.case.has_unsaved_changes
+    design = read_case(tmp_path / "kept.insole").design
+    assert design is not None
+    assert design.thickness_mm == 5.5

@@ -17,6 +17,7 @@ from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.features.records.start_page import StartPage
+from insole_studio.widgets.tour import Tour
 
 
 def page_of(clinic: Application) -> StartPage:
@@ -168,3 +169,15 @@ def test_a_new_case_brings_the_panels_and_f3_the_patients_again(clinic: Applicat
     clinic.controller.run_action("patients", False)
     assert clinic.window.page is page_of(clinic)
     assert not clinic.stage.foot.isVisible()
+
+
+def test_the_tour_waits_for_the_first_case(clinic: Application, qtbot: QtBot) -> None:
+    clinic.main.help.begin_tour_with_first_case()
+    assert clinic.window.findChildren(Tour) == []
+    clinic.controller.run_action("new_case", False)
+    qtbot.waitUntil(lambda: len(clinic.window.findChildren(Tour)) == 1)
+    clinic.controller.run_action("patients", False)
+    clinic.controller.run_action("tour", False)
+    assert clinic.window.page is None
+    for tour in clinic.window.findChildren(Tour):
+        tour.end()

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from insole_core.errors import InsoleError
-from insole_core.geometry.side import Side
 from insole_core.insole.forms.kept_form import form_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device, device_of
@@ -87,8 +86,8 @@ class DeviceActions:
         self.table = MaterialActions(services, materials)
         self._view: DevicesView | None = None
         self._presenter: DevicesPresenter | None = None
-        self._designed: dict[tuple[Side, str], InsoleDesign] = {}
-        """The design of each foot's variants before it was last shown as scanned."""
+        self._designed: dict[object, InsoleDesign] = {}
+        """The designs before they were last shown as scanned, by the identity of their variant."""
         services.case.closing.connect(self._forget)
 
     @property
@@ -114,7 +113,7 @@ class DeviceActions:
         foot = self._case.record.current
         if foot is None:
             return
-        design, variant = foot.design, (foot.side, foot.chosen)
+        design, variant = foot.design, foot.chosen_variant.identity
         devices = self._devices.load().items
         if design.finish is None:
             before = self._designed.get(variant)

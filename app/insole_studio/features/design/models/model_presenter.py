@@ -51,6 +51,7 @@ from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring, on_display
 from insole_studio.scene.contour_lines import ContourLines, contour_lines
+from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import localised, tr
@@ -465,6 +466,7 @@ class InsolePresenter(ModelPresenter):
         self._map = MapKind.NONE
         self._contours = True
         self._shoe = False
+        self._shoe_lines: GuideLines | None = None
         self._shoe_of: tuple[object, ...] | None = None
         """What the shown outline of a shoe was made of."""
         self._recent: list[ListedRow] = []
@@ -529,12 +531,18 @@ class InsolePresenter(ModelPresenter):
         foot, design = self._case.foot, self._case.shown.design
         if not self._shoe or foot is None or design is None or self._surface.mesh is None:
             self._shoe_of = None
-            self.panel.show_shoe(None)
+            self._draw_shoe(None)
             return
         made_of = foot, design.outline, design.shell, heel_lift_mm(design)
         if made_of != self._shoe_of:  # not for every step of a pad
             self._shoe_of = made_of
-            self.panel.show_shoe(shoe_lines(shoe_outline(foot, design)))
+            self._draw_shoe(shoe_lines(shoe_outline(foot, design)))
+
+    def _draw_shoe(self, lines: GuideLines | None) -> None:
+        self.panel.show_shoe(lines)
+        if lines is not self._shoe_lines:
+            self._shoe_lines = lines
+            self._show_directions()
 
     def show_grazing_light(self, on: bool) -> None:
         """Light the insole from the side, or from ahead."""
@@ -562,9 +570,19 @@ class InsolePresenter(ModelPresenter):
         if mesh is None or side is None:
             return
         self.panel.show_mesh(mesh, self._coloring())
-        self.panel.show_directions(side, mesh.bounds_mm)
+        self._show_directions()
         self._show_contours()
         self.show_marks()
+
+    def _show_directions(self) -> None:
+        """Write the anatomical directions around the insole, and around the shoe if it is shown."""
+        side, bounds, shoe = self._case.side, self.bounds_mm, self._shoe_lines
+        if side is None or bounds is None:
+            return
+        if shoe is not None:
+            low, high = np.stack([bounds, shoe.bounds_mm], axis=1)
+            bounds = np.stack([low.min(axis=0), high.max(axis=0)])
+        self.panel.show_directions(side, bounds)
 
     def _coloring(self) -> Coloring | None:
         coloring = color_by(self._map, self._surface, self._counterpart)

@@ -17,6 +17,7 @@ from insole_studio.features.design.tools.rocker_line import (
     carry_rocker_line,
     nudge_rocker,
     rocker_handles,
+    selected_rocker,
 )
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
 from insole_studio.scene.gesture import Gesture
@@ -38,6 +39,8 @@ class OrbitTool(Tool):
             return tr("Drag a handle to change the arch, drag beside it to turn the view")
         if selected_pelott(case) is not None:
             return tr("Drag a handle to change the pelott, drag beside it to turn the view")
+        if selected_rocker(case) is not None:
+            return tr("Drag the handle to move the rocker line, drag beside it to turn the view")
         return tr("Drag to turn, Shift and drag to move, wheel to zoom, double click to centre")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:

@@ -1,0 +1,270 @@
+"""What comes into the record and leaves it: tables, case files, patients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import date
+from itertools import chain, count
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from insole_core.errors import InsoleError
+from insole_core.export.atomic import write_text
+from insole_core.messages import Message
+from insole_core.progress import Progress
+from insole_core.records.import_report import count_outcomes, report_csv
+from insole_core.records.person_columns import ColumnMapping, asks_date_order, propose_mapping
+from insole_core.records.person_import import (
+    ImportLine,
+    ImportPlan,
+    import_persons,
+    plan_import,
+)
+from insole_core.records.persons_of_table import PersonRows, read_persons
+from insole_core.records.records import Records
+from insole_core.records.text_table import TextTable, read_table
+from insole_core.solids.prescription_paper import Responsible
+from insole_core.workflows.records.import_cases import CaseLine, CasePlan, import_cases, plan_cases
+from insole_core.workflows.records.plain_name import plain_name
+from insole_studio.features.records.import_dialog import ImportDialog, ImportRow
+from insole_studio.features.records.person_export_dialog import PersonExportDialog
+from insole_studio.features.records.table_import_dialog import TableImportDialog
+from insole_studio.jobs import Result, Task
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.file_kinds import table_kinds
+from insole_studio.services.last_folders import Kept
+from insole_studio.texts import tr, translate_core_message
+
+IMPORT, EXPORT = "records-import", "records-export"
+_WHICH_ORDER = Message(
+    "Some dates can be read in two ways; say whether the day or the month comes first."
+)
+
+
+@dataclass(frozen=True)
+class _DryRun:
+    """What an import of a table would do.
+
+    Parameters
+    ----------
+    asks_order
+        Whether dates have two readings.
+    rows, plan
+        None until somebody has said their order.
+    """
+
+    asks_order: bool
+    rows: PersonRows | None = None
+    plan: ImportPlan | None = None
+
+
+class RecordTransfer(QObject):
+    """Imports tables and case files, exports patients; all long work is done in jobs."""
+
+    imported = Signal()
+    """Patients were added."""
+
+    def __init__(self, services: AppServices) -> None:
+        super().__init__(services.window)
+        self._services = services
+        self._messages = services.messages
+
+    def import_table(self) -> None:
+        """Ask for a table, show what becomes of its rows, and add the new patients."""
+        path = self._messages.questions.file_to_open(table_kinds(), Kept.CASES)
+        if path is None or self._records() is None:
+            return
+
+        def read(progress: Progress) -> tuple[TextTable, ColumnMapping]:
+            progress.step(0.0, "Reading {name}", name=path.name)
+            table = read_table(path)
+            return table, propose_mapping(table)
+
+        self._services.run(IMPORT, read, lambda read: self._show_table(path, *read))
+
+    def import_cases(self) -> None:
+        """Ask for a folder, show what becomes of its case files, and add them as visits."""
+        title = tr("Import case files")
+        folder = self._messages.questions.folder_to_open(title, Kept.CASES)
+        records = self._records()
+        if folder is None or records is None:
+            return
+        dialog = ImportDialog(title, tr("File"), self._services.window)
+
+        def show(plan: CasePlan) -> None:
+            dialog.show_rows([_case_row(line) for line in plan.lines], count_outcomes(plan.lines))
+
+        def add(with_doubtful: bool) -> None:
+            def work(progress: Progress) -> Message:
+                plan = import_cases(records, folder, with_doubtful=with_doubtful, progress=progress)
+                return count_outcomes(plan.lines)
+
+            self._add(dialog, work)
+
+        dialog.add_requested.connect(add)
+        self._open(dialog)
+        self._start(dialog, lambda progress: plan_cases(records, folder, progress), show)
+
+    def export(self, person_id: str, name: str) -> None:
+        """Ask what of a patient to export and where to, and write the folder."""
+        dialog = PersonExportDialog(name, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.accepted.connect(
+            lambda: self._export(person_id, is_pseudonymous=dialog.pseudonymous.isChecked())
+        )
+        dialog.open()
+
+    def _export(self, person_id: str, *, is_pseudonymous: bool) -> None:
+        from insole_core.workflows.records.export_person import PersonExport, export_person
+
+        records = self._records()
+        parent = self._messages.questions.folder_to_open(tr("Export patient into"), Kept.EXPORTS)
+        if records is None or parent is None:
+            return
+
+        settings = self._services.settings
+        responsible = Responsible(
+            clinic=settings.clinic, maker=settings.maker, maker_address=settings.maker_address
+        )
+
+        def write(progress: Progress) -> PersonExport:
+            pseudonym = records.persons.get(person_id).pseudonym
+            folder = _free_folder(parent, pseudonym)
+            return export_person(
+                records,
+                person_id,
+                folder,
+                is_pseudonymous=is_pseudonymous,
+                responsible=responsible,
+                progress=progress,
+            )
+
+        def tell(export: PersonExport) -> None:
+            sentence = tr("Exported to {folder}.").format(folder=export.folder)
+            if not export.left_out:
+                self._messages.say(sentence)
+                return
+            left_out = "\n".join(map(translate_core_message, export.left_out))
+            heading = tr("Not exported:")
+            self._messages.show_sentence(f"{sentence}\n\n{heading}\n{left_out}")
+
+        self._services.run(EXPORT, write, tell)
+
+    def _show_table(self, path: Path, table: TextTable, mapping: ColumnMapping) -> None:
+        records = self._records()
+        if records is None:
+            return
+        dialog = TableImportDialog(table, mapping, path.name, self._services.window)
+        latest: list[PersonRows] = []
+
+        def show(dry_run: _DryRun) -> None:
+            dialog.ask_order(dry_run.asks_order)
+            if dry_run.rows is None or dry_run.plan is None:
+                dialog.wait(_WHICH_ORDER)
+                return
+            latest[:] = [dry_run.rows]
+            lines = dry_run.plan.lines
+            dialog.show_rows([_table_row(line) for line in lines], count_outcomes(lines))
+
+        def look() -> None:
+            mapping = dialog.mapping
+            dialog.wait()
+            self._start(dialog, lambda _progress: _dry_run(records, table, mapping), show)
+
+        def add(with_doubtful: bool) -> None:
+            (rows,) = latest
+
+            def work(progress: Progress) -> Message:
+                plan = import_persons(records, rows, with_doubtful=with_doubtful, progress=progress)
+                return count_outcomes(plan.lines)
+
+            self._add(dialog, work)
+
+        dialog.mapping_changed.connect(look)
+        dialog.add_requested.connect(add)
+        self._open(dialog)
+        look()
+
+    def _add(self, dialog: ImportDialog, work: Task[Message]) -> None:
+        """Add what is new, tell how much that was, and close the dialog."""
+        dialog.wait()
+
+        def tell(counts: Message) -> None:
+            said = translate_core_message(counts)
+            self._messages.say(tr("Import: {counts}").format(counts=said))
+            dialog.accept()
+            self.imported.emit()
+
+        self._start(dialog, work, tell)
+
+    def _start(
+        self, dialog: ImportDialog, task: Task[Result], done: Callable[[Result], None]
+    ) -> None:
+        """Run a task of a dialog, which shows what a user can put right."""
+
+        def fail(error: Exception) -> None:
+            if isinstance(error, InsoleError):
+                dialog.wait(error.message)
+            else:
+                self._messages.show_error(error, over=dialog)
+
+        self._services.jobs.start(IMPORT, task, done, fail)
+
+    def _open(self, dialog: ImportDialog) -> None:
+        dialog.report_requested.connect(lambda: self._save_report(dialog))
+        dialog.rejected.connect(lambda: self._services.jobs.cancel(IMPORT))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _save_report(self, dialog: ImportDialog) -> None:
+        questions = self._messages.questions.on(dialog)
+        path = questions.file_to_write(tr("import report") + ".csv", table_kinds(), Kept.PAPERS)
+        if path is None:
+            return
+        rows = [(row.place, str(row.outcome), row.name, row.reason) for row in dialog.rows]
+        try:
+            write_text(report_csv(("place", "outcome", "name", "reason"), rows), path)
+        except InsoleError as error:
+            self._messages.show_error(error, over=dialog)
+
+    def _records(self) -> Records | None:
+        """Return the open record; where there is none, say so."""
+        try:
+            return self._services.clinic.ask_now(lambda records: records)
+        except InsoleError as error:
+            self._messages.show_error(error)
+            return None
+
+
+def _dry_run(records: Records, table: TextTable, mapping: ColumnMapping) -> _DryRun:
+    """Return what an import of a table would do.
+
+    Raises
+    ------
+    InputError
+        When the columns make no person.
+    """
+    mapping.check()
+    asks_order = asks_date_order(table, mapping)
+    if mapping.date_order is None and asks_order:
+        return _DryRun(asks_order)
+    rows = read_persons(table, mapping, date.today())
+    return _DryRun(asks_order, rows, plan_import(rows, records.persons.everybody()))
+
+
+def _table_row(line: ImportLine) -> ImportRow:
+    name = "" if line.person is None else line.person.name
+    return ImportRow(str(line.line), line.outcome, name, line.reason)
+
+
+def _case_row(line: CaseLine) -> ImportRow:
+    return ImportRow(line.path, line.outcome, line.name, line.reason)
+
+
+def _free_folder(parent: Path, name: str) -> Path:
+    """Return a new folder named after a pseudonym, or after nobody where that is no file's name."""
+    plain = plain_name(name, "patient")
+    names = chain((plain,), (f"{plain}-{number}" for number in count(2)))
+    return next(parent / name for name in names if not (parent / name).exists())

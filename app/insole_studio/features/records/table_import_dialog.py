@@ -1,0 +1,122 @@
+"""The import of a table: which column holds what, chosen by hand."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFormLayout, QScrollArea, QWidget
+
+from insole_core.records.person_columns import ColumnMapping, PersonField
+from insole_core.records.text_table import TextTable
+from insole_core.records.written_dates import DateOrder
+from insole_studio.features.records.import_dialog import ImportDialog
+from insole_studio.features.records.new_patient_dialog import number_kinds
+from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.message_label import MessageLabel
+
+_COLUMNS_PX = 220
+_LONGEST_EXAMPLE = 40
+
+
+class TableImportDialog(ImportDialog):
+    """Shows the columns of a table with an example each, and asks what they hold.
+
+    Parameters
+    ----------
+    table
+        As it was read.
+    mapping
+        What the headings propose.
+    """
+
+    mapping_changed = Signal()
+
+    def __init__(
+        self, table: TextTable, mapping: ColumnMapping, name: str, parent: QWidget | None = None
+    ) -> None:
+        title = tr("Import patients from {name}").format(name=name)
+        super().__init__(title, tr("Line"), parent)
+        self.reading = MessageLabel("quiet")
+        self.reading.say(_reading(table))
+        self.columns = [ComboBox(_fields()) for _ in table.headings]
+        for box, field in zip(self.columns, mapping.fields, strict=True):
+            box.show_value(field or "")
+            box.edited.connect(self.mapping_changed)
+        self.order = ComboBox(_orders())
+        self.order.show_value(mapping.date_order or "")
+        self.order.edited.connect(self.mapping_changed)
+        self.kind = ComboBox(number_kinds())
+        self.kind.show_value(mapping.number_kind)
+        self.kind.edited.connect(self.mapping_changed)
+        self._others = QFormLayout()
+        self.mapping_changed.connect(self._ask_kind)
+        self._lay_out(table)
+
+    def ask_order(self, asked: bool) -> None:
+        """Show or hide the question in which order dates are written."""
+        self._others.setRowVisible(self.order, asked)
+
+    @property
+    def mapping(self) -> ColumnMapping:
+        """What the user has chosen."""
+        fields = tuple(PersonField(v) if (v := box.currentData()) else None for box in self.columns)
+        order = self.order.currentData()
+        return ColumnMapping(fields, DateOrder(order) if order else None, self.kind.currentData())
+
+    def _lay_out(self, table: TextTable) -> None:
+        form = QFormLayout()
+        for number, (heading, box) in enumerate(zip(table.headings, self.columns, strict=True)):
+            label = heading or tr("Column {number}").format(number=number + 1)
+            box.setAccessibleName(label)
+            box.setToolTip(_example(table, number))
+            form.addRow(_label(label, _example(table, number)), box)
+        columns = QWidget()
+        columns.setLayout(form)
+        scrolled = QScrollArea()
+        scrolled.setWidgetResizable(True)
+        scrolled.setWidget(columns)
+        scrolled.setMinimumHeight(_COLUMNS_PX)
+        self._others.addRow(tr("Dates such as 02/03/1970"), self.order)
+        self._others.addRow(tr("Personal numbers"), self.kind)
+        self.ask_order(False)
+        self._ask_kind()
+        self.head.addWidget(self.reading)
+        self.head.addWidget(scrolled, 1)
+        self.head.addLayout(self._others)
+
+    def _ask_kind(self) -> None:
+        """Ask for the kind of personal numbers if there are any."""
+        asked = PersonField.PERSONAL_NUMBER in self.mapping.fields
+        self._others.setRowVisible(self.kind, asked)
+
+
+def _fields() -> list[tuple[str, str]]:
+    texts = [(str(field), translate_core_message(str(field))) for field in PersonField]
+    return [("", tr("not imported")), *((word, text.capitalize()) for word, text in texts)]
+
+
+def _orders() -> list[tuple[str, str]]:
+    return [
+        ("", tr("choose")),
+        (DateOrder.DAY_FIRST, tr("the day comes first")),
+        (DateOrder.MONTH_FIRST, tr("the month comes first")),
+    ]
+
+
+def _reading(table: TextTable) -> str:
+    delimiters = {",": tr("comma"), ";": tr("semicolon"), "\t": tr("tab")}
+    delimiter = delimiters.get(table.delimiter, table.delimiter)
+    return tr("{rows} rows, {encoding}, {delimiter}").format(
+        rows=len(table.rows), encoding=table.encoding, delimiter=delimiter
+    )
+
+
+def _example(table: TextTable, number: int) -> str:
+    """Return the first cell of a column that is not empty, shortened."""
+    cells = (row.cells[number].strip() for row in table.rows)
+    text = " ".join(next(filter(None, cells), "").split())
+    return text if len(text) <= _LONGEST_EXAMPLE else f"{text[:_LONGEST_EXAMPLE]}…"
+
+
+def _label(heading: str, example: str) -> str:
+    return f"{heading}  ({example})" if example else heading

@@ -1,0 +1,136 @@
+"""What changes in the case of a visit is stored part by part, and nothing is lost midway."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.errors import Unreachable
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.records.author import Author
+from insole_core.records.open import open_records
+from insole_core.records.person import Person
+from insole_core.records.place import RecordsPlace
+from insole_core.records.prescription import Base
+from insole_core.records.records import Records
+from insole_core.records.visit import CaptureState, Visit
+from insole_core.workflows.records.keep_case import CaseChange, add_case, keep_case
+from insole_core.workflows.records.thumbnails import thumbnails
+from insole_core.workflows.records.visit_measures import visit_measures
+
+
+@pytest.fixture
+def records(tmp_path: Path) -> Iterator[Records]:
+    opened = open_records(RecordsPlace.local(tmp_path), Author("anna", "desk"))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def visit(records: Records) -> Visit:
+    person = records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    wanted = Visit(person.id, date.today(), capture_state=CaptureState.WANTED)
+    return records.visits.add(wanted)
+
+
+@pytest.fixture
+def case(records: Records, visit: Visit, left_foot: Foot, right_foot: Foot) -> CaseRecord:
+    """The visit's case, with two feet that are not stored yet."""
+    record = records.visits.open_case(visit.id).record
+    for foot in (right_foot, left_foot):
+        source = ScanSource("mesh", f"{foot.side}.stl", "a" * 64)
+        record = record.with_foot(FootRecord.begun(foot, source))
+    return record
+
+
+def change_of(visit: Visit, case: CaseRecord, before: Patient | None = None) -> CaseChange:
+    return CaseChange(visit.id, before or case.patient, case, dict.fromkeys(Side))
+
+
+def thicker(foot: FootRecord, thickness_mm: float) -> FootRecord:
+    return foot.with_design(replace(foot.design, thickness_mm=thickness_mm))
+
+
+def test_both_feet_fields_and_measures_are_stored(
+    records: Records, visit: Visit, case: CaseRecord
+) -> None:
+    patient = replace(case.patient, name="Anna Dal", born="1971-03-01", notes="Flat foot")
+    kept = keep_case(records, change_of(visit, replace(case, patient=patient), case.patient))
+    assert kept.trouble is None
+    assert set(kept.bases) == set(Side)
+    opened = records.visits.open_case(visit.id)
+    assert (opened.person.name, opened.person.birth_date) == ("Anna Dal", date(1971, 3, 1))
+    assert (opened.visit.findings, opened.visit.capture_state) == ("Flat foot", CaptureState.DONE)
+    measures = visit_measures(case.feet)
+    assert opened.visit.measures == pytest.approx(measures)
+    assert {"left_foot_length_mm", "right_foot_length_mm"} <= set(measures)
+    assert opened.record.patient == patient
+
+
+def test_a_connection_lost_midway_loses_nothing_that_was_stored(
+    records: Records, visit: Visit, case: CaseRecord, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    save = records.prescriptions.save
+
+    def save_left(visit_id: str, foot: FootRecord, base: Base | None, reason: str = "") -> Base:
+        if foot.side is Side.RIGHT:
+            raise Unreachable("The database does not answer.")
+        return save(visit_id, foot, base, reason)
+
+    monkeypatch.setattr(records.prescriptions, "save", save_left)
+    kept = keep_case(records, change_of(visit, case))
+    assert isinstance(kept.trouble, Unreachable)
+    assert set(kept.bases) == {Side.LEFT}
+    monkeypatch.undo()
+    bases = {side: kept.bases.get(side) for side in Side}
+    again = keep_case(records, CaseChange(visit.id, case.patient, case, bases))
+    assert again.trouble is None
+    assert not again.conflicts
+    assert [len(records.prescriptions.versions(visit.id, side)) for side in Side] == [1, 1]
+
+
+def test_a_lost_acknowledgement_is_no_conflict_and_somebody_elses_change_is(
+    records: Records, visit: Visit, case: CaseRecord
+) -> None:
+    keep_case(records, change_of(visit, case))
+    again = keep_case(records, change_of(visit, case))
+    assert not again.conflicts
+    assert set(again.bases) == set(Side)
+    left = case.of_side(Side.LEFT)
+    assert left is not None
+    changed = case.with_foot(thicker(left, 5.0))
+    kept = keep_case(records, change_of(visit, changed))
+    assert set(kept.conflicts) == {Side.LEFT}
+    assert set(kept.bases) == {Side.RIGHT}
+
+
+@pytest.mark.parametrize("is_new", [True, False])
+def test_a_case_of_a_file_becomes_a_visit(
+    records: Records, visit: Visit, case: CaseRecord, is_new: bool
+) -> None:
+    patient = Patient("Anna Berg", "1970-02-28", "2026-01-15", "From a file")
+    person_id = "" if is_new else visit.person_id
+    added = add_case(records, replace(case, patient=patient), person_id)
+    assert (added.person_id == visit.person_id) is not is_new
+    assert (added.visited_on, added.findings) == (date(2026, 1, 15), "From a file")
+    opened = records.visits.open_case(added.id)
+    assert [foot.side for foot in opened.record.feet] == list(Side)
+
+
+def test_pictures_show_the_foot_from_below_and_the_insole_from_above(case: CaseRecord) -> None:
+    left = case.of_side(Side.LEFT)
+    assert left is not None
+    small = thumbnails(left)
+    for picture in (small.foot, small.insole):
+        assert picture.dtype == np.uint8
+        height, width, channels = picture.shape
+        assert channels == 4
+        assert height > 1.5 * width
+        assert 0.4 < (picture[..., 3] == 255).mean() < 1.0
