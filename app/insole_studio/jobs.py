@@ -97,13 +97,18 @@ class Jobs(QObject):
         """Call a function in the thread of the window; running tasks may use it from theirs."""
         self._answered.emit(call)
 
+    @property
+    def running(self) -> tuple[str, ...]:
+        """The channels of the jobs that have not answered yet."""
+        return tuple(self._current)
+
     def is_running(self, channel: str | None = None) -> bool:
         """Return whether a job of the channel (or any job) has not answered yet."""
         return bool(self._current) if channel is None else channel in self._current
 
     def close(self) -> None:
         """Cancel everything and wait for the threads."""
-        for channel in list(self._current):
+        for channel in self.running:
             self.cancel(channel)
         self._pool.shutdown(wait=True, cancel_futures=True)
 

@@ -15,9 +15,11 @@ from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 log = logging.getLogger(__name__)
 
 RECENT_COUNT = 8
+LAST_HOUR = 23
 
 Theme = Literal["system", "light", "dark"]
 Language = Literal["system", "en", "sv"]
+BackupDay = Literal["never", "daily", "0", "1", "2", "3", "4", "5", "6"]
 
 
 @dataclass
@@ -27,8 +29,11 @@ class Settings:
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
     which sensor gives which view (``left=SERIAL``); `device` is that of new designs; `author`,
     `clinic`, `maker` and `maker_address` stand on the prescription; file dialogs start in the
-    folder of their kind; `number_kind` is that of new personal numbers. A view is refused if its
-    pose exceeds the largest residuals or displacement.
+    folder of their kind; `number_kind` is that of new personal numbers. `record_database` is the
+    address of a shared record without its password, empty for the record of this computer;
+    `record_contents` is the folder of its large files. Backups go to `backup_folder` at
+    `backup_hour` of every day ("daily") or of a day of the week (0 for Monday), or on demand only.
+    A view is refused if its pose exceeds the largest residuals or displacement.
     """
 
     theme: Theme = "system"
@@ -41,12 +46,19 @@ class Settings:
     maker: str = ""
     maker_address: str = ""
     number_kind: str = ""
+    record_database: str = ""
+    record_contents: str = ""
+    backup_folder: str = ""
+    backup_day: BackupDay = "never"
+    backup_hour: int = 12
     recent: list[str] = field(default_factory=list)
     cases_folder: str = ""
     scans_folder: str = ""
     exports_folder: str = ""
     papers_folder: str = ""
     pictures_folder: str = ""
+    backups_parent_folder: str = ""
+    records_parent_folder: str = ""
     window_geometry: str = ""
     window_docks: str = ""
     capture_views: list[str] = field(default_factory=list)
@@ -74,6 +86,7 @@ def load_settings(path: Path, complain: Complain = log.warning) -> Settings:
     """
     settings = Settings(**remembered(path, get_type_hints(Settings), complain))
     settings.recent = settings.recent[:RECENT_COUNT]
+    settings.backup_hour = min(max(settings.backup_hour, 0), LAST_HOUR)
     return settings
 
 

@@ -53,8 +53,8 @@ class UserPaths:
         return self.data_folder / "records"
 
     @property
-    def backed_up(self) -> dict[str, Path]:
-        """Folders that belong to a backup of the clinic's record, by name."""
+    def backed_up_folders(self) -> dict[str, Path]:
+        """What belongs to a backup besides the record, by name."""
         return {"settings": self.settings_folder, "sensors": self.sensors_folder}
 
     def make_private(self) -> None:

@@ -32,6 +32,9 @@ from insole_core.records.passwords import (
 from insole_core.records.rights import ACCOUNTS_ON, Right, accounts_are_on, require
 from insole_core.records.times import utc_now
 
+LOCK_MINUTES: Final = "lock_minutes"
+"""Key of the clinic's settings: minutes without input after which a window is locked."""
+USUAL_LOCK_MINUTES: Final = 10
 FREE_FAILURES: Final = 5
 """Wrong passwords in a row that have no consequence."""
 FIRST_LOCK_S, LONGEST_LOCK_S = 60.0, 3600.0

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
-from sqlalchemy import Connection, Row, insert, select, update
+from sqlalchemy import Connection, Row, Select, insert, select, update
 
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
@@ -168,7 +168,14 @@ class AuditLog:
         return lines
 
     def lines(
-        self, *, subject_id: str | None = None, before: int | None = None, limit: int = 100
+        self,
+        *,
+        subject_id: str | None = None,
+        about: Select[Any] | None = None,
+        author: str | None = None,
+        times: tuple[str, str] | None = None,
+        before: int | None = None,
+        limit: int = 100,
     ) -> list[AuditLine]:
         """Return the latest lines, newest first.
 
@@ -176,12 +183,25 @@ class AuditLog:
         ----------
         subject_id
             Only lines about this person, visit, … .
+        about
+            Only lines about one of the ids that this query finds.
+        author
+            Only lines of this author.
+        times
+            Only lines of this time: its beginning, and its end, which is not part of it; UTC, as
+            the lines have it.
         before
             Only lines with a smaller `seq`: the next page.
         """
         query = select(*_COLUMNS).order_by(audit.c.seq.desc()).limit(limit)
         if subject_id is not None:
             query = query.where(audit.c.subject_id == subject_id)
+        if about is not None:
+            query = query.where(audit.c.subject_id.in_(about))
+        if author is not None:
+            query = query.where(audit.c.author == author)
+        if times is not None:
+            query = query.where(audit.c.at >= times[0], audit.c.at < times[1])
         if before is not None:
             query = query.where(audit.c.seq < before)
         with self._database.reading() as connection:

@@ -7,12 +7,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from sqlalchemy import Connection, Table, insert, select, update
+from sqlalchemy import Connection, Table, func, insert, select, update
 
 from insole_core.errors import RecordsError
 from insole_core.records.context import RecordsContext
 from insole_core.records.person import Person, new_id
-from insole_core.records.person_rows import locked_person, touch_person, write_search_text
+from insole_core.records.person_rows import (
+    locked_person,
+    person_of,
+    touch_person,
+    write_search_text,
+)
 from insole_core.records.rights import Right
 from insole_core.records.schema import follow_ups, merges, orders, persons, visits
 from insole_core.records.times import utc_now
@@ -23,6 +28,13 @@ _MOVED: Final[Mapping[str, Table]] = {
     "follow_ups": follow_ups,
 }
 _FILLED: Final = ("birth_date", "personal_number", "number_kind", "contact", "consent_on")
+_MERGE_COLUMNS: Final = (
+    merges.c.id,
+    merges.c.kept_id,
+    merges.c.merged_id,
+    merges.c.at,
+    merges.c.author,
+)
 
 
 @dataclass(frozen=True)
@@ -41,6 +53,70 @@ class Merge:
     at: str
     author: str
     undone_at: str | None = None
+
+
+@dataclass(frozen=True)
+class MergePreview:
+    """What a merge would do.
+
+    Parameters
+    ----------
+    visits, orders, follow_ups
+        Numbers of entries that move.
+    filled
+        Names of the fields that are empty of who is kept, and come from the other one.
+    """
+
+    visits: int
+    orders: int
+    follow_ups: int
+    filled: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class NamedMerge:
+    """A merge, and the names of both persons."""
+
+    merge: Merge
+    kept_name: str
+    merged_name: str
+
+
+def preview_merge(context: RecordsContext, keep_id: str, merge_id: str) -> MergePreview:
+    """Return what `merge_persons` would do; nothing is changed.
+
+    Raises
+    ------
+    RecordsError
+        When there is no such person.
+    """
+    with context.reading() as connection:
+        counts = {
+            name: connection.execute(
+                select(func.count()).select_from(table).where(table.c.person_id == merge_id)
+            ).scalar_one()
+            for name, table in _MOVED.items()
+        }
+        kept, merged = person_of(connection, keep_id), person_of(connection, merge_id)
+    return MergePreview(**counts, filled=tuple(_fillable(kept, merged)))
+
+
+def latest_merges(context: RecordsContext, limit: int = 100) -> list[NamedMerge]:
+    """Return the merges that are not undone, the latest first."""
+    kept, merged = persons.alias(), persons.alias()
+    query = (
+        select(*_MERGE_COLUMNS, kept.c.name.label("kept_name"), merged.c.name.label("merged_name"))
+        .join(kept, kept.c.id == merges.c.kept_id)
+        .join(merged, merged.c.id == merges.c.merged_id)
+        .where(merges.c.undone_at.is_(None))
+        .order_by(merges.c.at.desc())
+        .limit(limit)
+    )
+    with context.reading() as connection:
+        return [
+            NamedMerge(Merge(*row[: len(_MERGE_COLUMNS)]), row.kept_name, row.merged_name)
+            for row in connection.execute(query)
+        ]
 
 
 def merge_persons(context: RecordsContext, keep_id: str, merge_id: str) -> Merge:
@@ -107,7 +183,7 @@ def undo_merge(context: RecordsContext, merge: Merge) -> None:
 def merges_of(context: RecordsContext, person_id: str) -> list[Merge]:
     """Return the merges into a person that are not undone, the latest first."""
     query = (
-        select(merges.c.id, merges.c.kept_id, merges.c.merged_id, merges.c.at, merges.c.author)
+        select(*_MERGE_COLUMNS)
         .where(merges.c.kept_id == person_id, merges.c.undone_at.is_(None))
         .order_by(merges.c.at.desc())
     )
@@ -145,10 +221,14 @@ def _move(connection: Connection, table: Table, ids: list[str], person_id: str) 
 
 def _fill(connection: Connection, kept: Person, merged: Person) -> list[str]:
     """Fill what is empty of a person from another one; return the names of the fields."""
-    filled = [n for n in _FILLED if not getattr(kept, n) and getattr(merged, n)]
+    filled = _fillable(kept, merged)
     values = {name: getattr(merged, name) for name in filled}
     _write(connection, kept.id, kept.revision, values)
     return filled
+
+
+def _fillable(kept: Person, merged: Person) -> list[str]:
+    return [n for n in _FILLED if not getattr(kept, n) and getattr(merged, n)]
 
 
 def _empty(connection: Connection, kept: Any, merged: Any, filled: list[str]) -> None:

@@ -21,7 +21,16 @@ from sqlalchemy import (
 
 from insole_core.errors import Conflict, InputError
 from insole_core.records.context import RecordsContext
-from insole_core.records.merging import Merge, merge_persons, merges_of, undo_merge
+from insole_core.records.merging import (
+    Merge,
+    MergePreview,
+    NamedMerge,
+    latest_merges,
+    merge_persons,
+    merges_of,
+    preview_merge,
+    undo_merge,
+)
 from insole_core.records.person import Person, PersonSummary, new_pseudonym
 from insole_core.records.person_rows import (
     PERSON_FIELDS,
@@ -164,6 +173,20 @@ class Persons:
             write_search_text(connection, person.id)
             self._context.log(connection, "changed", "person", person.id, fields=" ".join(changed))
             return person_of(connection, person.id)
+
+    def preview_merge(self, keep_id: str, merge_id: str) -> MergePreview:
+        """Return what `merge` would do; nothing is changed.
+
+        Raises
+        ------
+        RecordsError
+            When there is no such person.
+        """
+        return preview_merge(self._context, keep_id, merge_id)
+
+    def latest_merges(self, limit: int = 100) -> list[NamedMerge]:
+        """Return the merges that are not undone, the latest first."""
+        return latest_merges(self._context, limit)
 
     def merge(self, keep_id: str, merge_id: str) -> Merge:
         """Join two persons that turned out to be one.

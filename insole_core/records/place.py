@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sqlalchemy.engine import URL, make_url
@@ -67,6 +67,15 @@ class RecordsPlace:
             )
         parsed = parsed.set(drivername="postgresql+psycopg")
         return cls(_with_verified_tls(parsed), contents)
+
+    @property
+    def has_password(self) -> bool:
+        """Whether the address of the database holds a password."""
+        return self.url.password is not None
+
+    def with_password(self, password: str) -> RecordsPlace:
+        """Return the place of a database that asks for a password; an empty one changes nothing."""
+        return replace(self, url=self.url.set(password=password)) if password else self
 
     @property
     def is_local(self) -> bool:

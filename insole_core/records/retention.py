@@ -90,6 +90,85 @@ class Erasure:
     orders: int = 0
 
 
+@dataclass(frozen=True)
+class Erasable:
+    """Somebody who may be erased, without a word on who they are.
+
+    Parameters
+    ----------
+    visits, orders
+        Numbers of what the record holds of them.
+    kept_until
+        Until when the law keeps their devices; these stay under the pseudonym if they are erased
+        before that.
+    """
+
+    person_id: str
+    pseudonym: str
+    visits: int
+    orders: int
+    kept_until: date
+
+
+def find_erasable(context: RecordsContext, pseudonym: str) -> Erasable:
+    """Return what erasing a person would mean.
+
+    Parameters
+    ----------
+    pseudonym
+        By which somebody who may not see patients can be asked to erase one.
+
+    Raises
+    ------
+    NotAllowed
+    RecordsError
+        When nobody has the pseudonym, or they are erased already.
+    """
+    with context.database.reading() as connection:
+        require(connection, context.author, Right.ERASE)
+        query = select(persons.c.id).where(
+            persons.c.pseudonym == pseudonym.strip(), persons.c.merged_into.is_(None)
+        )
+        person_id = connection.execute(query).scalar()
+        if person_id is None or not _has_entries(connection, person_id):
+            raise RecordsError(
+                "There is nobody to erase with the pseudonym {pseudonym}; it stands on the "
+                "patient's page.",
+                pseudonym=pseudonym,
+            )
+        return _erasable(connection, person_id)
+
+
+def over_retention_named(context: RecordsContext, today: date, limit: int = 100) -> list[Erasable]:
+    """Return those whose record need not be kept any longer, the oldest first.
+
+    Raises
+    ------
+    NotAllowed
+    """
+    found = over_retention(context, today, limit)
+    with context.database.reading() as connection:
+        return [_erasable(connection, person_id) for person_id in found]
+
+
+def _erasable(connection: Connection, person_id: str) -> Erasable:
+    pseudonym = connection.execute(
+        select(persons.c.pseudonym).where(persons.c.id == person_id)
+    ).scalar_one()
+    return Erasable(
+        person_id,
+        pseudonym,
+        _count(connection, visits, person_id),
+        _count(connection, orders, person_id),
+        kept_until(connection, person_id),
+    )
+
+
+def _count(connection: Connection, table: Table, person_id: str) -> int:
+    query = select(func.count()).select_from(table).where(table.c.person_id == person_id)
+    return int(connection.execute(query).scalar_one())
+
+
 def retention_years(connection: Connection) -> int:
     """Return for how many years the clinic keeps its record; never less than the law asks for."""
     return max(int(setting_of(connection, YEARS_VALUE, LEAST_YEARS)), LEAST_YEARS)

@@ -12,6 +12,7 @@ from insole_studio.app.window_feature import WindowFeature
 from insole_studio.features.calibrate.actions import CALIBRATE_ACTIONS
 from insole_studio.features.capture.actions import CAPTURE_ACTIONS
 from insole_studio.features.case_files.actions import CASE_FILE_ACTIONS
+from insole_studio.features.clinic.actions import CLINIC_ACTIONS
 from insole_studio.features.compare.actions import COMPARE_ACTIONS
 from insole_studio.features.design.actions import DESIGN_ACTIONS
 from insole_studio.features.export.actions import EXPORT_ACTIONS
@@ -23,6 +24,7 @@ Run = Callable[[bool], object]
 
 ACTIONS: tuple[ActionRecord[Any], ...] = (
     *RECORD_ACTIONS,
+    *CLINIC_ACTIONS,
     *CASE_FILE_ACTIONS,
     *CAPTURE_ACTIONS,
     *DESIGN_ACTIONS,
@@ -37,6 +39,7 @@ def bind_actions(features: Features, window: WindowFeature) -> dict[str, Run]:
     """Return the callable that runs each action, by the action's key."""
     return {
         **_bound(RECORD_ACTIONS, features.records),
+        **_bound(CLINIC_ACTIONS, features.clinic),
         **_bound(CASE_FILE_ACTIONS, features.case_files),
         **_bound(CAPTURE_ACTIONS, features.capture),
         **_bound(DESIGN_ACTIONS, features.design),

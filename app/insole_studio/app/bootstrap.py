@@ -34,6 +34,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import RecordKeeper
+from insole_studio.document.record_location import RecordLocation
 from insole_studio.document.record_maintenance import RecordMaintenance
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
@@ -147,7 +148,10 @@ def build_application(
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
     stage = make_design_stage(case, jobs, dark)
     window = _make_window(stage, jobs)
-    clinic = ClinicRecord(paths.records_folder, Jobs(window), window)
+    location = RecordLocation(
+        paths.records_folder, settings.record_database, settings.record_contents
+    )
+    clinic = ClinicRecord(location, Jobs(window), window)
     autosave = Autosave(case, jobs, paths.autosave_folder)
     services = AppServices(
         case=case,
@@ -177,8 +181,7 @@ def build_application(
         )
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
-    maintenance = RecordMaintenance(clinic, paths.backed_up, Jobs(window), window)
-    controller.connect_maintenance(maintenance)
+    maintenance = RecordMaintenance(clinic, window)
     return Application(
         services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )
@@ -188,7 +191,6 @@ def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
     status = StatusBar(jobs)
     stage.pointed.connect(status.show_place)
     stage.hint_changed.connect(status.show_hint)
-    status.cancel_requested.connect(jobs.cancel)
     return MainWindow(stage, status, pad_menu(stage.pads), ACTIONS)
 
 

@@ -9,6 +9,7 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.features.calibrate.calibrate_window import CalibrateWindow
 from insole_studio.features.capture.capture_window import CaptureWindow
 from insole_studio.features.case_files.case_files import CaseFiles, make_case_files
+from insole_studio.features.clinic.clinic_administration import ClinicAdministration
 from insole_studio.features.compare.compare_window import CompareWindow
 from insole_studio.features.design.design import Design, make_design
 from insole_studio.features.design.stage import DesignStage
@@ -23,6 +24,7 @@ class Features:
     """One object per feature; features are independent, the main controller connects them."""
 
     records: PatientRecords
+    clinic: ClinicAdministration
     case_files: CaseFiles
     capture: CaptureWindow
     foot: FootWindow
@@ -35,6 +37,7 @@ class Features:
         """Close the windows of all features."""
         for feature in (self.capture, self.calibrate, self.export, self.compare, self.foot):
             feature.close()
+        self.clinic.close()
 
 
 def make_features(
@@ -45,6 +48,7 @@ def make_features(
     case_files = make_case_files(services, autosave, foot.open_session)
     return Features(
         records=PatientRecords(services, case_files.saver.after_unsaved),
+        clinic=ClinicAdministration(services, case_files.saver.after_unsaved, autosave.keep_now),
         case_files=case_files,
         capture=CaptureWindow(services, source),
         foot=foot,

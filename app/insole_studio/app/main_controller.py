@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
@@ -17,7 +18,7 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
-from insole_studio.document.record_maintenance import BACKUP, RecordMaintenance
+from insole_studio.features.clinic.actions import OF_ACCOUNTS
 from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
@@ -52,6 +53,7 @@ class MainController(QObject):
         self._connect_window()
         self._connect_features()
         self._connect_records()
+        self._connect_clinic()
         self._connect_case()
         self._show_state()
         self._show_tool()
@@ -83,14 +85,6 @@ class MainController(QObject):
         hand_over.refused.connect(self._features.case_files.recovery.offer)
         hand_over.handed_over.connect(self._tell_handed_over)
         hand_over.failed.connect(self._services.messages.show_error)
-
-    def connect_maintenance(self, maintenance: RecordMaintenance) -> None:
-        """Tell of backups that could not be made, until one is."""
-        notices = self._services.notices
-        maintenance.failed.connect(
-            lambda error: notices.put(BACKUP, translate_core_message(str(error)), stays=True)
-        )
-        maintenance.made.connect(lambda: notices.drop(BACKUP))
 
     def quit(self) -> None:
         """Close the window after unsaved work has been dealt with."""
@@ -128,14 +122,31 @@ class MainController(QObject):
         """Connect the pages of the record, which take the place of the panels."""
         records, keeper = self._features.records, self._services.keeper
         records.page_requested.connect(self._show_page)
-        records.lock.locked.connect(self._lock)
-        records.lock.unlocked.connect(self._unlock)
         records.action_requested.connect(self._run_requested)
         records.recent_file_chosen.connect(self._open_recent)
         records.compared.connect(self._features.compare.open_visits)
         self._case.opened.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
         keeper.state_changed.connect(self._show_kept)
+
+    def _connect_clinic(self) -> None:
+        """Connect the administration of the record."""
+        administration, clinic = self._features.clinic, self._services.clinic
+        administration.start_requested.connect(self._features.records.show_start)
+        administration.lock.quit_requested.connect(self._quit_locked)
+        self._window.status.follow(administration.backups.jobs)
+        clinic.state_changed.connect(self._show_accounts)
+        self._show_accounts()
+
+    def _show_accounts(self) -> None:
+        """Show what has to do with signing in only where the record has accounts."""
+        for key in OF_ACCOUNTS:
+            self._window.actions_by_key[key].setVisible(self._services.clinic.has_accounts)
+
+    def _quit_locked(self) -> None:
+        """End without a question or a picture of the case, whose copy is offered at the start."""
+        self._autosave.keep_now()
+        self.closed.emit()
 
     def _show_kept(self) -> None:
         """Say whether the open visit is in the record."""
@@ -154,18 +165,6 @@ class MainController(QObject):
         tip = translate_core_message(keeper.trouble)
         self._window.status.show_kept(text, tip, warns=warns)
 
-    def _lock(self, page: QWidget) -> None:
-        """Hide the patients' data until somebody signs in; dialogs and stages are closed."""
-        for dialog in self._window.findChildren(QDialog):
-            dialog.reject()
-        self._features.close_windows()
-        self._window.lock(page)
-        self._window.show_title(tr("Locked"), False)
-
-    def _unlock(self) -> None:
-        self._window.unlock()
-        self._show_state()
-
     def _show_page(self, page: QWidget) -> None:
         self._window.show_page(page)
         self._show_state()
@@ -178,7 +177,12 @@ class MainController(QObject):
 
     def _run_of(self, key: str) -> Run:
         """Return what an action does on the page that is shown."""
-        on_person = {"undo": self._features.records.undo, "redo": self._features.records.redo}
+        records, administration = self._features.records, self._features.clinic
+        on_person: dict[str, Callable[[], None]] = {
+            "undo": records.undo,
+            "redo": records.redo,
+            "erase_patient": lambda: administration.open_erase(records.pseudonym),
+        }
         if key in on_person and self._is_on_person:
             return lambda _on: on_person[key]()
         return self._run[key]

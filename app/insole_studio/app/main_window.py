@@ -95,10 +95,6 @@ class MainWindow(QMainWindow):
         self._of_stage: QByteArray | None = None
         """How the panels stand, while a page has taken their place."""
         self._wanted_charts: set[QDockWidget] = set()
-        self._behind: QWidget | None = None
-        self._was_on_panels = False
-        """What the lock hides: a page, or the panels."""
-        self._is_locked = self._has_notices = False
         self.setCentralWidget(self._pages)
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
@@ -137,40 +133,13 @@ class MainWindow(QMainWindow):
             return
         before, self._of_stage = self._of_stage, None
         self._bring(self._insole)
+        has_notices = not self._notices.isHidden()
         self.restoreState(before)
-        self._show_notices(self._has_notices)
+        self._notices.setVisible(has_notices)
         for dock in self._docks:
             dock.toggleViewAction().setEnabled(True)
         for chart in (self._section, self._rim):
             chart.setVisible(chart in self._wanted_charts)
-
-    def lock(self, page: QWidget) -> None:
-        """Hide everything behind a page, and take menus, tools and their keys away."""
-        self._behind = self.page
-        self._was_on_panels = self._behind is None
-        self._set_usable(False)
-        self.show_page(page)
-
-    def unlock(self) -> None:
-        """Show again what was shown before the window was locked."""
-        self._set_usable(True)
-        if self._was_on_panels:
-            self.show_panels()
-        elif self._behind is not None:
-            self.show_page(self._behind)
-
-    def _set_usable(self, usable: bool) -> None:
-        self.menuBar().setEnabled(usable)
-        for bar in self.findChildren(QToolBar):
-            bar.setEnabled(usable)
-        self._steps.setVisible(usable)
-        self._is_locked = not usable
-        self._show_notices(self._has_notices)
-
-    def _show_notices(self, filled: bool) -> None:
-        """Show the notices, which may name patients, unless the window is locked."""
-        self._has_notices = filled
-        self._notices.setVisible(filled and not self._is_locked)
 
     def _bring(self, page: QWidget) -> None:
         """Show a page; the others ask for no space meanwhile."""
@@ -333,7 +302,7 @@ class MainWindow(QMainWindow):
         bar = self.addToolBar(tr("Steps"))
         bar.setObjectName("steps")
         bar.setMovable(False)
-        self._steps = bar.addWidget(stage.steps)
+        bar.addWidget(stage.steps)
         for key in STRIP:
             bar.addAction(self.actions_by_key[key])
         self.addToolBarBreak()
@@ -359,7 +328,7 @@ class MainWindow(QMainWindow):
         self._notices.setMovable(False)
         self._notices.addWidget(stage.notices)
         self._notices.hide()
-        stage.notices.filled.connect(self._show_notices)
+        stage.notices.filled.connect(self._notices.setVisible)
 
     def _fit_toolbar(self) -> None:
         """Hide as many labels of the toolbar, from its end, as the window is too narrow for."""

@@ -161,6 +161,25 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "variant_delete",
         ),
     ),
+    (
+        lambda: tr("C&linic"),
+        (
+            "lock",
+            "change_password",
+            SEPARATOR,
+            "merge_patients",
+            "erase_patient",
+            "audit_log",
+            SEPARATOR,
+            "backup",
+            "restore_record",
+            "verify_record",
+            SEPARATOR,
+            "accounts",
+            "record_place",
+            "retry_record",
+        ),
+    ),
     (lambda: tr("&Help"), ("tour", "keys", SEPARATOR, "about")),
 )
 

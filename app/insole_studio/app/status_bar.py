@@ -19,7 +19,6 @@ class StatusBar(QStatusBar):
 
     def __init__(self, jobs: Jobs, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._jobs = jobs
         self._channel = ""
         self._place = QLabel()
         self._place.setMinimumWidth(228)
@@ -46,8 +45,13 @@ class StatusBar(QStatusBar):
         self._patience.setSingleShot(True)
         self._patience.setInterval(SHOW_AFTER_MS)
         self._patience.timeout.connect(self._show_work)
+        self.follow(jobs)
+
+    def follow(self, jobs: Jobs) -> None:
+        """Show the progress of these jobs, too."""
         jobs.progressed.connect(self._progressed)
         jobs.ended.connect(self._ended)
+        self.cancel_requested.connect(jobs.cancel)
 
     def show_place(self, text: str) -> None:
         """Show the position of the pointer."""

@@ -6,25 +6,25 @@ import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum, auto
-from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.errors import InsoleError, Unreachable
 from insole_core.progress import Progress
+from insole_studio.document.record_location import RecordLocation
 from insole_studio.jobs import Jobs
 
 if TYPE_CHECKING:
+    from insole_core.messages import Message
     from insole_core.records.author import Author
     from insole_core.records.records import Records
 
 log = logging.getLogger(__name__)
 
 Result = TypeVar("Result")
-OPEN, WATCH, WRITE = "record", "record-changes", "record-write"
+OPEN, WATCH, WRITE, SIGN_IN = "record", "record-changes", "record-write", "record-sign-in"
 WATCH_MS, RETRY_MS = 1000, 3000
-LOCK_SETTING, USUAL_LOCK_MIN = "lock_after_minutes", 10.0
 
 
 class RecordState(Enum):
@@ -32,13 +32,28 @@ class RecordState(Enum):
 
     CLOSED = auto()
     OPENING = auto()
-    LOCKED = auto()
-    """Accounts are on, and nobody is signed in."""
     OPEN = auto()
     AWAY = auto()
     """It was open, and the database does not answer at the moment."""
     REFUSED = auto()
     """It cannot be opened: damaged, locked, of a newer version, or missing."""
+    SIGNED_OUT = auto()
+    """It has accounts, and nobody has signed in yet."""
+
+
+@dataclass(frozen=True)
+class _Opened:
+    """An open record, and what the window has to know of it.
+
+    Parameters
+    ----------
+    mark
+        After which changes are to be noticed.
+    """
+
+    records: Records
+    mark: int
+    has_accounts: bool
 
 
 class ClinicRecord(QObject):
@@ -48,8 +63,8 @@ class ClinicRecord(QObject):
 
     Parameters
     ----------
-    folder
-        Of the record on this computer; made with the record at the first start.
+    location
+        Where the record is; on this computer, it is made at the first start.
     jobs
         Jobs of the record alone, so that no long computation keeps a save waiting.
     """
@@ -58,15 +73,11 @@ class ClinicRecord(QObject):
     changed = Signal()
     """Somebody has changed the record, here or at another station."""
 
-    def __init__(self, folder: Path, jobs: Jobs, parent: QObject | None = None) -> None:
+    def __init__(self, location: RecordLocation, jobs: Jobs, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._folder = folder
+        self.location = location
         self.jobs = jobs
         self._records: Records | None = None
-        self._unsigned: Records | None = None
-        """The record before somebody has signed in, which answers nothing else."""
-        self.lock_after_min = 0.0
-        """Minutes without input after which somebody has to sign in again."""
         self._writes = 0
         self._mark = 0
         self._watch = QTimer(self)
@@ -75,6 +86,8 @@ class ClinicRecord(QObject):
         self.state = RecordState.CLOSED
         self.trouble = ""
         """Why the record cannot be asked; empty while it can."""
+        self.has_accounts = False
+        """Whether somebody has to sign in before the record can be asked."""
 
     @property
     def is_open(self) -> bool:
@@ -91,12 +104,61 @@ class ClinicRecord(QObject):
         """Whether nothing can be changed, as in a damaged database."""
         return self._records is not None and self._records.is_read_only
 
+    @property
+    def problem(self) -> Message | None:
+        """Why an open record cannot be changed, such as damage; None where it can."""
+        return None if self._records is None else self._records.problem
+
     def open(self) -> None:
         """Open the record in a job; make it where there is none."""
         if self.state in (RecordState.CLOSED, RecordState.REFUSED):
             self._set_state(RecordState.OPENING)
-            folder = self._folder
-            self.jobs.start(OPEN, lambda _progress: _open(folder), self._take, self._refuse)
+            location = self.location
+            self.jobs.start(OPEN, lambda _progress: _open(location), self._take, self._refuse)
+
+    def reopen(self, location: RecordLocation | None = None) -> None:
+        """Open the record again, or another one; whoever has signed in has to do so again."""
+        self.let_go()
+        self.location = location or self.location
+        self.open()
+
+    def let_go(self) -> None:
+        """Close the record, so that another one can take its place; `open` opens it again."""
+        self._watch.stop()
+        for channel in self.jobs.running:
+            self.jobs.cancel(channel)
+        if self._records is not None:
+            self._records.close()
+            self._records = None
+        self.has_accounts = False
+        self._set_state(RecordState.CLOSED)
+
+    def sign_in(
+        self,
+        name: str,
+        password: str,
+        done: Callable[[Author], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Check name and password in a job; `take_author` then makes them the author."""
+        records = self._records
+        if records is None:
+            failed(InsoleError("The clinic's record is not open."))
+            return
+        self.jobs.start(
+            SIGN_IN, lambda _progress: records.accounts.sign_in(name, password), done, failed
+        )
+
+    def take_author(self, author: Author) -> None:
+        """Let all changes from now on be those of somebody who has signed in."""
+        assert self._records is not None
+        self._records = self._records.for_author(author)
+        if self.state is RecordState.SIGNED_OUT:
+            self._set_state(RecordState.OPEN)
+            self._watch.start()
+        else:
+            self.state_changed.emit()
+        self.changed.emit()
 
     def ask(
         self,
@@ -147,19 +209,6 @@ class ClinicRecord(QObject):
 
         self.ask(f"{WRITE}-{self._writes}", change, told, failed)
 
-    def start_work(
-        self,
-        jobs: Jobs,
-        channel: str,
-        work: Callable[[Records, Progress], Result],
-        done: Callable[[Result], None],
-        failed: Callable[[Exception], None],
-    ) -> None:
-        """Start long work with the open record in other jobs, which end before it is closed."""
-        records = self._records
-        if records is not None:
-            jobs.start(channel, lambda progress: work(records, progress), done, failed)
-
     def ask_now(self, question: Callable[[Records], Result]) -> Result:
         """Ask in the calling thread, as the program ends.
 
@@ -183,46 +232,20 @@ class ClinicRecord(QObject):
         """Stop watching and close the record, after the jobs have ended."""
         self._watch.stop()
         self.jobs.close()
-        for records in (self._records, self._unsigned):
-            if records is not None:
-                records.close()
-        self._records = self._unsigned = None
+        if self._records is not None:
+            self._records.close()
+            self._records = None
         self.state = RecordState.CLOSED
 
-    def lock(self) -> None:
-        """Ask for a name and a password again; what is being saved goes on."""
-        if self.state in (RecordState.OPEN, RecordState.AWAY):
-            self._watch.stop()
-            self._set_state(RecordState.LOCKED)
-
-    def sign_in(self, name: str, password: str, failed: Callable[[Exception], None]) -> None:
-        """Sign in, in a job.
-
-        Parameters
-        ----------
-        failed
-            Called with the error if name or password are wrong, or the record does not answer.
-        """
-        records = self._records or self._unsigned
-        if records is None:
-            return
-        asked = records
-
-        def sign_in(_progress: Progress) -> _Opened:
-            return _signed_in(asked, name, password)
-
-        self.jobs.start(OPEN, sign_in, self._take, failed)
-
     def _take(self, opened: _Opened) -> None:
-        self._mark, self.lock_after_min = opened.mark, opened.lock_after_min
+        self._records, self._mark = opened.records, opened.mark
+        self.has_accounts = opened.has_accounts
         self.trouble = ""
-        if opened.needs_sign_in:
-            self._unsigned = opened.records
-            self._set_state(RecordState.LOCKED)
-            return
-        self._records, self._unsigned = opened.records, None
-        self._set_state(RecordState.OPEN)
-        self._watch.start()
+        if self.has_accounts:
+            self._set_state(RecordState.SIGNED_OUT)
+        else:
+            self._set_state(RecordState.OPEN)
+            self._watch.start()
 
     def _refuse(self, error: Exception) -> None:
         if not isinstance(error, InsoleError):
@@ -236,16 +259,29 @@ class ClinicRecord(QObject):
             return
         mark = self._mark
 
-        def look(records: Records) -> tuple[int, bool]:
+        def look(records: Records) -> tuple[int, bool, bool]:
             changes = records.changes_since(mark)
-            return changes.mark, bool(changes.changes)
+            is_changed = bool(changes.changes)
+            return changes.mark, is_changed, is_changed and records.accounts.are_on
 
         self.ask(WATCH, look, self._note_changes, lambda _error: None)
 
-    def _note_changes(self, found: tuple[int, bool]) -> None:
-        self._mark, is_changed = found
+    def _note_changes(self, found: tuple[int, bool, bool]) -> None:
+        self._mark, is_changed, has_accounts = found
         if is_changed:
+            self._note_accounts(has_accounts)
             self.changed.emit()
+
+    def _note_accounts(self, has_accounts: bool) -> None:
+        """Ask for a sign-in once accounts were switched on, here or at another station."""
+        if has_accounts is self.has_accounts:
+            return
+        self.has_accounts = has_accounts
+        if has_accounts:
+            self._watch.stop()
+            self._set_state(RecordState.SIGNED_OUT)
+        else:
+            self.state_changed.emit()
 
     def _note_answer(self) -> None:
         if self.state is RecordState.AWAY:
@@ -258,47 +294,13 @@ class ClinicRecord(QObject):
         self.state_changed.emit()
 
 
-@dataclass(frozen=True, eq=False)
-class _Opened:
-    """A record that was opened.
-
-    Parameters
-    ----------
-    mark
-        After which changes are to be noticed.
-    """
-
-    records: Records
-    mark: int
-    needs_sign_in: bool
-    lock_after_min: float
-
-
-def _open(folder: Path) -> _Opened:
+def _open(location: RecordLocation) -> _Opened:
     from insole_core.records.author import Author
     from insole_core.records.open import open_records
-    from insole_core.records.place import RecordsPlace
 
-    records = open_records(RecordsPlace.local(folder), Author.of_user())
-    return _Opened(records, records.mark(), records.accounts.are_on, _lock_after_min(records))
-
-
-def _signed_in(records: Records, name: str, password: str) -> _Opened:
-    """Return the record as that of an account.
-
-    Raises
-    ------
-    NotAllowed
-        When name or password are wrong, or the account is locked.
-    """
-    from insole_core.records.records import Records
-
-    author = records.accounts.sign_in(name, password)
-    signed = Records(records.context.database, records.contents, author)
-    return _Opened(signed, signed.mark(), False, _lock_after_min(signed))
-
-
-def _lock_after_min(records: Records) -> float:
-    """Return the minutes to the lock, never so few that nobody could work."""
-    minutes = records.clinic.get(LOCK_SETTING, USUAL_LOCK_MIN)
-    return max(float(minutes), 1.0) if isinstance(minutes, int | float) else USUAL_LOCK_MIN
+    records = open_records(location.place(), Author.of_user())
+    try:
+        return _Opened(records, records.mark(), records.accounts.are_on)
+    except BaseException:
+        records.close()
+        raise

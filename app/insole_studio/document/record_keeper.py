@@ -181,7 +181,8 @@ class RecordKeeper(QObject):
             self._timer.start(SAVE_AFTER_MS)
 
     def _save_if_back(self) -> None:
-        if self._clinic.state is RecordState.OPEN and self.state is KeepState.WAITING:
+        unsaved = (KeepState.WAITING, KeepState.REFUSED)  # refused, as to who was not signed in
+        if self._clinic.state is RecordState.OPEN and self.state in unsaved:
             self._save()
 
     def _save(self) -> None:

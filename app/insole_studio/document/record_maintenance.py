@@ -1,55 +1,33 @@
-"""What the window does for the record by itself: backups, and files that nobody needs."""
+"""What the window does for the record by itself: files that nobody needs."""
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
 from datetime import date
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from insole_core.progress import Progress
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.jobs import Jobs
 
 if TYPE_CHECKING:
-    from insole_core.records.backup.back_up import BackupReport
+    from insole_core.records.content_store import SweptContents
     from insole_core.records.records import Records
 
 log = logging.getLogger(__name__)
 
-BACKUP = "backup"
+SWEEP = "record-sweep"
 LOOK_MS = 5 * 60 * 1000
 
 
 class RecordMaintenance(QObject):
-    """Makes the backups that are due at this station, and once a day lets unused files go.
+    """Lets unused files go once a day."""
 
-    Parameters
-    ----------
-    settings
-        Folders that belong to a backup, by name.
-    jobs
-        Jobs of the backups alone, which take minutes: the record's own keep saving.
-    """
+    swept = Signal()
 
-    made = Signal()
-    failed = Signal(object)
-    """Emitted with the error that kept it from the record."""
-
-    def __init__(
-        self,
-        clinic: ClinicRecord,
-        settings: Mapping[str, Path],
-        jobs: Jobs,
-        parent: QObject | None = None,
-    ) -> None:
+    def __init__(self, clinic: ClinicRecord, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._clinic = clinic
-        self._settings = settings
-        self._jobs = jobs
         self._swept_on: date | None = None
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
@@ -57,33 +35,24 @@ class RecordMaintenance(QObject):
         self._timer.start()
 
     def look(self) -> None:
-        """Make the backup that is due, in the background, after the sweep of the day."""
-        if not self._clinic.is_open or self._jobs.is_running(BACKUP):
+        """Sweep in the background, unless that was done today."""
+        today = date.today()
+        is_ready = self._clinic.is_open and not self._clinic.is_read_only
+        if not is_ready or self._swept_on == today:
             return
-        settings, today = self._settings, date.today()
-        sweeps, self._swept_on = self._swept_on != today, today
-
-        def maintain(records: Records, progress: Progress) -> BackupReport | None:
-            from insole_core.records.backup.schedule import back_up_if_due
-            from insole_core.records.retention import sweep_contents
-
-            if records.is_read_only:
-                return None
-            if sweeps:
-                sweep_contents(records.context)
-            return back_up_if_due(records.context, settings, progress)
-
-        self._clinic.start_work(self._jobs, BACKUP, maintain, self._tell, self._fail)
+        self._swept_on = today
+        self._clinic.ask(SWEEP, _sweep, lambda _swept: self.swept.emit(), _note_failure)
 
     def close(self) -> None:
-        """Cancel a running backup; the next one goes on where it was."""
+        """Look no more."""
         self._timer.stop()
-        self._jobs.close()
 
-    def _tell(self, report: BackupReport | None) -> None:
-        if report is not None:
-            self.made.emit()
 
-    def _fail(self, error: Exception) -> None:
-        log.warning("the record was not maintained: %s", error)
-        self.failed.emit(error)
+def _sweep(records: Records) -> SweptContents:
+    from insole_core.records.retention import sweep_contents
+
+    return sweep_contents(records.context)
+
+
+def _note_failure(error: Exception) -> None:
+    log.warning("unused files were not swept: %s", error)

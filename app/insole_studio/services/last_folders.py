@@ -18,6 +18,8 @@ class Kept(StrEnum):
     EXPORTS = "exports_folder"
     PAPERS = "papers_folder"
     PICTURES = "pictures_folder"
+    BACKUPS = "backups_parent_folder"
+    RECORDS = "records_parent_folder"
 
 
 class LastFolders:

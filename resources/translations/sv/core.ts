@@ -140,6 +140,10 @@
             <translation>En avlastning under varje huvud som bär för mycket; inga hårda kanter.</translation>
         </message>
         <message>
+            <source>A shared record needs the folder of its large files, on a share that all stations reach; choose it.</source>
+            <translation>En delad journal behöver mappen för sina stora filer, på en delad plats som alla stationer når; välj den.</translation>
+        </message>
+        <message>
             <source>A shift fits one distance; calibrate depth to colour to be right at all.</source>
             <translation>En förskjutning stämmer på ett avstånd; kalibrera djup mot färg för att det ska stämma på alla.</translation>
         </message>
@@ -274,10 +278,6 @@
         <message>
             <source>Backing up the tables ({rows} rows of {table})</source>
             <translation>Säkerhetskopierar tabellerna ({rows} rader av {table})</translation>
-        </message>
-        <message>
-            <source>Backups are made every {least} to {most} hours; choose such a number.</source>
-            <translation>Säkerhetskopior görs varje {least} till {most} timmar; välj ett sådant tal.</translation>
         </message>
         <message>
             <source>Backups have no passphrase yet; choose one first.</source>
@@ -828,10 +828,6 @@
             <translation>Ingen Kinect är ansluten; anslut dess USB-kabel och dess 12 V-aggregat.</translation>
         </message>
         <message>
-            <source>No backup can be made, since {folder} holds none yet; connect its disk, or make the first backup there by hand.</source>
-            <translation>Ingen säkerhetskopia kan göras, eftersom {folder} ännu inte innehåller någon; anslut dess disk, eller gör den första säkerhetskopian där för hand.</translation>
-        </message>
-        <message>
             <source>No board has depth at its corners; hold it 600 to 1500 mm from the sensor.</source>
             <translation>Inget bräde har djup vid sina hörn; håll det 600 till 1500 mm från sensorn.</translation>
         </message>
@@ -878,6 +874,10 @@
         <message>
             <source>No view was named; say which sensor gives which view: left=SERIAL …</source>
             <translation>Ingen vy angavs; ange vilken sensor som ger vilken vy: left=SERIENUMMER …</translation>
+        </message>
+        <message>
+            <source>Nobody has the pseudonym {pseudonym}; it stands on the patient's page and on papers for the shop.</source>
+            <translation>Ingen har pseudonymen {pseudonym}; den står på patientens sida och på papper till verkstaden.</translation>
         </message>
         <message>
             <source>None of the {count} pictures can be used: {reason}</source>
@@ -1148,6 +1148,10 @@
             <translation>Kontot {account} ({role}) får inte {action}; fråga någon som får: {who}.</translation>
         </message>
         <message>
+            <source>The address holds a password, which would be stored with the settings; take it out, and type it into its own line.</source>
+            <translation>Adressen innehåller ett lösenord, som skulle lagras med inställningarna; ta bort det och skriv det på sin egen rad.</translation>
+        </message>
+        <message>
             <source>The address of the database asks for sslmode={mode}, with which patients' data could be read on the way; remove it, or write sslmode=verify-full.</source>
             <translation>Databasens adress begär sslmode={mode}, och då kan patientuppgifter läsas på vägen; ta bort det eller skriv sslmode=verify-full.</translation>
         </message>
@@ -1252,6 +1256,10 @@
             <translation>Klinikens journal är inte öppen.</translation>
         </message>
         <message>
+            <source>The clinic's record is not open; look at the start page to see why.</source>
+            <translation>Klinikens journal är inte öppen; startsidan säger varför.</translation>
+        </message>
+        <message>
             <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>
             <translation>Sensorns färgkamera är inte kalibrerad ännu, så brädet på väggarna kan inte visa var de är; kalibrera den, och djup mot färg, först.</translation>
         </message>
@@ -1346,6 +1354,14 @@
         <message>
             <source>The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.</source>
             <translation>Brännvidden är {fx:.1f} / {fy:.1f} px, känd inom {error_px:.1f} px.</translation>
+        </message>
+        <message>
+            <source>The folder of the backups, {folder}, is not there; connect its disk, or choose another folder.</source>
+            <translation>Mappen för säkerhetskopiorna, {folder}, finns inte; anslut dess disk eller välj en annan mapp.</translation>
+        </message>
+        <message>
+            <source>The folder of the large files, {folder}, is not there or may not be written by you; connect the share, or choose another folder.</source>
+            <translation>Mappen för de stora filerna, {folder}, finns inte eller får inte skrivas av dig; anslut den delade platsen eller välj en annan mapp.</translation>
         </message>
         <message>
             <source>The font has no letters {missing}; the identification shows a likeness or “?” instead.</source>
@@ -1780,6 +1796,10 @@
             <translation>Klipplinjen vänder tillbaka eller korsar sig själv vid punkt {number}, räknad från medialkanten; låt varje punkt ligga minst {least_mm:g} mm längre lateralt än den föregående.</translation>
         </message>
         <message>
+            <source>The two lines are not the same; type both again.</source>
+            <translation>De två raderna är inte lika; skriv båda igen.</translation>
+        </message>
+        <message>
             <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
             <translation>De två ytorna överlappar inte i något läge, så de kan inte jämföras; kontrollera att båda visar samma sida av samma fot.</translation>
         </message>
@@ -1960,6 +1980,10 @@
             <translation>Kontot finns inte längre; titta i listan igen.</translation>
         </message>
         <message>
+            <source>There is nobody to erase with the pseudonym {pseudonym}; it stands on the patient's page.</source>
+            <translation>Det finns ingen att radera med pseudonymen {pseudonym}; den står på patientens sida.</translation>
+        </message>
+        <message>
             <source>There is somebody of this name, {born}, and a birth date is missing to tell whether it is the same person.</source>
             <translation>Det finns någon med detta namn, {born}, och det saknas ett födelsedatum för att avgöra om det är samma person.</translation>
         </message>
@@ -2104,6 +2128,10 @@
             <translation>Två stationer på randen ligger på samma plats {where}, en {height_mm:.1f} mm hög och en {other_mm:.1f} mm; ta bort en av dem.</translation>
         </message>
         <message>
+            <source>Type the address of the database, or use the record of this computer.</source>
+            <translation>Skriv databasens adress eller använd journalen på den här datorn.</translation>
+        </message>
+        <message>
             <source>UCBL</source>
             <translation>UCBL</translation>
         </message>
@@ -2212,8 +2240,16 @@
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
         </message>
         <message>
+            <source>account</source>
+            <translation>konto</translation>
+        </message>
+        <message>
             <source>add captures</source>
             <translation>lägga till inspelningar</translation>
+        </message>
+        <message>
+            <source>added</source>
+            <translation>tillagd</translation>
         </message>
         <message>
             <source>adjusted</source>
@@ -2288,6 +2324,10 @@
             <translation>djupets b</translation>
         </message>
         <message>
+            <source>backed up</source>
+            <translation>säkerhetskopierad</translation>
+        </message>
+        <message>
             <source>ball width of the simulated foot (mm)</source>
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
         </message>
@@ -2320,6 +2360,10 @@
             <translation>född {day}</translation>
         </message>
         <message>
+            <source>capture</source>
+            <translation>avbildning</translation>
+        </message>
+        <message>
             <source>cast</source>
             <translation>gips</translation>
         </message>
@@ -2336,6 +2380,10 @@
             <translation>ändra klinikens inställningar</translation>
         </message>
         <message>
+            <source>changed</source>
+            <translation>ändrad</translation>
+        </message>
+        <message>
             <source>checked</source>
             <translation>kontrollerad</translation>
         </message>
@@ -2350,6 +2398,10 @@
         <message>
             <source>claw toes</source>
             <translation>klotår</translation>
+        </message>
+        <message>
+            <source>clinic</source>
+            <translation>klinik</translation>
         </message>
         <message>
             <source>cobra</source>
@@ -2488,8 +2540,16 @@
             <translation>radera patienter</translation>
         </message>
         <message>
+            <source>erased</source>
+            <translation>raderad</translation>
+        </message>
+        <message>
             <source>export patients</source>
             <translation>exportera patienter</translation>
+        </message>
+        <message>
+            <source>exported</source>
+            <translation>exporterad</translation>
         </message>
         <message>
             <source>family name</source>
@@ -2968,6 +3028,10 @@
             <translation>slå ihop patienter</translation>
         </message>
         <message>
+            <source>merged</source>
+            <translation>sammanslagen</translation>
+        </message>
+        <message>
             <source>metatarsal bar</source>
             <translation>tvärbalk</translation>
         </message>
@@ -3090,6 +3154,10 @@
         <message>
             <source>name</source>
             <translation>namn</translation>
+        </message>
+        <message>
+            <source>name and birth date</source>
+            <translation>namn och födelsedatum</translation>
         </message>
         <message>
             <source>name of the file</source>
@@ -3252,6 +3320,10 @@
             <translation>pelott</translation>
         </message>
         <message>
+            <source>person</source>
+            <translation>person</translation>
+        </message>
+        <message>
             <source>personal number</source>
             <translation>personnummer</translation>
         </message>
@@ -3316,6 +3388,10 @@
             <translation>posts i shell har två för samma område; behåll en av dem.</translation>
         </message>
         <message>
+            <source>prescription</source>
+            <translation>ordination</translation>
+        </message>
+        <message>
             <source>pseudonym</source>
             <translation>Pseudonymen</translation>
         </message>
@@ -3362,6 +3438,10 @@
         <message>
             <source>reason of the visit</source>
             <translation>Besöksorsaken</translation>
+        </message>
+        <message>
+            <source>record</source>
+            <translation>journal</translation>
         </message>
         <message>
             <source>refused</source>
@@ -3420,6 +3500,10 @@
             <translation>upplösningen på fotens yta (mm)</translation>
         </message>
         <message>
+            <source>restored</source>
+            <translation>återställd</translation>
+        </message>
+        <message>
             <source>returned</source>
             <translation>returnerad</translation>
         </message>
@@ -3454,6 +3538,10 @@
         <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
+        </message>
+        <message>
+            <source>seen</source>
+            <translation>sedd</translation>
         </message>
         <message>
             <source>seen from above with the toes ahead, the big toe and the high side of the arch lie on the {direction}</source>
@@ -3498,6 +3586,14 @@
         <message>
             <source>sign prescriptions</source>
             <translation>signera ordinationer</translation>
+        </message>
+        <message>
+            <source>signed</source>
+            <translation>signerad</translation>
+        </message>
+        <message>
+            <source>signed in</source>
+            <translation>inloggad</translation>
         </message>
         <message>
             <source>slim shoe</source>
@@ -3818,6 +3914,10 @@
         <message>
             <source>undercut</source>
             <translation>underskärning</translation>
+        </message>
+        <message>
+            <source>unmerged</source>
+            <translation>åter isär</translation>
         </message>
         <message>
             <source>upper centre</source>

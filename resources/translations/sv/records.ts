@@ -228,10 +228,6 @@
             <translation>Senaste besök</translation>
         </message>
         <message>
-            <source>Locked</source>
-            <translation>Låst</translation>
-        </message>
-        <message>
             <source>Make a foot of it</source>
             <translation>Gör en fot av den</translation>
         </message>
@@ -356,10 +352,6 @@
             <translation>Resultat</translation>
         </message>
         <message>
-            <source>Password</source>
-            <translation>Lösenord</translation>
-        </message>
-        <message>
             <source>Patients</source>
             <translation>Patienter</translation>
         </message>
@@ -430,10 +422,6 @@
         <message>
             <source>Shop and due date…</source>
             <translation>Verkstad och klardatum…</translation>
-        </message>
-        <message>
-            <source>Sign in</source>
-            <translation>Logga in</translation>
         </message>
         <message>
             <source>Sign this version</source>

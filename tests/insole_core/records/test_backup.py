@@ -44,13 +44,7 @@ from insole_core.records.backup.backup_folder import HEAD_FILE, BackupFolder
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, WrongSecret, open_key
 from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
-from insole_core.records.backup.schedule import (
-    BackupSchedule,
-    back_up_if_due,
-    is_due,
-    schedule_of,
-    set_schedule,
-)
+from insole_core.records.backup.schedule import BackupSchedule
 from insole_core.records.backup.snapshot import open_snapshot
 from insole_core.records.context import RecordsContext
 from insole_core.records.migrate import SCHEMA
@@ -615,37 +609,19 @@ def test_the_clock_does_not_tell_the_order_of_snapshots(
 
 
 def test_backups_are_due_by_the_schedule() -> None:
-    now, day = datetime(2026, 11, 22, 12, tzinfo=UTC), timedelta(days=1)
-    assert is_due(None, day, now)
-    assert is_due(now - day, day, now)
-    assert not is_due(now - timedelta(hours=23), day, now)
-    assert not is_due(now + timedelta(minutes=5), day, now)
-    assert is_due(now + timedelta(days=300), day, now)  # made while the clock was wrong
-
-
-def test_the_station_of_the_schedule_makes_the_backups(
-    context: RecordsContext, folder: Path
-) -> None:
-    assert schedule_of(context) is None
-    assert back_up_if_due(context) is None
-    schedule = BackupSchedule(folder, 24, ANNA.station)
-    set_schedule(context, schedule)
-    assert schedule_of(context) == schedule
-    with pytest.raises(OutputError, match="connect its disk"):
-        back_up_if_due(context)
-    assert not folder.exists()  # the mount point of a disk that is not connected stays empty
-    back_up(context, folder)
-    assert back_up_if_due(context) is None
-    later = datetime.now(UTC) + timedelta(hours=25)
-    other = RecordsContext(context.database, context.contents, Author("ben", "capture room"))
-    assert back_up_if_due(other, now=later) is None
-    report = back_up_if_due(context, now=later)
-    assert report is not None
-    assert report.snapshot.number == 2
-    set_schedule(context, None)
-    assert back_up_if_due(context, now=later) is None
-    with pytest.raises(InputError, match="every 1 to 744 hours"):
-        set_schedule(context, BackupSchedule(folder, 0, ANNA.station))
+    daily, now = BackupSchedule(None, 18), datetime(2026, 11, 22, 12, tzinfo=UTC)  # a Sunday
+    assert daily.latest(now) == datetime(2026, 11, 21, 18, tzinfo=UTC)
+    assert daily.latest(now.replace(hour=18)) == now.replace(hour=18)
+    assert daily.is_due(None, now)
+    assert daily.is_due(datetime(2026, 11, 21, 17, 59, tzinfo=UTC), now)  # missed, made up for
+    assert not daily.is_due(datetime(2026, 11, 21, 18, 1, tzinfo=UTC), now)
+    assert not daily.is_due(now + timedelta(minutes=5), now)
+    assert daily.is_due(now + timedelta(days=300), now)  # made while the clock was wrong
+    fridays = BackupSchedule(4, 9)
+    assert fridays.latest(now) == datetime(2026, 11, 20, 9, tzinfo=UTC)
+    assert fridays.latest(datetime(2026, 11, 20, 8, tzinfo=UTC)) == datetime(
+        2026, 11, 13, 9, tzinfo=UTC
+    )
 
 
 @pytest.mark.parametrize("killed_at", range(1, 16, 2))

@@ -9,8 +9,10 @@ import pytest
 from stations import ANNA
 
 from insole_core.errors import Conflict, InputError, RecordsError
+from insole_core.records.duplicates import Likeness, find_duplicates
 from insole_core.records.follow_up import FollowUp
-from insole_core.records.person import Person
+from insole_core.records.merging import MergePreview, NamedMerge
+from insole_core.records.person import Person, PersonSummary
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 
@@ -232,3 +234,44 @@ def test_a_merged_person_takes_nothing_more(records: Records) -> None:
         records.persons.merge(kept.id, other.id)
     with pytest.raises(RecordsError, match="same person twice"):
         records.persons.merge(kept.id, kept.id)
+
+
+def test_a_merge_is_told_before_it_is_done_and_named_until_it_is_undone(records: Records) -> None:
+    kept = records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    other = records.persons.add(Person("Anna Berg", contact="Storgatan 1"))
+    visit = records.visits.add(Visit(other.id, TODAY))
+    records.follow_ups.add(FollowUp(other.id, TODAY, "better", visit_id=visit.id))
+    preview = records.persons.preview_merge(kept.id, other.id)
+    assert preview == MergePreview(visits=1, orders=0, follow_ups=1, filled=("contact",))
+    assert records.visits.of_person(kept.id) == []
+    merge = records.persons.merge(kept.id, other.id)
+    (named,) = records.persons.latest_merges()
+    assert named == NamedMerge(merge, "Anna Berg", "Anna Berg")
+    records.persons.undo_merge(named.merge)
+    assert records.persons.latest_merges() == []
+    assert len(records.visits.of_person(other.id)) == 1
+
+
+def test_duplicates_are_proposed_by_number_and_by_name_with_birth_date(records: Records) -> None:
+    born = date(1970, 2, 28)
+    first = records.persons.add(Person("Åsa Berg", born, "1234", ""))
+    last = records.persons.add(Person("Asa Lund", None, "1234", ""))
+    records.visits.add(Visit(last.id, TODAY))
+    third = records.persons.add(Person("BERG, ASA", born))
+    records.persons.add(Person("Åsa Berg", date(1971, 2, 28)))
+    records.persons.add(Person("Åsa Berg"))
+    found = find_duplicates(records.persons.everybody())
+    pairs = [({d.kept.id, d.other.id}, d.likeness) for d in found]
+    assert pairs == [
+        ({first.id, last.id}, Likeness.NUMBER),
+        ({first.id, third.id}, Likeness.NAME),
+    ]
+    assert found[0].kept.id == last.id  # who was seen last
+
+
+def test_nobody_is_a_duplicate_twice_or_of_themselves() -> None:
+    born = date(1970, 2, 28)
+    both = [PersonSummary(str(i), "Anna Berg", born, "7", f"P-{i}") for i in range(3)]
+    found = find_duplicates(both)
+    assert len(found) == 2
+    assert all(d.kept.id != d.other.id for d in found)

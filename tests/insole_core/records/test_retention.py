@@ -28,8 +28,10 @@ from insole_core.records.retention import (
     Erasure,
     ErasureReason,
     erase_person,
+    find_erasable,
     kept_until,
     over_retention,
+    over_retention_named,
     sweep_contents,
 )
 from insole_core.records.signing import verify_signatures
@@ -218,3 +220,23 @@ def test_an_earlier_backup_does_not_bring_an_erased_person_back(
     restored = context_of(place)
     assert [word for word in PERSONAL if word in everything(restored)] == []
     restored.database.close()
+
+
+def test_who_may_be_erased_is_found_by_the_pseudonym_without_a_name(
+    context: RecordsContext,
+) -> None:
+    with context.database.reading() as connection:
+        pseudonym = connection.execute(
+            select(schema.persons.c.pseudonym).where(schema.persons.c.id == "kept")
+        ).scalar_one()
+        until = kept_until(connection, "kept")
+    found = find_erasable(context, f" {pseudonym} ")
+    assert (found.person_id, found.visits, found.orders) == ("kept", 1, 1)
+    assert found.kept_until == until
+    assert found in over_retention_named(context, MUCH_LATER)
+    assert over_retention_named(context, TODAY) == []
+    erase_person(context, "kept", OVER, MUCH_LATER)
+    with pytest.raises(RecordsError, match="nobody to erase"):
+        find_erasable(context, pseudonym)
+    with pytest.raises(RecordsError, match="nobody to erase"):
+        find_erasable(context, "P-UNKNOWN")

@@ -15,7 +15,6 @@ from insole_core.cases.case_record import FootRecord, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
-from insole_core.records.backup.schedule import BackupSchedule, schedule_of
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
@@ -165,20 +164,6 @@ def test_the_statement_of_an_order_is_asked_for_by_its_number(
     assert run(["records", "statement", order.number]) == 1
     assert run(["records", "statement", "26-NONE", "--json"]) == 1
     assert "no order 26-NONE" in capsys.readouterr().err
-
-
-def test_backups_by_the_window_are_switched_on_and_off(record: Path, tmp_path: Path) -> None:
-    def schedule() -> BackupSchedule | None:
-        records = open_records(RecordsPlace.local(record), ANNA)
-        found = schedule_of(records.context)
-        records.close()
-        return found
-
-    folder = tmp_path / "backups"
-    assert back_up(folder, "--every", "24") == 0
-    assert schedule() == BackupSchedule(folder, 24, Author.of_user().station)
-    assert back_up(folder, "--every", "0") == 0
-    assert schedule() is None
 
 
 @pytest.mark.slow

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
-from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.place import add_place, opened
 from insole_studio.cli.records.secrets import ask
@@ -37,28 +36,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--recipient", action="append", metavar="AGE1…",
         help="the first time: public key of age, instead of a passphrase",
     )  # fmt: skip
-    parser.add_argument(
-        "--every", type=whole, metavar="HOURS",
-        help="from now on the window of this computer backs up there every HOURS; 0 ends that",
-    )  # fmt: skip
     add_place(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Back the record up."""
     from insole_core.records.backup.back_up import back_up, key_of_backups, set_up_backups
-    from insole_core.records.backup.schedule import BackupSchedule, set_schedule
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.BACK_UP) as records:
         if key_of_backups(records.context) is None:
             set_up_backups(records.context, _new_key(arguments))
-        report = back_up(records.context, arguments.folder, UserPaths.of_user().backed_up, progress)
-        if arguments.every is not None:
-            schedule = BackupSchedule(
-                arguments.folder.resolve(), arguments.every, records.who.station
-            )
-            set_schedule(records.context, schedule if arguments.every else None)
+        saved = UserPaths.of_user().backed_up_folders
+        report = back_up(records.context, arguments.folder, saved, progress)
     print(
         f"snapshot {report.snapshot.number}: {report.rows} rows, {report.contents} files "
         f"({report.contents_bytes / 1e6:.1f} MB); {report.written_bytes / 1e6:.1f} MB were new"

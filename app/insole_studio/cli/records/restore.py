@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         Author.of_user(),
         number=arguments.snapshot,
         replace_existing=arguments.set_aside,
-        settings=UserPaths.of_user().backed_up,
+        settings=UserPaths.of_user().backed_up_folders,
         progress=progress,
     )
     print(

@@ -45,6 +45,7 @@ class OrdersPresenter:
     def show(self, person: Person | None) -> None:
         """Show the orders of a person; those of the clinic for None."""
         self._person = person
+        self._show(())  # not those of before, while the record answers
         self._read()
 
     def _choose_state(self, word: str) -> None:

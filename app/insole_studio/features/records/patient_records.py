@@ -43,7 +43,6 @@ from insole_studio.features.records.same_prescription import (
 )
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
-from insole_studio.features.records.station_lock import StationLock
 from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.features.records.visit_presence import VisitPresence
@@ -88,7 +87,6 @@ class PatientRecords(QObject):
         self._same_prescription = SamePrescription(services)
         self.captures = VisitCaptures(services)
         self._presence = VisitPresence(services)
-        self.lock = StationLock(services.clinic, self)
         self.order_actions = OrderActions(services)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
@@ -98,7 +96,6 @@ class PatientRecords(QObject):
 
     def close(self) -> None:
         """Leave the open visit to other stations."""
-        self.lock.close()
         self._presence.close()
 
     def show_start(self) -> None:
@@ -252,6 +249,11 @@ class PatientRecords(QObject):
         self._clinic.ask(
             "records-follow-ups", lambda r: r.follow_ups.of_person(person.id), show, self._tell
         )
+
+    @property
+    def pseudonym(self) -> str:
+        """The pseudonym of the person on the page; empty for none."""
+        return "" if self._shown_person is None else self._shown_person.pseudonym
 
     @property
     def _shown_person(self) -> Person | None:

@@ -61,6 +61,8 @@ class PersonPage(QWidget):
         )
         self._kind.setAccessibleName(tr("Kind of personal number"))
         self._kind.edited.connect(self._kind_edited)
+        self._pseudonym = QLabel()
+        self._pseudonym.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
         self._notes = NotesField()
         self._refusals["notes"] = ValidationBubble(self._notes)
@@ -77,9 +79,10 @@ class PersonPage(QWidget):
         self._compare.clicked.connect(self._request_compare)
         self._lay_out()
 
-    def show_person(self, name: str, values: Mapping[str, str]) -> None:
+    def show_person(self, name: str, pseudonym: str, values: Mapping[str, str]) -> None:
         """Show the fields; text being typed stays until it is entered or forgotten."""
         self._name.setText(name)
+        self._pseudonym.setText(pseudonym)
         self._name.updateGeometry()
         self._kind.show_value(values["number_kind"])
         for key, field in self._fields.items():
@@ -150,6 +153,7 @@ class PersonPage(QWidget):
             form.addRow(label, self._fields[key])
             if key == "personal_number":
                 form.addRow("", self._kind)
+        form.addRow(tr("Pseudonym"), self._pseudonym)
         form.addRow(tr("Notes"), self._notes)
         mark_labels(form)
         left = QWidget()

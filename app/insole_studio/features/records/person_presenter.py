@@ -185,7 +185,7 @@ class PersonPresenter:
 
     def _show_fields(self) -> None:
         if (person := self.person) is not None:
-            self._page.show_person(person.name, _fields_of(person))
+            self._page.show_person(person.name, person.pseudonym, _fields_of(person))
 
 
 def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView:

@@ -63,6 +63,8 @@ class StartPage(QWidget):
         self.orders.setAccessibleName(tr("Open orders"))
         self.orders.chosen.connect(self.order_chosen)
         self.message = MessageLabel("warning")
+        self.remedies: dict[str, QPushButton] = {}
+        """Buttons beside the message, by their action."""
         self._files: dict[str, QPushButton] = {}
         self._recent_row = QHBoxLayout()
         self._of_record = QWidget()
@@ -86,9 +88,17 @@ class StartPage(QWidget):
         self.today.show_rows(today)
         self.orders.show_rows(orders)
 
-    def show_message(self, sentence: str) -> None:
-        """Say why the record is not there and what to do; empty where all is well."""
+    def show_message(self, sentence: str, remedies: Sequence[str] = ()) -> None:
+        """Say why the record is not there and what to do; empty where all is well.
+
+        Parameters
+        ----------
+        remedies
+            Actions that may help, each a button beside the sentence.
+        """
         self.message.say(sentence)
+        for action, button in self.remedies.items():
+            button.setVisible(action in remedies)
 
     def show_usable(self, usable: bool) -> None:
         """Show whether patients can be looked for; files can always be opened."""
@@ -165,10 +175,26 @@ class StartPage(QWidget):
         layout.setContentsMargins(24, 16, 24, 16)
         layout.setSpacing(8)
         layout.addWidget(self.message)
+        layout.addLayout(self._remedy_row())
         layout.addWidget(self._of_record, 1)
         layout.addWidget(_heading(tr("Without a patient, or from files")))
         layout.addLayout(self._file_row())
         layout.addLayout(self._recent_row)
+
+    def _remedy_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        for action, text in (
+            ("lock", tr("Sign in…")),
+            ("retry_record", tr("Try again")),
+            ("restore_record", tr("Restore from a backup…")),
+            ("record_place", tr("Where the record is…")),
+        ):
+            self.remedies[action] = button = self._button("", text, action)
+            button.hide()
+            row.addWidget(button)
+        row.addStretch(1)
+        return row
 
     def _file_row(self) -> QHBoxLayout:
         row = QHBoxLayout()

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
+from insole_core.errors import NotAllowed
 from insole_core.records.person import PersonSummary
 from insole_core.records.visit import VisitSummary
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
@@ -55,7 +56,9 @@ class StartPresenter:
         """Show whether the record can be asked."""
         state = self._clinic.state
         self._page.show_usable(state in (RecordState.OPEN, RecordState.AWAY))
-        self._page.show_message(self._sentence(state))
+        self._page.show_message(self._sentence(state), _remedies(self._clinic))
+        if state is RecordState.SIGNED_OUT:
+            self._forget()
         if state is RecordState.OPEN:
             self.refresh()
             if self._page.isVisible() and not self._page.search.hasFocus():
@@ -67,8 +70,13 @@ class StartPresenter:
             return f"{trouble} {tr('Cases in files can be opened as before.')}"
         if state is RecordState.AWAY:
             return trouble
+        if state is RecordState.SIGNED_OUT:
+            return tr("Sign in to see the clinic's patients; files can be opened without.")
         if state is RecordState.OPENING:
             return ""
+        problem = self._clinic.problem
+        if problem is not None:
+            return translate_core_message(problem)
         return tr("Read only: nothing can be changed.") if self._clinic.is_read_only else ""
 
     def _search(self) -> None:
@@ -94,8 +102,24 @@ class StartPresenter:
     def _show_lists(self, lists: _Lists) -> None:
         self._page.show_day(visit_rows(lists.today), order_rows(lists.orders, date.today()))
 
+    def _forget(self) -> None:
+        """Show no names to somebody who may not see them."""
+        self._page.show_found(tr("Recent patients"), [], "")
+        self._page.show_day([], [])
+
     def _show_failure(self, error: Exception) -> None:
+        if isinstance(error, NotAllowed):
+            self._forget()
         self._page.show_message(translate_core_message(str(error)))
+
+
+def _remedies(clinic: ClinicRecord) -> tuple[str, ...]:
+    """Return the actions that may help where the record cannot be used."""
+    if clinic.state is RecordState.REFUSED:
+        return ("retry_record", "restore_record", "record_place")
+    if clinic.state is RecordState.SIGNED_OUT:
+        return ("lock",)
+    return ("restore_record",) if clinic.is_open and clinic.is_read_only else ()
 
 
 def _lists(records: Records) -> _Lists:

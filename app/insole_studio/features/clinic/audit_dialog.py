@@ -1,0 +1,187 @@
+"""The audit log: who saw, changed and exported what; and whether it is intact."""
+
+from __future__ import annotations
+
+from datetime import date
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
+
+from insole_core.cases.days import read_day
+from insole_core.errors import InputError
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.clinic.moments import moment_text
+from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.message_label import ProgressBar
+from insole_studio.widgets.row_table import RowTable, TableRow
+
+if TYPE_CHECKING:
+    from insole_core.progress import Progress
+    from insole_core.records.audit import AuditReport
+    from insole_core.records.audit_search import AuditFilter, ShownLine
+    from insole_core.records.records import Records
+
+_SIZE = (980, 600)
+_PAGE = 200
+_MOST_LETTERS = 60
+_VERIFY = "verify-audit"
+_EVERYBODY = ""
+
+
+class AuditDialog(RecordDialog):
+    """The latest lines, by patient, author and day; older ones on request."""
+
+    def __init__(self, clinic: ClinicRecord, jobs: Jobs, parent: QWidget | None = None) -> None:
+        super().__init__(tr("Audit log"), clinic, parent)
+        self.resize(*_SIZE)
+        self._jobs = jobs
+        self._lines: list[ShownLine] = []
+        self._filter: AuditFilter | None = None
+        self.pseudonym = QLineEdit()
+        self.pseudonym.setMaxLength(_MOST_LETTERS)
+        self.pseudonym.setPlaceholderText(tr("Pseudonym: P-…"))
+        self.author = ComboBox([(_EVERYBODY, tr("Everybody"))])
+        self.first_day, self.last_day = DateField(), DateField()
+        self.show_button = QPushButton(tr("Show"))
+        self.show_button.setDefault(True)
+        self.show_button.clicked.connect(self.show_lines)
+        headings = ("#", tr("When"), tr("By"), tr("At"), tr("What"), tr("Subject"), tr("Details"))
+        self.table = RowTable(headings, stretched=6)
+        self.table.setAccessibleName(tr("Audit log"))
+        self.progress = ProgressBar()
+        self.more = self.add_button(tr("Older lines"), self._read_more)
+        self.verify = self.add_button(tr("Verify the log"), self._verify)
+        self._lay_out()
+        jobs.progressed.connect(self._show_progress)
+        jobs.ended.connect(self._end)
+        self.ask(_authors, self._show_authors)
+
+    def show_lines(self) -> None:
+        """Show the latest lines that pass the filter."""
+        from insole_core.records.audit_search import AuditFilter
+
+        try:
+            wanted = AuditFilter(
+                self.pseudonym.text().strip(),
+                self.author.currentData(),
+                self._day(self.first_day),
+                self._day(self.last_day),
+            )
+        except InputError as error:
+            self.refuse(error)
+            return
+        self.say("")
+        self._filter = wanted
+        self.ask(lambda records: _search(records, wanted, None), self._show)
+
+    def reject(self) -> None:
+        """Stop verifying, and close the dialog."""
+        self._jobs.cancel(_VERIFY)
+        super().reject()
+
+    def _lay_out(self) -> None:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(8)
+        fields: tuple[tuple[str, QWidget], ...] = (
+            (tr("Patient"), self.pseudonym),
+            (tr("By"), self.author),
+            (tr("From"), self.first_day),
+            (tr("To"), self.last_day),
+        )
+        for column, (text, field) in enumerate(fields):
+            label = QLabel(text)
+            label.setBuddy(field)
+            grid.addWidget(label, 0, column)
+            grid.addWidget(field, 1, column)
+            grid.setColumnStretch(column, 1)
+        grid.addWidget(self.show_button, 1, len(fields))
+        self.content.addLayout(grid)
+        self.content.addWidget(self.table, 1)
+        self.content.addWidget(self.progress)
+
+    def _day(self, field: DateField) -> date | None:
+        written = read_day("visit", field.text(), date.today())
+        return date.fromisoformat(written) if written else None
+
+    def _show_authors(self, authors: list[str]) -> None:
+        for author in authors:
+            self.author.addItem(author, author)
+        self.show_lines()
+
+    def _read_more(self) -> None:
+        wanted, last = self._filter, self._lines[-1].line.seq
+        if wanted is not None:
+            self.ask(lambda records: _search(records, wanted, last), self._show_more)
+
+    def _show(self, lines: list[ShownLine]) -> None:
+        self._lines = []
+        self._show_more(lines)
+        if not lines:
+            self.say(tr("Nothing was written that fits."))
+
+    def _show_more(self, lines: list[ShownLine]) -> None:
+        self._lines += lines
+        self.more.setEnabled(len(lines) == _PAGE)
+        self.table.show_rows([_row(shown) for shown in self._lines])
+
+    def _verify(self) -> None:
+        context = self.clinic.ask_now(lambda records: records.context)
+
+        def verify(progress: Progress) -> AuditReport:
+            from insole_core.records.audit_search import verify_audit
+
+            return verify_audit(context, progress)
+
+        self.say("")
+        self.verify.setEnabled(False)
+        self._jobs.start(
+            _VERIFY, verify, self.while_open(self._show_report), self.while_open(self.refuse)
+        )
+
+    def _show_report(self, report: AuditReport) -> None:
+        if report.problem is not None:
+            self.say(report.problem, warns=True)
+        else:
+            sentence = tr("All {lines} lines are what was written, and none is missing.")
+            self.say(sentence.format(lines=report.lines))
+
+    def _show_progress(self, news: JobProgress) -> None:
+        if news.channel == _VERIFY:
+            self.progress.show_work(news.fraction, news.text)
+
+    def _end(self, channel: str) -> None:
+        if channel == _VERIFY:
+            self.progress.show_work(0, "")
+            self.verify.setEnabled(True)
+
+
+def _authors(records: Records) -> list[str]:
+    from insole_core.records.audit_search import authors_of_audit
+
+    return authors_of_audit(records.context)
+
+
+def _search(records: Records, wanted: AuditFilter, before: int | None) -> list[ShownLine]:
+    from insole_core.records.audit_search import search_audit
+
+    return search_audit(records.context, wanted, before, _PAGE)
+
+
+def _row(shown: ShownLine) -> TableRow:
+    line = shown.line
+    subject = f"{translate_core_message(line.subject_kind)} {shown.subject}"
+    details = "" if line.details == "{}" else line.details.strip("{}").replace('"', "")
+    cells = (
+        str(line.seq),
+        moment_text(line.at),
+        line.author,
+        line.station,
+        translate_core_message(line.action),
+        subject,
+        details,
+    )
+    return TableRow(str(line.seq), cells, tip=line.details)

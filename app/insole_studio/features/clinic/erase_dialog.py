@@ -1,0 +1,197 @@
+"""Erasing a patient on request, and those whose time of keeping is over."""
+
+from __future__ import annotations
+
+from datetime import date
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QWidget
+
+from insole_core.records.retention import ErasureReason
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.texts import fill, tr
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.row_table import RowTable, TableRow
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+    from insole_core.records.retention import Erasable, Erasure
+
+_SIZE = (680, 520)
+_MOST_LETTERS = 60
+_NO_REASON = ""
+
+
+class EraseDialog(RecordDialog):
+    """Names nobody: whoever erases finds the patient by the pseudonym of a written request.
+
+    Parameters
+    ----------
+    pseudonym
+        Of the patient whose page is shown; empty for none.
+    """
+
+    def __init__(self, clinic: ClinicRecord, pseudonym: str, parent: QWidget | None = None) -> None:
+        super().__init__(tr("Erase a patient"), clinic, parent)
+        self.resize(*_SIZE)
+        self._found: Erasable | None = None
+        self._today = date.today()
+        self.pseudonym = QLineEdit(pseudonym)
+        self.pseudonym.setMaxLength(_MOST_LETTERS)
+        self.pseudonym.setPlaceholderText(tr("As it stands on the patient's page: P-…"))
+        self.pseudonym.textEdited.connect(lambda _text: self._forget())
+        self.pseudonym.returnPressed.connect(self.look_up)
+        self.find_button = self.add_button(tr("Show what is erased"), self.look_up)
+        self.reason = ComboBox(
+            [
+                (_NO_REASON, tr("Choose why")),
+                (str(ErasureReason.REQUEST), tr("The patient has asked for it")),
+                (str(ErasureReason.RETENTION_OVER), tr("The time of keeping is over")),
+            ]
+        )
+        self.reason.edited.connect(lambda _reason: self._allow())
+        self.means = MessageLabel()
+        self.over = RowTable((tr("Pseudonym"), tr("Visits"), tr("Orders"), tr("Kept until")))
+        self.over.setAccessibleName(tr("The time of keeping is over"))
+        self.over.chosen.connect(self._take)
+        self.erase = self.add_button(tr("Erase for good"), self._erase)
+        self._lay_out()
+        self._allow()
+        self.ask(_read_over, self._show_over)
+
+    def look_up(self) -> None:
+        """Show what erasing the patient with this pseudonym would mean."""
+        pseudonym = self.pseudonym.text().strip()
+        if pseudonym:
+            self.say("")
+            self.ask(lambda records: _find(records, pseudonym), self._show)
+
+    def _lay_out(self) -> None:
+        row = QHBoxLayout()
+        row.addWidget(self.pseudonym, 1)
+        row.addWidget(self.find_button)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(tr("Pseudonym"), row)
+        form.addRow(tr("Reason"), self.reason)
+        mark_labels(form)
+        words = MessageLabel("quiet")
+        words.say(tr("Patients whose time of keeping is over; Enter takes one:"))
+        self.content.addLayout(form)
+        self.content.addWidget(self.means)
+        self.content.addWidget(words)
+        self.content.addWidget(self.over, 1)
+
+    def _show_over(self, found: list[Erasable]) -> None:
+        self.over.show_rows([_row(erasable) for erasable in found])
+        if self.pseudonym.text():
+            self.look_up()
+
+    def _take(self, pseudonym: str) -> None:
+        self.pseudonym.setText(pseudonym)
+        self.reason.show_value(str(ErasureReason.RETENTION_OVER))
+        self.look_up()
+
+    def _show(self, found: Erasable) -> None:
+        self._found = found
+        self.means.say_all(_meaning(found, self._today))
+        self._allow()
+
+    def _forget(self) -> None:
+        self._found = None
+        self.means.say("")
+        self._allow()
+
+    def _allow(self) -> None:
+        has_reason = self.reason.currentData() != _NO_REASON
+        self.erase.setEnabled(self._found is not None and has_reason)
+
+    def refuse(self, error: Exception) -> None:
+        """Tell why nobody was found or erased."""
+        super().refuse(error)
+        self._forget()
+
+    def _erase(self) -> None:
+        found, today = self._found, self._today
+        assert found is not None
+        reason = ErasureReason(self.reason.currentData())
+
+        def erase(records: Records) -> tuple[Erasure, list[Erasable]]:
+            from insole_core.records.retention import erase_person
+
+            return erase_person(records.context, found.person_id, reason, today), _read_over(
+                records
+            )
+
+        def done(answer: tuple[Erasure, list[Erasable]]) -> None:
+            erasure, over = answer
+            self._forget()
+            self.pseudonym.clear()
+            self.over.show_rows([_row(erasable) for erasable in over])
+            self.say(_result(found.pseudonym, erasure))
+
+        self.change(erase, done)
+
+
+def _find(records: Records, pseudonym: str) -> Erasable:
+    from insole_core.records.retention import find_erasable
+
+    return find_erasable(records.context, pseudonym)
+
+
+def _read_over(records: Records) -> list[Erasable]:
+    from insole_core.records.retention import over_retention_named
+
+    return over_retention_named(records.context, date.today())
+
+
+def _row(erasable: Erasable) -> TableRow:
+    cells = (
+        erasable.pseudonym,
+        str(erasable.visits),
+        str(erasable.orders),
+        erasable.kept_until.isoformat(),
+    )
+    return TableRow(erasable.pseudonym, cells)
+
+
+def _meaning(found: Erasable, today: date) -> list[str]:
+    """Say what goes and what the law keeps."""
+    counts = fill(
+        tr("{pseudonym}: visits {visits}, orders {orders}."),
+        pseudonym=found.pseudonym,
+        visits=found.visits,
+        orders=found.orders,
+    )
+    if found.kept_until > today:
+        return [
+            counts,
+            tr(
+                "Erased are name, birth date, personal number, contact and all notes, and captures "
+                "that no insole was made from."
+            ),
+            tr(
+                "The law keeps what documents the devices, under the pseudonym, until {day} "
+                "(Regulation (EU) 2017/745, Annex XIII)."
+            ).format(day=found.kept_until.isoformat()),
+            tr("This cannot be undone; backups made before still hold the patient."),
+        ]
+    return [
+        counts,
+        tr("The time of keeping ended on {day}: all of it is erased.").format(
+            day=found.kept_until.isoformat()
+        ),
+        tr("This cannot be undone; backups made before still hold the patient."),
+    ]
+
+
+def _result(pseudonym: str, erasure: Erasure) -> str:
+    if erasure.kept_until is not None:
+        return tr(
+            "Everything that says who {pseudonym} is has been erased; the devices stay documented "
+            "until {day}."
+        ).format(pseudonym=pseudonym, day=erasure.kept_until.isoformat())
+    return tr("Everything about {pseudonym} has been erased.").format(pseudonym=pseudonym)

@@ -1,0 +1,242 @@
+"""Merging persons who are in the record twice, and taking a merge back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
+
+from insole_core.records.person import PersonSummary
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.clinic.moments import moment_text
+from insole_studio.features.clinic.person_picker import PersonPicker
+from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.texts import fill, tr, translate_core_message
+from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.row_table import RowTable, TableRow
+
+if TYPE_CHECKING:
+    from insole_core.records.duplicates import Duplicate
+    from insole_core.records.merging import Merge, MergePreview, NamedMerge
+    from insole_core.records.records import Records
+
+_SIZE = (920, 640)
+_FIELDS = {
+    "birth_date": "birth date",
+    "personal_number": "personal number",
+    "contact": "contact",
+    "consent_on": "date of the consent",
+}
+_MERGE_TAB = 0
+
+
+@dataclass(frozen=True)
+class _Shown:
+    duplicates: list[Duplicate]
+    merges: list[NamedMerge]
+
+
+class MergeDialog(RecordDialog):
+    """Proposals above, the two persons below; what moves is told before it does."""
+
+    def __init__(self, clinic: ClinicRecord, parent: QWidget | None = None) -> None:
+        super().__init__(tr("Merge duplicate patients"), clinic, parent)
+        self.resize(*_SIZE)
+        self._duplicates: dict[str, Duplicate] = {}
+        self._merges: dict[str, Merge] = {}
+        self.tabs = QTabWidget()
+        self.tabs.addTab(self._make_choice(), tr("Merge"))
+        self.tabs.addTab(self._make_merges(), tr("Merged before"))
+        self.tabs.currentChanged.connect(lambda _index: self._allow())
+        self.content.addWidget(self.tabs)
+        self.swap = self.add_button(tr("Swap"), self._swap)
+        self.merge = self.add_button(tr("Merge"), self._merge)
+        self.make_primary(self.merge)
+        self.undo = self.add_button(tr("Undo this merge"), self._undo)
+        self._preview: MergePreview | None = None
+        self._allow()
+        self.read()
+
+    def read(self) -> None:
+        """Show the proposals and the merges as they are now."""
+        self.ask(_read, self._show)
+
+    def _make_choice(self) -> QWidget:
+        headings = (tr("Kept"), tr("Merged into it"), tr("The same"))
+        self.proposals = RowTable(headings)
+        self.proposals.setAccessibleName(tr("Proposals"))
+        self.proposals.current_changed.connect(self._take_proposal)
+        self.proposals.chosen.connect(self._take_proposal)
+        self._words = MessageLabel("quiet")
+        self.kept = PersonPicker(tr("This patient is kept"), self.clinic, self.refuse)
+        self.other = PersonPicker(tr("This one is merged into it"), self.clinic, self.refuse)
+        for picker in (self.kept, self.other):
+            picker.person_changed.connect(self._ask_preview)
+        self.moves = MessageLabel()
+        pickers = QHBoxLayout()
+        pickers.setSpacing(16)
+        pickers.addWidget(self.kept)
+        pickers.addWidget(self.other)
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setSpacing(8)
+        layout.addWidget(self._words)
+        layout.addWidget(self.proposals, 2)
+        layout.addLayout(pickers, 3)
+        layout.addWidget(self.moves)
+        return page
+
+    def _make_merges(self) -> QWidget:
+        headings = (tr("Kept"), tr("Merged into it"), tr("When"), tr("By"))
+        self.merges = RowTable(headings)
+        self.merges.setAccessibleName(tr("Merged before"))
+        self.merges.current_changed.connect(lambda _key: self._allow())
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.addWidget(self.merges)
+        return page
+
+    def _show(self, shown: _Shown) -> None:
+        self._duplicates = {f"{d.kept.id} {d.other.id}": d for d in shown.duplicates}
+        self._words.say(
+            tr("These may be the same person. Two others are found by typing their names below.")
+            if shown.duplicates
+            else tr("Nobody seems to be in the record twice. Two persons are found by their names.")
+        )
+        self.proposals.show_rows([_proposal(key, d) for key, d in self._duplicates.items()])
+        self._merges = {named.merge.id: named.merge for named in shown.merges}
+        self.merges.show_rows([_merge_row(named) for named in shown.merges])
+        if not self.proposals.take_first():
+            self.kept.search.setFocus()
+        self.merges.take_first()
+        self._allow()
+
+    def _take_proposal(self, key: str) -> None:
+        duplicate = self._duplicates.get(key)
+        if duplicate is not None:
+            self.kept.show_person(duplicate.kept)
+            self.other.show_person(duplicate.other)
+
+    @property
+    def _pair(self) -> tuple[PersonSummary, PersonSummary] | None:
+        kept, other = self.kept.person, self.other.person
+        return None if kept is None or other is None else (kept, other)
+
+    def _ask_preview(self) -> None:
+        """Say what would move from one person to the other."""
+        self._preview = None
+        self.moves.say("")
+        self.say("")
+        pair = self._pair
+        if pair is not None and pair[0].id == pair[1].id:
+            self.moves.say(tr("This is the same person twice; choose another one."))
+        elif pair is not None:
+            kept, other = pair
+            self.ask(
+                lambda records: records.persons.preview_merge(kept.id, other.id),
+                lambda preview: self._show_preview(pair, preview),
+            )
+        self._allow()
+
+    def _show_preview(
+        self, pair: tuple[PersonSummary, PersonSummary], preview: MergePreview
+    ) -> None:
+        if pair != self._pair:
+            return
+        self._preview = preview
+        kept, other = pair
+        lines = [
+            fill(
+                tr(
+                    "From {other} to {kept}, whose name and fields stay, move: visits {visits}, "
+                    "orders {orders}, follow-ups {follow_ups}."
+                ),
+                visits=preview.visits,
+                orders=preview.orders,
+                follow_ups=preview.follow_ups,
+                other=_named(other),
+                kept=_named(kept),
+            )
+        ]
+        filled = [
+            translate_core_message(_FIELDS[name]) for name in preview.filled if name in _FIELDS
+        ]
+        if filled:
+            lines.append(
+                tr("Filled in, as it is empty: {fields}.").format(fields=", ".join(filled))
+            )
+        lines.append(tr("This can be undone under “Merged before”."))
+        self.moves.say_all(lines)
+        self._allow()
+
+    def _allow(self) -> None:
+        merging = self.tabs.currentIndex() == _MERGE_TAB
+        for button in (self.swap, self.merge):
+            button.setVisible(merging)
+        self.undo.setVisible(not merging)
+        self.swap.setEnabled(self._pair is not None)
+        self.merge.setEnabled(self._preview is not None)
+        self.undo.setEnabled(bool(self.merges.current_key))
+
+    def _swap(self) -> None:
+        pair = self._pair
+        if pair is not None:
+            self.kept.show_person(pair[1])
+            self.other.show_person(pair[0])
+
+    def _merge(self) -> None:
+        pair = self._pair
+        if pair is None:
+            return
+        kept, other = pair
+
+        def done(_merge: Merge) -> None:
+            self.kept.clear()
+            self.other.clear()
+            self.say(
+                tr("{other} is now part of {kept}.").format(other=_named(other), kept=_named(kept))
+            )
+            self.ask(_read, self._show)
+
+        self.change(lambda records: records.persons.merge(kept.id, other.id), done)
+
+    def _undo(self) -> None:
+        merge = self._merges.get(self.merges.current_key)
+        if merge is None:
+            return
+
+        def done(_none: None) -> None:
+            self.say(tr("Both are persons of their own again."))
+            self.read()
+
+        self.change(lambda records: records.persons.undo_merge(merge), done)
+
+
+def _read(records: Records) -> _Shown:
+    from insole_core.records.duplicates import find_duplicates
+    from insole_core.records.rights import Right, require
+
+    with records.context.database.reading() as connection:
+        require(connection, records.who, Right.MERGE)
+    return _Shown(find_duplicates(records.persons.everybody()), records.persons.latest_merges())
+
+
+def _named(person: PersonSummary) -> str:
+    born = "" if person.birth_date is None else f", {person.birth_date.isoformat()}"
+    return f"{person.name}{born}"
+
+
+def _proposal(key: str, duplicate: Duplicate) -> TableRow:
+    cells = (
+        _named(duplicate.kept),
+        _named(duplicate.other),
+        translate_core_message(duplicate.likeness),
+    )
+    return TableRow(key, cells)
+
+
+def _merge_row(named: NamedMerge) -> TableRow:
+    merge = named.merge
+    cells = (named.kept_name, named.merged_name, moment_text(merge.at), merge.author)
+    return TableRow(merge.id, cells)

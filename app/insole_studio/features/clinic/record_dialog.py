@@ -1,0 +1,104 @@
+"""A dialog that asks the record: its answers and refusals are told in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeVar
+
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
+from shiboken6 import isValid
+
+from insole_core.errors import InsoleError
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.texts import tr
+from insole_studio.widgets.message_label import MessageLabel
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+
+Answer = TypeVar("Answer")
+Done = Callable[[Answer], None]
+
+
+class RecordDialog(QDialog):
+    """A dialog with content above a message and buttons; it is gone once it is closed.
+
+    Parameters
+    ----------
+    clinic
+        The record; its answers are dropped once the dialog is closed.
+    """
+
+    def __init__(self, title: str, clinic: ClinicRecord, parent: QWidget | None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(title)
+        self.clinic = clinic
+        self.content = QVBoxLayout()
+        self.content.setSpacing(12)
+        self.message = MessageLabel()
+        self.buttons = QDialogButtonBox()
+        self.close_button = self.buttons.addButton(
+            tr("Close"), QDialogButtonBox.ButtonRole.RejectRole
+        )
+        self.close_button.setAutoDefault(False)  # else Enter in a line closes the dialog
+        self.buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.setSpacing(12)
+        layout.addLayout(self.content, 1)
+        layout.addWidget(self.message)
+        layout.addWidget(self.buttons)
+        self.finished.connect(self.deleteLater)
+
+    def add_button(self, text: str, run: Callable[[], object]) -> QPushButton:
+        """Add a button to the row at the bottom; Enter does not press it."""
+        button = self.buttons.addButton(text, QDialogButtonBox.ButtonRole.ActionRole)
+        button.setAutoDefault(False)
+        button.clicked.connect(run)
+        return button
+
+    def make_primary(self, button: QPushButton) -> None:
+        """Let a button stand out: it does what the dialog is for."""
+        button.setObjectName("primary")
+        button.style().unpolish(button)  # it was polished as it was added
+        button.style().polish(button)
+
+    def say(self, sentence: str, *, warns: bool = False) -> None:
+        """Show a sentence above the buttons; an empty one hides it."""
+        self.say_all([sentence] if sentence else [], warns=warns)
+
+    def say_all(self, sentences: list[str], *, warns: bool = False) -> None:
+        """Show sentences above the buttons, one below the other."""
+        self.message.setObjectName("warning" if warns else "")
+        self.message.style().polish(self.message)  # the style sheet depends on the name
+        self.message.say_all(sentences)
+
+    def ask(self, question: Callable[[Records], Answer], done: Done[Answer]) -> None:
+        """Ask the record; a later question of the same kind of dialog replaces this one."""
+        channel = f"clinic-{type(self).__name__}"
+        self.clinic.ask(channel, question, self.while_open(done), self.while_open(self.refuse))
+
+    def change(self, change: Callable[[Records], Answer], done: Done[Answer]) -> None:
+        """Change the record; nothing can be pressed until the answer is there."""
+        self.setEnabled(False)
+
+        def told(answer: Answer) -> None:
+            self.setEnabled(True)
+            done(answer)
+
+        self.clinic.write(change, self.while_open(told), self.while_open(self.refuse))
+
+    def while_open(self, call: Done[Answer]) -> Done[Answer]:
+        """Return a function that calls `call` unless the dialog has been closed meanwhile."""
+
+        def guarded(answer: Answer) -> None:
+            if isValid(self):
+                call(answer)
+
+        return guarded
+
+    def refuse(self, error: Exception) -> None:
+        """Tell why something was not done."""
+        self.setEnabled(True)
+        if not isinstance(error, InsoleError):
+            raise error
+        self.say(error.message, warns=True)

@@ -1,0 +1,141 @@
+"""Signing in, and the lock of the windows while nobody uses them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from insole_core.records.author import Author, Role
+from insole_studio.document.clinic_record import RecordState
+from insole_studio.document.record_keeper import KeepState
+from insole_studio.features.clinic.accounts_dialog import read_lock_minutes
+from insole_studio.features.clinic.idle_watch import IdleWatch
+from insole_studio.features.clinic.lock_cover import LockCover
+from insole_studio.features.clinic.sign_in_dialog import SignInDialog
+from insole_studio.services.app_services import AppServices
+from insole_studio.widgets.typed_text import commit_typed_text
+
+_CANNOT_LEAVE = (KeepState.REFUSED, KeepState.CONFLICT)
+SECONDS_OF_MINUTE = 60
+
+
+class SessionLock(QObject):
+    """Asks for a sign-in where the record has accounts, and locks the windows after some minutes.
+
+    The open case stays as it is while they are locked, and is saved as before.
+
+    Parameters
+    ----------
+    keep_now
+        Writes the copy of the open case that is on this computer.
+    """
+
+    patients_hidden = Signal()
+    """Emitted when somebody has signed in who may not see the patient of the open case."""
+    quit_requested = Signal()
+    """Emitted when the program is to end though nobody has signed in; nothing is shown or asked."""
+
+    def __init__(self, services: AppServices, keep_now: Callable[[], None]) -> None:
+        super().__init__(services.window)
+        self._services = services
+        self._clinic = services.clinic
+        self._keep_now = keep_now
+        self._cover = LockCover(self)
+        self._idle = IdleWatch(self)
+        self._idle.idle.connect(self.lock)
+        self._author: Author | None = None
+        self.lock_minutes = 0
+        self.dialog: SignInDialog | None = None
+        self._clinic.state_changed.connect(self._follow)
+
+    @property
+    def is_locked(self) -> bool:
+        """Whether the windows are covered."""
+        return self._author is not None and self.dialog is not None
+
+    @property
+    def author(self) -> Author | None:
+        """Who has signed in; None while accounts are off or nobody has."""
+        return self._author
+
+    def lock(self) -> None:
+        """Cover the windows until somebody signs in; where nobody has yet, ask for it."""
+        if not self._clinic.has_accounts or self.dialog is not None:
+            return
+        self._idle.stop()
+        if self._author is not None:
+            commit_typed_text()
+            self._keep_now()
+        self._ask()
+
+    def set_lock_minutes(self, minutes: int) -> None:
+        """Lock the windows after so many minutes without input; never after 0."""
+        self.lock_minutes = minutes
+        self._watch()
+
+    def close(self) -> None:
+        """Watch no more, and show the windows."""
+        self._idle.stop()
+        self._end_dialog()
+
+    def _follow(self) -> None:
+        state = self._clinic.state
+        if state is RecordState.SIGNED_OUT:
+            if self.dialog is None:
+                self._ask()
+        elif not self._clinic.has_accounts:
+            self._author = None
+            self._idle.stop()
+            self._end_dialog()
+
+    def _ask(self) -> None:
+        is_lock = self._author is not None
+        name = self._author.name if self._author is not None else ""
+        self.dialog = SignInDialog(
+            self._clinic, name, is_lock=is_lock, parent=self._services.window
+        )
+        self.dialog.setWindowModality(Qt.WindowModality.ApplicationModal)
+        self.dialog.signed_in.connect(self._take)
+        self.dialog.quit_requested.connect(self.quit_requested)
+        self.dialog.finished.connect(self._forget_dialog)
+        if is_lock:
+            self._cover.put_over_all(but=self.dialog)
+        self.dialog.open()
+
+    def _take(self, author: Author) -> None:
+        """Let the windows be those of whoever has signed in, once the work before is saved."""
+        before = self._author
+        keeper = self._services.keeper
+        if before is None or before.name == author.name or keeper.state in _CANNOT_LEAVE:
+            self._hand_over(author)
+        else:
+            keeper.leave(lambda: self._hand_over(author))
+
+    def _hand_over(self, author: Author) -> None:
+        self._author = author
+        self._end_dialog()
+        self._clinic.take_author(author)
+        if author.role is Role.ADMINISTRATOR:
+            self.patients_hidden.emit()
+        self._clinic.ask(
+            "clinic-lock-minutes",
+            read_lock_minutes,
+            self.set_lock_minutes,
+            self._services.messages.show_error,
+        )
+
+    def _watch(self) -> None:
+        self._idle.stop()
+        if self._author is not None and self.dialog is None and self.lock_minutes > 0:
+            self._idle.start(self.lock_minutes * SECONDS_OF_MINUTE)
+
+    def _end_dialog(self) -> None:
+        dialog = self.dialog
+        if dialog is not None:
+            self._forget_dialog()
+            dialog.done(0)
+
+    def _forget_dialog(self) -> None:
+        self._cover.lift()
+        self.dialog = None

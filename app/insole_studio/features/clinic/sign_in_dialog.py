@@ -1,0 +1,94 @@
+"""The dialog that asks for name and password of an account."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
+
+from insole_core.records.author import Author
+from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.clinic.password_fields import secret_line
+from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.texts import tr
+from insole_studio.widgets.form_labels import mark_labels
+
+_WIDTH_PX = 420
+_MOST_NAME = 200
+
+
+class SignInDialog(RecordDialog):
+    """Asks until somebody has signed in.
+
+    Parameters
+    ----------
+    name
+        Whose account it was before; empty at the start.
+    is_lock
+        Whether the window is locked: then the dialog stays until somebody has signed in.
+    """
+
+    signed_in = Signal(object)
+    """Emitted with the `Author`."""
+    quit_requested = Signal()
+
+    def __init__(
+        self, clinic: ClinicRecord, name: str, *, is_lock: bool, parent: QWidget | None
+    ) -> None:
+        title = tr("The window is locked") if is_lock else tr("Sign in")
+        super().__init__(title, clinic, parent)
+        self.setMinimumWidth(_WIDTH_PX)
+        self._is_lock = is_lock
+        self.name = QLineEdit(name)
+        self.name.setMaxLength(_MOST_NAME)
+        self.password = secret_line()
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(tr("Account"), self.name)
+        form.addRow(tr("Password"), self.password)
+        mark_labels(form)
+        self.content.addLayout(form)
+        self.sign_in = self.buttons.addButton(tr("Sign in"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.make_primary(self.sign_in)
+        self.sign_in.setDefault(True)
+        self.buttons.accepted.connect(self._try)
+        if is_lock:
+            self.close_button.setText(tr("Quit"))
+            self.buttons.rejected.disconnect()
+            self.buttons.rejected.connect(self.quit_requested)
+        else:
+            self.close_button.setText(tr("Files only"))
+        (self.password if name else self.name).setFocus()
+
+    def reject(self) -> None:
+        """Close the dialog, unless the window is locked."""
+        if not self._is_lock:
+            super().reject()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Let no key but those of the fields do anything while the window is locked."""
+        super().keyPressEvent(event)
+        event.accept()
+
+    def refuse(self, error: Exception) -> None:
+        """Tell why it was refused, and wait for another password."""
+        super().refuse(error)
+        self.password.clear()
+        self.password.setFocus()
+
+    def _try(self) -> None:
+        if not self.name.text().strip():
+            self.name.setFocus()
+            return
+        self.setEnabled(False)
+        self.say(tr("Signing in…"))
+        self.clinic.sign_in(
+            self.name.text(),
+            self.password.text(),
+            self.while_open(self._take),
+            self.while_open(self.refuse),
+        )
+
+    def _take(self, author: Author) -> None:
+        self.setEnabled(True)
+        self.signed_in.emit(author)

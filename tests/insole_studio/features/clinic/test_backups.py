@@ -1,0 +1,278 @@
+"""The record is backed up, by hand and by the clock, and restored in place of a damaged one."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from datetime import date, datetime, timedelta
+from pathlib import Path
+
+import pytest
+from administering import PASSWORD, shown, type_into
+from pytestqt.qtbot import QtBot
+
+from insole_core.progress import Progress
+from insole_core.records.backup.back_up import _Source, back_up, set_up_backups
+from insole_core.records.backup.backup_folder import BackupFolder
+from insole_core.records.backup.backup_key import BackupKey
+from insole_core.records.backup.manifest import Manifest
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_studio.app.bootstrap import Application
+from insole_studio.document.clinic_record import RecordState
+from insole_studio.features.clinic import backups
+from insole_studio.features.clinic.backup_dialog import BackupDialog
+from insole_studio.features.clinic.restore_dialog import RestoreDialog
+from insole_studio.features.clinic.verify_dialog import VerifyDialog
+from insole_studio.user_paths import UserPaths
+
+Run = Callable[[str, type], object]
+
+
+def snapshots_in(folder: Path) -> list[int]:
+    return [snapshot.number for snapshot in BackupFolder(folder).snapshots()]
+
+
+def set_up(records: Records) -> None:
+    set_up_backups(records.context, BackupKey.with_passphrase(PASSWORD))
+
+
+def notices_of(clinic: Application) -> list[str]:
+    return [notice.text for notice in clinic.services.notices.notices]
+
+
+def test_the_first_backup_asks_for_a_passphrase_and_tells_that_it_was_checked(
+    clinic: Application, run: Run, rest: Callable[[], None], backup_folder: Path, questions
+) -> None:
+    dialog = run("backup", BackupDialog)
+    assert isinstance(dialog, BackupDialog)
+    dialog.now.click()
+    assert "Choose the folder" in dialog.message.text()
+    questions.path = backup_folder
+    dialog.choose.click()
+    rest()
+    type_into(dialog.passphrase.first, PASSWORD)
+    type_into(dialog.passphrase.again, "something else")
+    dialog.now.click()
+    assert "not the same" in dialog.message.text()
+    type_into(dialog.passphrase.first, "short")
+    type_into(dialog.passphrase.again, "short")
+    dialog.now.click()
+    rest()
+    assert "at least 12 characters" in dialog.message.text()
+    for line in (dialog.passphrase.first, dialog.passphrase.again):
+        type_into(line, PASSWORD)
+    dialog.now.click()
+    rest()
+    assert "read again and is right" in dialog.message.text()
+    assert not dialog.passphrase.first.isVisible()
+    assert dialog.passphrase.first.text() == ""
+    assert snapshots_in(backup_folder) == [1]
+    assert dialog.last.text().startswith(str(date.today()))
+
+
+def test_a_public_key_is_taken_in_place_of_a_passphrase(
+    clinic: Application, run: Run, rest: Callable[[], None], backup_folder: Path
+) -> None:
+    dialog = run("backup", BackupDialog)
+    assert isinstance(dialog, BackupDialog)
+    type_into(dialog.folder, str(backup_folder))
+    dialog.kind.setCurrentIndex(1)
+    dialog.kind.activated.emit(1)
+    assert dialog.recipient.isVisible()
+    assert not dialog.passphrase.first.isVisible()
+    type_into(dialog.recipient, "age1nonsense")
+    dialog.now.click()
+    rest()
+    assert "public key of age" in dialog.message.text()
+    assert snapshots_in(backup_folder) == []
+
+
+def test_a_backup_is_stopped_and_leaves_no_snapshot(
+    clinic: Application,
+    records: Records,
+    run: Run,
+    rest: Callable[[], None],
+    backup_folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    qtbot: QtBot,
+) -> None:
+    set_up(records)
+    monkeypatch.setattr(_Source, "write_all", _work_until_cancelled)
+    dialog = run("backup", BackupDialog)
+    assert isinstance(dialog, BackupDialog)
+    type_into(dialog.folder, str(backup_folder))
+    dialog.now.click()
+    qtbot.waitUntil(lambda: dialog.progress.isVisible() and dialog.cancel.isVisible())
+    assert not dialog.now.isEnabled()
+    dialog.cancel.click()
+    assert "was stopped" in dialog.message.text()
+    rest()
+    assert dialog.now.isEnabled()
+    assert not dialog.progress.isVisible()
+    assert snapshots_in(backup_folder) == []
+
+
+def _work_until_cancelled(
+    _source: _Source, _made_at: datetime, _settings: Mapping[str, Path], progress: Progress
+) -> Manifest:
+    while True:
+        progress.step(0.5, "Backing up files ({done} of {all})", done=1, all=2)
+        time.sleep(0.01)
+
+
+def test_a_missed_backup_is_made_up_for_and_another_one_is_not_due_yet(
+    clinic: Application, records: Records, rest: Callable[[], None], backup_folder: Path
+) -> None:
+    set_up(records)
+    back_up(records.context, backup_folder)
+    (path,) = (backup_folder / "snapshots").iterdir()
+    old = datetime.now().astimezone() - timedelta(days=3)
+    path.rename(path.with_name(f"000001-{old:%Y-%m-%dT%H-%M-%S}Z.age"))
+    planned = clinic.features.clinic.backups
+    planned.set_plan(backup_folder, "daily", 0)
+    rest()
+    assert snapshots_in(backup_folder) == [1, 2]
+    planned.look()
+    rest()
+    assert snapshots_in(backup_folder) == [1, 2]
+    assert notices_of(clinic) == []
+
+
+def test_a_disk_that_is_not_there_is_told_and_nothing_is_written_in_its_place(
+    clinic: Application, records: Records, rest: Callable[[], None], backup_folder: Path
+) -> None:
+    set_up(records)
+    planned = clinic.features.clinic.backups
+    planned.set_plan(backup_folder, "daily", 0)  # the empty folder that a disk is mounted on
+    rest()
+    (notice,) = notices_of(clinic)
+    assert "No backup was made" in notice
+    assert "connect its disk" in notice
+    assert list(backup_folder.iterdir()) == []
+    planned.set_plan(backup_folder / "gone", "daily", 0)
+    rest()
+    assert len(notices_of(clinic)) == 1
+    assert not (backup_folder / "gone").exists()
+    planned.begin(is_first=True)
+    rest()
+    assert notices_of(clinic) == []
+
+
+def test_after_a_failure_it_is_tried_again_only_after_a_while(
+    clinic: Application,
+    records: Records,
+    rest: Callable[[], None],
+    backup_folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    set_up(records)
+    asked: list[Path] = []
+
+    def newest(folder: Path) -> datetime:
+        asked.append(folder)
+        raise backups._not_there(folder)
+
+    monkeypatch.setattr(backups, "newest_in", newest)
+    planned = clinic.features.clinic.backups
+    planned.set_plan(backup_folder, "daily", 0)
+    rest()
+    planned.look()
+    rest()
+    assert len(asked) == 1
+
+
+@pytest.mark.slow
+def test_a_backup_is_shown_and_never_restored_over_a_newer_record_without_a_word(
+    clinic: Application,
+    records: Records,
+    run: Run,
+    rest: Callable[[], None],
+    backup_folder: Path,
+    paths: UserPaths,
+) -> None:
+    records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    set_up(records)
+    back_up(records.context, backup_folder)
+    records.persons.add(Person("Berta Dal"))
+    clinic.settings.backup_folder = str(backup_folder)
+    dialog = run("restore_record", RestoreDialog)
+    assert isinstance(dialog, RestoreDialog)
+    assert [row.cells[0] for row in dialog.table.rows] == ["1"]
+    assert not dialog.restore_button.isEnabled()
+    type_into(dialog.secret, "another one of words")
+    dialog.show_button.click()
+    rest()
+    assert "does not open this backup" in dialog.message.text()
+    type_into(dialog.secret, PASSWORD)
+    dialog.show_button.click()
+    rest()
+    assert "patients 1, visits 0" in dialog.contents.text()
+    dialog.restore_button.click()
+    rest()
+    assert "holds a record that is newer than the backup" in dialog.message.text()
+    record = clinic.services.clinic
+    assert record.is_open
+    assert len(record.ask_now(lambda r: r.persons.everybody())) == 2
+    assert dialog.restore_button.text() == "Set the present record aside and restore"
+    dialog.restore_button.click()
+    rest()
+    assert "The record is as it was on" in dialog.message.text()
+    assert "is kept as" in dialog.message.text()
+    assert record.is_open
+    assert [p.name for p in record.ask_now(lambda r: r.persons.everybody())] == ["Anna Berg"]
+    assert len(list(paths.records_folder.glob("* until *.sqlite3"))) == 1
+
+
+@pytest.mark.slow
+def test_a_damaged_record_is_restored_from_the_start_page(
+    clinic: Application,
+    records: Records,
+    rest: Callable[[], None],
+    backup_folder: Path,
+    qtbot: QtBot,
+) -> None:
+    records.persons.add(Person("Anna Berg"))
+    set_up(records)
+    back_up(records.context, backup_folder)
+    record = clinic.services.clinic
+    record.let_go()
+    file = clinic.services.paths.records_folder / "records.sqlite3"
+    file.write_bytes(b"no database at all" * 1000)
+    record.open()
+    qtbot.waitUntil(lambda: record.state is RecordState.REFUSED, timeout=9000)
+    page = clinic.features.records.start
+    assert page is not None
+    assert "restore the record from a backup" in page.message.text()
+    page.remedies["restore_record"].click()
+    dialog = shown(clinic, RestoreDialog)
+    type_into(dialog.folder, str(backup_folder))
+    dialog.list_snapshots()
+    rest()
+    type_into(dialog.secret, PASSWORD)
+    dialog.show_button.click()
+    rest()
+    dialog.restore_button.click()
+    rest()
+    assert "holds a record already" in dialog.message.text()
+    dialog.restore_button.click()
+    rest()
+    assert record.is_open
+    assert not page.remedies["restore_record"].isVisible()
+    assert [p.name for p in record.ask_now(lambda r: r.persons.everybody())] == ["Anna Berg"]
+
+
+def test_verifying_tells_that_all_is_sound_and_names_what_is_not(
+    clinic: Application, records: Records, run: Run, rest: Callable[[], None]
+) -> None:
+    records.persons.add(Person("Anna Berg"))
+    dialog = run("verify_record", VerifyDialog)
+    assert isinstance(dialog, VerifyDialog)
+    assert "Everything is what was stored" in dialog.verdict.text()
+    assert "lines of the audit log 1" in dialog.verdict.text()
+    with records.context.database.writing() as connection:
+        connection.exec_driver_sql("UPDATE audit_head SET seq = 7")
+    dialog.again.click()
+    rest()
+    assert "Everything" not in dialog.verdict.text()
+    assert "7 lines were written" in dialog.message.text()

@@ -1,0 +1,115 @@
+"""The open visit is saved before and while the window is locked, for whoever has changed it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
+
+import pytest
+from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.records.author import Author, Role
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+from insole_studio.app.bootstrap import Application
+from insole_studio.document.record_keeper import KeepState
+from insole_studio.features.clinic.sign_in_dialog import SignInDialog
+
+
+@pytest.fixture
+def eva(records: Records) -> Records:
+    return records.for_author(Author("eva", "desk"))
+
+
+@pytest.fixture
+def opened(
+    with_accounts: Application, eva: Records, make_foot: Callable[[Side], Foot], qtbot: QtBot
+) -> Application:
+    """Eva has a visit of Anna open."""
+    anna = eva.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    visit = eva.visits.add(Visit(anna.id, date.today()))
+    source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+    eva.prescriptions.save(visit.id, FootRecord.begun(make_foot(Side.LEFT), source), None)
+    take_over(with_accounts, qtbot, "eva", OTHER_PASSWORD)
+    with_accounts.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: with_accounts.case.kept is not None, timeout=10_000)
+    return with_accounts
+
+
+def take_over(app: Application, qtbot: QtBot, name: str, password: str) -> None:
+    sign_in(shown(app, SignInDialog), name, password)
+    lock = app.features.clinic.lock
+    qtbot.waitUntil(lambda: lock.dialog is None, timeout=10_000)
+
+
+def thicken(app: Application, thickness_mm: float) -> None:
+    design = app.case.record.design
+    assert design is not None
+    app.case.apply(replace(design, thickness_mm=thickness_mm), "Thickness")
+
+
+def newest(records: Records, app: Application) -> tuple[str, float]:
+    """Return author and thickness of the newest version."""
+    assert app.case.kept is not None
+    version = records.prescriptions.versions(app.case.kept.visit.id, Side.LEFT)[0]
+    return version.author, records.prescriptions.read(version.id).design.thickness_mm
+
+
+def test_what_was_just_changed_is_saved_while_the_window_is_locked(
+    opened: Application, eva: Records, qtbot: QtBot
+) -> None:
+    thicken(opened, 4.5)
+    record = opened.case.record
+    opened.window.actions_by_key["lock"].trigger()
+    assert opened.features.clinic.lock.is_locked
+    qtbot.waitUntil(lambda: newest(eva, opened) == ("eva", 4.5), timeout=10_000)
+    assert "Anna" not in opened.window.windowTitle()
+    take_over(opened, qtbot, "eva", OTHER_PASSWORD)
+    assert opened.case.record is record
+    assert "Anna" in opened.window.windowTitle()
+    assert opened.services.keeper.state is KeepState.SAVED
+
+
+def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
+    opened: Application, records: Records, eva: Records, qtbot: QtBot
+) -> None:
+    root = records.for_author(Author("admin", "desk", Role.ADMINISTRATOR))
+    root.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
+    thicken(opened, 4.5)
+    opened.window.actions_by_key["lock"].trigger()
+    take_over(opened, qtbot, "tom", "yet other long words")
+    assert newest(eva, opened) == ("eva", 4.5)
+    thicken(opened, 5.0)
+    qtbot.waitUntil(lambda: newest(eva, opened) == ("tom", 5.0), timeout=10_000)
+
+
+def test_an_administrator_who_takes_over_finds_no_case(
+    opened: Application, eva: Records, qtbot: QtBot
+) -> None:
+    assert opened.case.kept is not None
+    visit_id = opened.case.kept.visit.id
+    thicken(opened, 4.5)
+    opened.window.actions_by_key["lock"].trigger()
+    take_over(opened, qtbot, "admin", PASSWORD)
+    qtbot.waitUntil(lambda: opened.case.is_empty, timeout=10_000)
+    assert opened.window.page is opened.features.records.start
+    assert "Anna" not in opened.window.windowTitle()
+    (version,) = eva.prescriptions.versions(visit_id, Side.LEFT)[:1]
+    assert eva.prescriptions.read(version.id).design.thickness_mm == 4.5
+
+
+def test_quitting_a_locked_window_shows_nothing_and_asks_nothing(
+    opened: Application, qtbot: QtBot
+) -> None:
+    opened.window.actions_by_key["lock"].trigger()
+    dialog = shown(opened, SignInDialog)
+    with qtbot.waitSignal(opened.controller.closed, timeout=5000):
+        dialog.close_button.click()
+    assert opened.features.clinic.lock.is_locked
+    assert "Anna" not in opened.window.windowTitle()
