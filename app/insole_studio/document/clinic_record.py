@@ -143,7 +143,7 @@ class ClinicRecord(QObject):
         """Check name and password in a job; `take_author` then makes them the author."""
         records = self._records
         if records is None:
-            failed(InsoleError("The clinic's record is not open."))
+            failed(_not_open())
             return
         self.jobs.start(
             SIGN_IN, lambda _progress: records.accounts.sign_in(name, password), done, failed
@@ -178,7 +178,7 @@ class ClinicRecord(QObject):
         """
         records = self._records
         if records is None:
-            failed(InsoleError("The clinic's record is not open."))
+            failed(_not_open())
             return
 
         def ask(_progress: Progress) -> Result:
@@ -218,7 +218,7 @@ class ClinicRecord(QObject):
             When the record is not open or does not answer.
         """
         if self._records is None:
-            raise InsoleError("The clinic's record is not open.")
+            raise _not_open()
         return question(self._records)
 
     def note_failure(self, error: Exception) -> None:
@@ -292,6 +292,10 @@ class ClinicRecord(QObject):
     def _set_state(self, state: RecordState) -> None:
         self.state = state
         self.state_changed.emit()
+
+
+def _not_open() -> InsoleError:
+    return InsoleError("The clinic's record is not open.")
 
 
 def _open(location: RecordLocation) -> _Opened:

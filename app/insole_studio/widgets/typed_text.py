@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QSignalBlocker, Qt
 from PySide6.QtGui import QFocusEvent, QGuiApplication
 from PySide6.QtWidgets import QApplication, QLineEdit, QPlainTextEdit
 from shiboken6 import isValid
@@ -30,3 +30,21 @@ def is_typing() -> bool:
         return field.document().isModified()
     line = field if field is None or isinstance(field, QLineEdit) else field.findChild(QLineEdit)
     return line is not None and line.isModified()
+
+
+def show_unless_typing(field: QLineEdit | QPlainTextEdit, text: str) -> None:
+    """Show a text in a field, unless one is being typed there that it has not entered yet."""
+    if isinstance(field, QLineEdit):
+        if field.text() != text and not field.isModified():
+            field.setText(text)
+    elif field.toPlainText() != text and not field.document().isModified():
+        with QSignalBlocker(field):
+            field.setPlainText(text)
+
+
+def forget_typed(field: QLineEdit | QPlainTextEdit) -> None:
+    """Let the next text that is shown replace what is being typed."""
+    if isinstance(field, QLineEdit):
+        field.setModified(False)
+    else:
+        field.document().setModified(False)

@@ -11,12 +11,11 @@ from insole_core.cases.days import read_day
 from insole_core.errors import InputError
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.moments import moment_text
-from insole_studio.features.clinic.record_dialog import RecordDialog
-from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.features.clinic.verifying_dialog import VerifyingDialog
+from insole_studio.jobs import Jobs
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.date_field import DateField
-from insole_studio.widgets.message_label import ProgressBar
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
@@ -32,13 +31,12 @@ _VERIFY = "verify-audit"
 _EVERYBODY = ""
 
 
-class AuditDialog(RecordDialog):
+class AuditDialog(VerifyingDialog):
     """The latest lines, by patient, author and day; older ones on request."""
 
     def __init__(self, clinic: ClinicRecord, jobs: Jobs, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Audit log"), clinic, parent)
+        super().__init__(tr("Audit log"), clinic, jobs, _VERIFY, parent)
         self.resize(*_SIZE)
-        self._jobs = jobs
         self._lines: list[ShownLine] = []
         self._filter: AuditFilter | None = None
         self.pseudonym = QLineEdit()
@@ -52,12 +50,9 @@ class AuditDialog(RecordDialog):
         headings = ("#", tr("When"), tr("By"), tr("At"), tr("What"), tr("Subject"), tr("Details"))
         self.table = RowTable(headings, stretched=6)
         self.table.setAccessibleName(tr("Audit log"))
-        self.progress = ProgressBar()
         self.more = self.add_button(tr("Older lines"), self._read_more)
-        self.verify = self.add_button(tr("Verify the log"), self._verify)
+        self.verify = self.add_verify_button(tr("Verify the log"), self._verify)
         self._lay_out()
-        jobs.progressed.connect(self._show_progress)
-        jobs.ended.connect(self._end)
         self.ask(_authors, self._show_authors)
 
     def show_lines(self) -> None:
@@ -77,11 +72,6 @@ class AuditDialog(RecordDialog):
         self.say("")
         self._filter = wanted
         self.ask(lambda records: _search(records, wanted, None), self._show)
-
-    def reject(self) -> None:
-        """Stop verifying, and close the dialog."""
-        self._jobs.cancel(_VERIFY)
-        super().reject()
 
     def _lay_out(self) -> None:
         grid = QGridLayout()
@@ -136,11 +126,7 @@ class AuditDialog(RecordDialog):
 
             return verify_audit(context, progress)
 
-        self.say("")
-        self.verify.setEnabled(False)
-        self._jobs.start(
-            _VERIFY, verify, self.while_open(self._show_report), self.while_open(self.refuse)
-        )
+        self.run_verification(verify, self._show_report)
 
     def _show_report(self, report: AuditReport) -> None:
         if report.problem is not None:
@@ -148,15 +134,6 @@ class AuditDialog(RecordDialog):
         else:
             sentence = tr("All {lines} lines are what was written, and none is missing.")
             self.say(sentence.format(lines=report.lines))
-
-    def _show_progress(self, news: JobProgress) -> None:
-        if news.channel == _VERIFY:
-            self.progress.show_work(news.fraction, news.text)
-
-    def _end(self, channel: str) -> None:
-        if channel == _VERIFY:
-            self.progress.show_work(0, "")
-            self.verify.setEnabled(True)
 
 
 def _authors(records: Records) -> list[str]:

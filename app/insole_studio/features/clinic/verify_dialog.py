@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.progress import Progress
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.clinic.record_dialog import RecordDialog
-from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.features.clinic.verifying_dialog import VerifyingDialog
+from insole_studio.jobs import Jobs
 from insole_studio.texts import fill, tr
-from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.message_label import MessageLabel
 
 if TYPE_CHECKING:
     from insole_core.records.context import RecordsContext
@@ -23,40 +23,24 @@ _VERIFY = "verify"
 _MEGABYTE = 1e6
 
 
-class VerifyDialog(RecordDialog):
+class VerifyDialog(VerifyingDialog):
     """Verifies the whole record as it opens, and says what was found."""
 
     def __init__(self, clinic: ClinicRecord, jobs: Jobs, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Verify the record"), clinic, parent)
+        super().__init__(tr("Verify the record"), clinic, jobs, _VERIFY, parent)
         self.setMinimumWidth(_WIDTH_PX)
-        self._jobs = jobs
         self.verdict = MessageLabel()
-        self.progress = ProgressBar()
         self.content.addWidget(self.verdict)
         self.content.addWidget(self.progress)
         self.content.addStretch(1)
-        self.again = self.add_button(tr("Verify again"), self.verify)
-        jobs.progressed.connect(self._show_progress)
-        jobs.ended.connect(self._end)
+        self.again = self.add_verify_button(tr("Verify again"), self.verify)
         self.verify()
 
     def verify(self) -> None:
         """Read the audit log, the signatures and all files."""
         self.verdict.say("")
-        self.say("")
-        self.again.setEnabled(False)
         context = self.clinic.ask_now(lambda records: records.context)
-        self._jobs.start(
-            _VERIFY,
-            _verification(context),
-            self.while_open(self._show),
-            self.while_open(self.refuse),
-        )
-
-    def reject(self) -> None:
-        """Stop, and close the dialog."""
-        self._jobs.cancel(_VERIFY)
-        super().reject()
+        self.run_verification(_verification(context), self._show)
 
     def _show(self, report: VerifyReport) -> None:
         sentences = fill(
@@ -73,15 +57,6 @@ class VerifyDialog(RecordDialog):
         sound = [] if problems else [tr("Everything is what was stored.")]
         self.verdict.say_all([*sound, sentences])
         self.say_all(list(problems), warns=True)
-
-    def _show_progress(self, news: JobProgress) -> None:
-        if news.channel == _VERIFY:
-            self.progress.show_work(news.fraction, news.text)
-
-    def _end(self, channel: str) -> None:
-        if channel == _VERIFY:
-            self.progress.show_work(0, "")
-            self.again.setEnabled(True)
 
 
 def _verification(context: RecordsContext) -> Callable[[Progress], VerifyReport]:

@@ -325,13 +325,9 @@ class PatientRecords(QObject):
         self._clinic.ask("records-changes-of-version", read, show, self._tell)
 
     def _sign(self, version_id: str) -> None:
-        def sign_it(records: Records) -> None:
-            from insole_core.records.signing import sign
-
-            with records.context.database.writing() as connection:
-                sign(connection, version_id, records.who)
-
-        self._clinic.write(sign_it, _nothing, self._tell)
+        self._clinic.write(
+            lambda records: records.prescriptions.sign(version_id), _nothing, self._tell
+        )
 
     def _compare(self, newer_id: str, older_id: str) -> None:
         def read(records: Records) -> list[tuple[str, CaseRecord]]:

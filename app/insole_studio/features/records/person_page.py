@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
+    QPlainTextEdit,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -33,6 +34,7 @@ from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.notes_field import NotesField
+from insole_studio.widgets.typed_text import forget_typed, show_unless_typing
 from insole_studio.widgets.validation_bubble import ValidationBubble
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
@@ -65,6 +67,10 @@ class PersonPage(QWidget):
         self._pseudonym.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
         self._notes = NotesField()
+        self._typed_fields: dict[str, QLineEdit | QPlainTextEdit] = {
+            **self._fields,
+            "notes": self._notes,
+        }
         self._refusals["notes"] = ValidationBubble(self._notes)
         self._notes.left.connect(self._notes_edited)
         self.chart = TrendChart()
@@ -85,18 +91,13 @@ class PersonPage(QWidget):
         self._pseudonym.setText(pseudonym)
         self._name.updateGeometry()
         self._kind.show_value(values["number_kind"])
-        for key, field in self._fields.items():
-            if field.text() != values[key] and not field.isModified():
-                field.setText(values[key])
-        if not self._notes.document().isModified() and self._notes.toPlainText() != values["notes"]:
-            with QSignalBlocker(self._notes):
-                self._notes.setPlainText(values["notes"])
+        for key, field in self._typed_fields.items():
+            show_unless_typing(field, values[key])
 
     def forget_typed(self) -> None:
         """Let the next values replace text being typed: it belongs to another person."""
-        for field in self._fields.values():
-            field.setModified(False)
-        self._notes.document().setModified(False)
+        for field in self._typed_fields.values():
+            forget_typed(field)
 
     def show_refusal(self, key: str, sentence: str) -> None:
         """Say beside a field why what was typed is not taken."""

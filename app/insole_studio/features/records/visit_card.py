@@ -59,11 +59,6 @@ class VisitCard(QFrame):
             shown.setDevicePixelRatio(label.devicePixelRatio())
             label.setPixmap(shown)
 
-    @property
-    def picture_keys(self) -> tuple[PictureKey, ...]:
-        """The pictures that this card has a place for."""
-        return tuple(self._pictures)
-
     def _lay_out(self) -> None:
         top = QHBoxLayout()
         top.setSpacing(8)

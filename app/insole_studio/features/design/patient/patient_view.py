@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSignalBlocker, QSize, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
+    QPlainTextEdit,
     QPushButton,
     QToolButton,
     QVBoxLayout,
@@ -28,6 +29,7 @@ from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.notes_field import NotesField
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
+from insole_studio.widgets.typed_text import forget_typed, show_unless_typing
 from insole_studio.widgets.validation_bubble import ValidationBubble
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
@@ -58,6 +60,10 @@ class PatientView(VerticalScroll):
             field.editingFinished.connect(self._line_edited)
         self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
         self._notes = NotesField()
+        self._typed_fields: dict[str, QLineEdit | QPlainTextEdit] = {
+            **self._fields,
+            "notes": self._notes,
+        }
         self._notes.left.connect(self._notes_edited)
         self.sides = SideSwitch()
         self.sides.chosen.connect(self.side_chosen)
@@ -101,19 +107,13 @@ class PatientView(VerticalScroll):
 
     def show_fields(self, values: dict[str, str]) -> None:
         """Show the fields; text being typed is kept until it is entered or forgotten."""
-        for key, field in self._fields.items():
-            if field.text() != values[key] and not field.isModified():
-                field.setText(values[key])
-        typing = self._notes.document().isModified()
-        if self._notes.toPlainText() != values["notes"] and not typing:
-            with QSignalBlocker(self._notes):
-                self._notes.setPlainText(values["notes"])
+        for key, field in self._typed_fields.items():
+            show_unless_typing(field, values[key])
 
     def forget_typed(self) -> None:
         """Let the next values replace text being typed: it belongs to another patient."""
-        for field in self._fields.values():
-            field.setModified(False)
-        self._notes.document().setModified(False)
+        for field in self._typed_fields.values():
+            forget_typed(field)
 
     def show_refusal(self, key: str, sentence: str) -> None:
         """Say beside a field why what was typed is not taken."""
