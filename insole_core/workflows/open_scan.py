@@ -7,10 +7,10 @@ from pathlib import Path
 
 from insole_core.errors import UsageError
 from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.mesh_file import Unit, read_mesh
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
+from insole_core.scans.mesh_file import Unit, read_mesh
 from insole_core.workflows.make_foot import make_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
