@@ -13,12 +13,12 @@ from pathlib import Path
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import find_foot, placed_foot
 from insole_core.foot.foot_proportions import check_length, check_proportions
-from insole_core.foot.mesh_file import Unit, read_mesh
 from insole_core.foot.pose import surface_points
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
+from insole_core.scans.mesh_file import Unit, read_mesh
 from insole_core.scans.scale import KnownSize
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.errors import UsageError
-from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
+from insole_core.scans.mesh_file import Unit
 from insole_core.workflows.import_scan import ImportChoice, examine_scan, take_foot
 from insole_core.workflows.make_foot import make_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot

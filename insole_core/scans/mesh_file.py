@@ -11,12 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
-from insole_core.foot.mesh_content import check_text, read_binary_stl
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.thinning import thinned
 from insole_core.messages import Message
+from insole_core.scans.mesh_content import check_text, read_binary_stl
 
 if TYPE_CHECKING:
     import trimesh
