@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
-from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
+from insole_core.foot.foot_candidate import CLEAR, FootCandidate, FoundFoot
 from insole_core.foot.foot_proportions import check_length, check_proportions
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, at_origin, is_cut_behind, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
@@ -24,8 +24,6 @@ from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
 
-_CLEAR = 1.25
-"""Least ratio of the two dissimilarities at which the shape determines the side."""
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
@@ -130,7 +128,7 @@ def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = Fal
         When the shape is clearly that of the other foot, unless `force`.
     """
     other = found.best(candidate.side.other)
-    if other is not None and candidate.dissimilarity > _CLEAR * other.dissimilarity and not force:
+    if other is not None and candidate.dissimilarity > CLEAR * other.dissimilarity and not force:
         raise SideMismatchError(candidate.side, _reason(other.side))
     source2insole = at_origin(found.mesh, candidate.source2insole)
     placed = found.even.transformed(source2insole)
@@ -168,11 +166,11 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
         found = _found(whole, points, poses)
     except InputError:
         return None
-    nearest, other = found.candidates
-    if other.dissimilarity < _CLEAR * nearest.dissimilarity:
+    side = found.told_side
+    if side is None:
         return None
     try:
-        return place_foot(mesh, nearest.side, frame="unknown")
+        return place_foot(mesh, side, frame="unknown")
     except (InputError, SideMismatchError):  # of a size or proportions that no foot has
         return None
 
@@ -192,7 +190,7 @@ def _found(
     nearest, other = sorted(
         (_best(even, points, poses, side) for side in Side), key=lambda one: one.dissimilarity
     )
-    if other.dissimilarity > _CLEAR * nearest.dissimilarity:
+    if other.dissimilarity > CLEAR * nearest.dissimilarity:
         # The directions of ground and toes follow from the shape, whatever the side.
         poses = _as_it_lies(points, nearest.source2insole)
         other = replace(_best(even, points, poses, other.side), dissimilarity=other.dissimilarity)
@@ -260,14 +258,14 @@ def _side_notes(asked: FootCandidate, other: FootCandidate | None) -> Iterator[s
     if other is None:
         return
     ratio = other.dissimilarity / asked.dissimilarity
-    if ratio < 1 / _CLEAR:
+    if ratio < 1 / CLEAR:
         yield Message(
             "The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.",
             shape_side=other.side,
             reason=_reason(other.side),
             side=asked.side,
         )
-    elif ratio < _CLEAR:
+    elif ratio < CLEAR:
         yield Message(
             "The shape does not tell left from right; taken as a {side} foot as asked.",
             side=asked.side,
