@@ -18,6 +18,7 @@ from stations import ANNA, BEN, Stations
 from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.records import database as database_module
 from insole_core.records import migrate as migrate_module
+from insole_core.records.author import Role
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase, FullDatabase
 from insole_core.records.migrate import SCHEMA, schema_of
@@ -211,6 +212,22 @@ def test_a_damaged_record_is_opened_for_reading(local_place: RecordsPlace) -> No
     records.close()
 
 
+def test_whoever_signs_in_notices_the_damage_and_may_read(local_place: RecordsPlace) -> None:
+    records = open_records(local_place, ANNA)
+    for number in range(200):
+        records.clinic.set(f"k{number}", "x" * 200)
+    records.accounts.switch_on("root", "Rut Root", "four words in a row")
+    records.close()
+    _damage(local_place.database_file, "audit")
+    records = open_records(local_place, ANNA)
+    assert not records.is_read_only
+    author = records.accounts.sign_in("root", "four words in a row")
+    assert records.is_read_only
+    assert author.role is Role.ADMINISTRATOR
+    assert records.accounts.sign_in("root", "four words in a row") == author
+    records.close()
+
+
 def _damage(path: Path, table: str) -> None:
     """Overwrite the pages of a table but for the first one, which finds the others."""
     with sqlite3.connect(path) as connection:
@@ -265,6 +282,25 @@ def test_a_record_that_may_only_be_read_says_so(
         records.persons.add(Person("Ben"))
     records.close()
     assert local_place.database_file.read_bytes() == content
+
+
+def test_a_server_that_takes_no_changes_is_opened_for_reading(
+    server_place: RecordsPlace, postgres: PostgresServer
+) -> None:
+    records = open_records(server_place, ANNA)
+    person = records.persons.add(Person("Anna Berg"))
+    records.close()
+    database = f"ALTER DATABASE {server_place.url.database}"
+    postgres.execute(f"{database} SET default_transaction_read_only = on")
+    try:
+        records = open_records(server_place, ANNA)
+        assert "takes no changes" in str(records.problem)
+        assert records.persons.open(person.id) == person
+        with pytest.raises(RecordsError, match="for reading only"):
+            records.persons.add(Person("Ben"))
+        records.close()
+    finally:
+        postgres.execute(f"{database} RESET default_transaction_read_only")
 
 
 def test_a_record_that_is_locked_says_so(
