@@ -404,10 +404,6 @@
             <translation>Returnerad</translation>
         </message>
         <message>
-            <source>Running</source>
-            <translation>Pågår</translation>
-        </message>
-        <message>
             <source>Saved in the record</source>
             <translation>Sparat i journalen</translation>
         </message>

@@ -278,7 +278,7 @@ def _with_field(person: Person, key: str, text: str, today: date) -> Person:
 def _row(shown: VisitView) -> VisitRow:
     visit = shown.visit
     notes = []
-    if visit.capture_state in (CaptureState.WANTED, CaptureState.RUNNING):
+    if visit.capture_state is CaptureState.WANTED:
         state = capture_text(visit.capture_state)
         notes.append(tr("Capture: {state}").format(state=state))
     if shown.others:
