@@ -13,6 +13,7 @@ from insole_studio.document.autosave import Recovered, find_recovered
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 
 if TYPE_CHECKING:
+    from insole_core.records.author import Author
     from insole_core.records.records import Records
     from insole_core.workflows.records.keep_case import KeptChange
 
@@ -40,7 +41,8 @@ class HandOver(QObject):
         self._clinic = clinic
         self._folder = folder
         self._waiting: list[Recovered] = []
-        self._was_away = False
+        self._looks_again = False
+        self._author: Author | None = None
         clinic.state_changed.connect(self._go_on)
 
     def take(self, journals: Sequence[Recovered]) -> None:
@@ -55,23 +57,36 @@ class HandOver(QObject):
         self._waiting.clear()
 
     def _go_on(self) -> None:
-        state = self._clinic.state
-        if state is RecordState.AWAY:
-            self._was_away = True
-        elif state is RecordState.REFUSED and self._waiting:
+        clinic = self._clinic
+        if clinic.state is RecordState.AWAY:
+            self._looks_again = True
+        elif clinic.state is RecordState.REFUSED and self._waiting:
             waiting, self._waiting = self._waiting, []
             self.refused.emit(waiting)
-        elif state is RecordState.OPEN:
-            if self._was_away:
-                self._was_away = False
-                found = find_recovered(self._folder)
-                self._waiting += [journal for journal in found if journal.visit is not None]
-                for journal in found:
-                    if journal.visit is None:
-                        journal.release()
-            waiting, self._waiting = self._waiting, []
-            for journal in waiting:
-                self._hand_over(journal)
+        elif clinic.is_open:
+            self._note_author()
+            if clinic.may_show_patients:
+                self._hand_over_all()
+
+    def _hand_over_all(self) -> None:
+        if self._looks_again:
+            self._look_again()
+        waiting, self._waiting = self._waiting, []
+        for journal in waiting:
+            self._hand_over(journal)
+
+    def _note_author(self) -> None:
+        """Look again for what was set aside when somebody else has signed in."""
+        before, self._author = self._author, self._clinic.author
+        self._looks_again |= before is not None and before != self._author
+
+    def _look_again(self) -> None:
+        self._looks_again = False
+        found = find_recovered(self._folder)
+        self._waiting += [journal for journal in found if journal.visit is not None]
+        for journal in found:
+            if journal.visit is None:
+                journal.release()
 
     def _hand_over(self, journal: Recovered) -> None:
         def keep(records: Records) -> KeptChange:

@@ -121,6 +121,17 @@ class RecordKeeper(QObject):
         else:
             then()
 
+    def set_aside(self) -> None:
+        """Leave what the record has not taken in the journal, for whoever signs in next.
+
+        Raises
+        ------
+        OutputError
+            When the journal cannot be written.
+        """
+        if self.is_keeping and self._case.has_unsaved_changes:
+            self._set_aside()
+
     def keep_version(self, reason: str) -> None:
         """Keep the feet as they are as a version of their own, for a reason."""
         self._reason = reason

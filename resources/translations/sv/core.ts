@@ -4832,6 +4832,10 @@
             <translation>{place} godtar inte användaren eller lösenordet i sin adress; kontrollera databasens adress.</translation>
         </message>
         <message>
+            <source>{place} takes no changes, as a server that stands by for another one; check the address of the database, or ask whoever looks after it.</source>
+            <translation>{place} tar inte emot några ändringar, som en server som står i beredskap för en annan; kontrollera databasens adress, eller fråga den som sköter den.</translation>
+        </message>
+        <message>
             <source>{place} was made by a newer Insole Studio (tables {found}; this program knows them up to {newest}); install the newest version.</source>
             <translation>{place} har skapats av ett nyare Insole Studio (tabeller {found}; det här programmet känner dem till och med {newest}); installera den nyaste versionen.</translation>
         </message>

@@ -368,10 +368,6 @@
             <translation>Ordinera som vid förra besöket</translation>
         </message>
         <message>
-            <source>Read only: nothing can be changed.</source>
-            <translation>Skrivskyddad: inget kan ändras.</translation>
-        </message>
-        <message>
             <source>Reason</source>
             <translation>Orsak</translation>
         </message>
