@@ -12,8 +12,7 @@ from pathlib import Path
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import find_foot, placed_foot
-from insole_core.foot.foot_proportions import check_length, check_proportions
-from insole_core.foot.pose import surface_points
+from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
@@ -156,7 +155,7 @@ def examine_surface(
     if box is not None:
         left_out = box.left_out
         return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
-    found = find_foot(read.mesh)
+    found = find_foot(read.mesh, choice.side, choice.pose)
     return ScanExamination(path, read.mesh, read.unit, Form.FOOT, (found,), read.notes)
 
 
@@ -189,7 +188,7 @@ def take_foot(
     foot = placed_foot(found, candidate, force=choice.force)
     check_length(foot.length_mm)
     if not choice.force:
-        check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
+        check_proportions(proportions(foot.mesh, foot.length_mm))
     form = examination.form
     notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
     source = mesh_source(found.path or examination.path, form)
