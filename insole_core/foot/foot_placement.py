@@ -41,7 +41,7 @@ Frame = Literal["reference", "unknown"]
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
-_MOST_CANDIDATES = 4
+_MOST_WAYS = 4
 _HELD_DEG = 45.0
 """Largest rotation of a foot in a frame whose directions are known."""
 
@@ -281,19 +281,21 @@ def _with_other_ways(
     nearest = found.candidates[0]
     limit = min(CLEAR * nearest.dissimilarity, _NO_FOOT)
     ways = list(found.candidates)
+    tried: list[FloatArray] = [way.source2insole for way in ways]
     for pose in poses:
-        if len(ways) == _MOST_CANDIDATES or pose.side_dissimilarity > limit:
+        if len(tried) == _MOST_WAYS or pose.side_dissimilarity > limit:
             break
-        if _differ(pose.source2rough, ways):
+        if _differ(pose.source2rough, tried):
+            tried.append(pose.source2rough)
             way = _best(found.even, points, [pose], pose.side, normals)
-            if way.dissimilarity <= limit and _differ(way.source2insole, ways):
+            if way.dissimilarity <= limit:
                 ways.append(way)
     return replace(found, candidates=tuple(sorted(ways, key=lambda one: one.dissimilarity)))
 
 
-def _differ(source2rough: FloatArray, ways: list[FootCandidate]) -> bool:
-    """Return whether a frame is turned far from those of all candidates."""
-    turns = (source2rough[:3, :3] @ way.source2insole[:3, :3].T for way in ways)
+def _differ(source2rough: FloatArray, frames: list[FloatArray]) -> bool:
+    """Return whether a frame (4, 4) is turned far from all of some others."""
+    turns = (source2rough[:3, :3] @ frame[:3, :3].T for frame in frames)
     return all(rotation_angle_deg(turn) > _HELD_DEG for turn in turns)
 
 
@@ -303,7 +305,7 @@ def _doubts(found: FoundFoot, side: Side | None) -> Iterator[Message]:
     mesh = found.mesh.transformed(at_origin(found.mesh, likely.source2insole))
     yield from proportion_doubts(proportions(mesh, likely.length_mm))
     limit = CLEAR * likely.dissimilarity
-    others = [one for one in found.candidates if _differ(one.source2insole, [likely])]
+    others = [one for one in found.candidates if _differ(one.source2insole, [likely.source2insole])]
     others = [one for one in others if side in (None, one.side) and one.dissimilarity < limit]
     for other in others:
         yield Message(

@@ -26,6 +26,7 @@ _SAMPLES = 6000
 _FACES = 12
 _SAME_FACE_DEG = 10.0
 _YAWS_DEG = (-10.0, -5.0, 0.0, 5.0, 10.0)
+_WORTH_TURNING = 1.7  # the yaw changes a dissimilarity by less than this ratio
 _COVERED = (1.0, 0.85, 0.75)
 
 
@@ -75,13 +76,21 @@ def find_poses(
         When the surface is flat.
     """
     ups = _up_directions(mesh, points) if dorsal is None else [dorsal]
+    rotations = [rotation for up in ups for rotation in _both_ways(points, up)]
+    first = [_least_dissimilarity(points, rotation) for rotation in rotations]
     poses = [
         pose
-        for up in ups
-        for rotation in _both_ways(points, up)
+        for rotation, dissimilarity in zip(rotations, first, strict=True)
+        if dissimilarity <= _WORTH_TURNING * min(first)
         for pose in turned_poses(points, rotation)
     ]
     return sorted(poses, key=lambda pose: pose.side_dissimilarity)
+
+
+def _least_dissimilarity(points: FloatArray, rotation: FloatArray) -> float:
+    """Return the dissimilarity of an orientation (3, 3) before its yaw is found."""
+    poses = poses_as_it_lies(points, rigid(rotation, np.zeros(3)))
+    return min(pose.side_dissimilarity for pose in poses)
 
 
 def surface_points(mesh: TriangleMesh) -> FloatArray:
