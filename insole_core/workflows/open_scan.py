@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.errors import UsageError
+from insole_core.foot.foot_placement import DoubtfulScanError
 from insole_core.geometry.side import Side
+from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
 from insole_core.scans.mesh_file import Unit
@@ -41,6 +43,8 @@ def open_scan(
         When the shape is that of the other foot, unless `force`.
     ProportionsError
         When the surface is no foot by its proportions, unless `force`.
+    DoubtfulScanError
+        When it is not sure how the foot lies or whether it is one, unless `force`.
     InputError
         When the file cannot be read.
     ReconstructionError
@@ -87,4 +91,11 @@ def _mesh_foot(
     feet = examination.feet
     found = next((foot for foot in feet if foot.candidates[0].side is side), feet[0])
     candidate = next(one for one in found.candidates if one.side is side)
-    return take_foot(examination, found, candidate, choice)
+    scanned = take_foot(examination, found, candidate, choice)
+    if found.doubts and not force:
+        raise DoubtfulScanError(
+            "{path} is doubtful: {doubts} Open it in the window, or insist with --force.",
+            path=path,
+            doubts=joined(found.doubts, " "),
+        )
+    return scanned
