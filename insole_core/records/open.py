@@ -33,6 +33,12 @@ from insole_core.records.schema import (
 
 _NEEDED: Final = (persons, visits, prescription_versions, clinic)
 """Without these there is nothing to read."""
+_IS_READ_ONLY: Final = select(
+    or_(
+        func.pg_is_in_recovery(),
+        func.current_setting("default_transaction_read_only") == "on",
+    )
+)
 
 
 def open_records(place: RecordsPlace, who: Author) -> Records:
@@ -97,9 +103,7 @@ def _why_read_only(place: RecordsPlace) -> Message | None:
 def _why_server_read_only(database: Database) -> Message | None:
     """Ask a server whether it takes changes: one that stands by for another one does not."""
     with database.reading() as connection:
-        usual = func.current_setting("default_transaction_read_only")
-        query = select(or_(func.pg_is_in_recovery(), usual == "on"))
-        is_read_only = connection.execute(query).scalar_one()
+        is_read_only = connection.execute(_IS_READ_ONLY).scalar_one()
     if not is_read_only:
         return None
     return Message(
