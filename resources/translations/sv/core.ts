@@ -4636,6 +4636,10 @@
             <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
         </message>
         <message>
+            <source>{path} is a session, which says how the foot lies; leave out form and points.</source>
+            <translation>{path} är en session, som säger hur foten ligger; utelämna form och punkter.</translation>
+        </message>
+        <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
