@@ -8,6 +8,10 @@
             <translation> min</translation>
         </message>
         <message>
+            <source> years after the last entry</source>
+            <translation> år efter den sista posten</translation>
+        </message>
+        <message>
             <source>A folder on a share that all stations reach</source>
             <translation>En mapp på en delad plats som alla stationer når</translation>
         </message>
@@ -58,6 +62,10 @@
         <message>
             <source>All of 30 days, then one of each month for a year</source>
             <translation>Alla i 30 dagar, sedan en för varje månad i ett år</translation>
+        </message>
+        <message>
+            <source>All that the record holds of the {count} listed patients goes.</source>
+            <translation>Allt som journalen innehåller om de {count} patienterna i listan försvinner.</translation>
         </message>
         <message>
             <source>All {lines} lines are what was written, and none is missing.</source>
@@ -200,8 +208,16 @@
             <translation>Radera en patient…</translation>
         </message>
         <message>
+            <source>Erase all listed…</source>
+            <translation>Radera alla i listan…</translation>
+        </message>
+        <message>
             <source>Erase for good</source>
             <translation>Radera för alltid</translation>
+        </message>
+        <message>
+            <source>Erase {count} patients for good</source>
+            <translation>Radera {count} patienter för gott</translation>
         </message>
         <message>
             <source>Erased are name, birth date, personal number, contact and all notes, and captures that no insole was made from.</source>
@@ -356,6 +372,10 @@
             <translation>Ingen verkar finnas två gånger i journalen. Två personer hittas genom sina namn.</translation>
         </message>
         <message>
+            <source>Nobody's time of keeping is over.</source>
+            <translation>Ingens bevarandetid har gått ut.</translation>
+        </message>
+        <message>
             <source>None yet</source>
             <translation>Ingen än</translation>
         </message>
@@ -424,8 +444,8 @@
             <translation>Lösenord</translation>
         </message>
         <message>
-            <source>Patients whose time of keeping is over; Enter takes one:</source>
-            <translation>Patienter vars bevarandetid är slut; Enter väljer en:</translation>
+            <source>Patients erased: {count}.</source>
+            <translation>Raderade patienter: {count}.</translation>
         </message>
         <message>
             <source>Present password</source>
@@ -576,6 +596,10 @@
             <translation>Journalen är som den var {moment}: {rows} poster och {files} filer.</translation>
         </message>
         <message>
+            <source>The record is kept for</source>
+            <translation>Journalen sparas i</translation>
+        </message>
+        <message>
             <source>The same</source>
             <translation>Detsamma</translation>
         </message>
@@ -590,6 +614,10 @@
         <message>
             <source>The time of keeping is over</source>
             <translation>Bevarandetiden är slut</translation>
+        </message>
+        <message>
+            <source>The time of keeping is over for these; nobody is erased by itself. Enter takes one:</source>
+            <translation>Bevarandetiden har gått ut för dessa; ingen raderas av sig själv. Enter väljer en:</translation>
         </message>
         <message>
             <source>The window is locked</source>

@@ -34,6 +34,7 @@ def test_lines_about_a_person_are_those_about_their_visits_too(records: Records)
     found = search_audit(records.context, AuditFilter(pseudonym=anna.pseudonym))
     assert [s.line.subject_kind for s in found] == ["visit", "person"]
     assert found[-1].subject == anna.pseudonym
+    assert (found[0].subject, found[0].details) == (anna.pseudonym, {"person": anna.pseudonym})
     assert "Anna" not in "".join(found[-1].line.details)
     with pytest.raises(RecordsError, match="P-NOBODY"):
         search_audit(records.context, AuditFilter(pseudonym="P-NOBODY"))
