@@ -62,7 +62,7 @@ def test_a_station_that_was_switched_off_is_forgotten(
     visit = added_visit(desk)
     room.presence.enter(visit.id)
     assert len(desk.presence.enter(visit.id)) == 1
-    monkeypatch.setattr(presence_module, "STALE_S", 0.0)
+    monkeypatch.setattr(presence_module, "STALE_S", -1.0)  # also those of this moment
     assert desk.presence.others(visit.id) == []
     monkeypatch.undo()
     [other] = room.presence.enter(visit.id)
