@@ -48,6 +48,18 @@
             <translation>Administratörens konto</translation>
         </message>
         <message>
+            <source>All</source>
+            <translation>Alla</translation>
+        </message>
+        <message>
+            <source>All of 30 days, then one of each month</source>
+            <translation>Alla i 30 dagar, sedan en för varje månad</translation>
+        </message>
+        <message>
+            <source>All of 30 days, then one of each month for a year</source>
+            <translation>Alla i 30 dagar, sedan en för varje månad i ett år</translation>
+        </message>
+        <message>
             <source>All {lines} lines are what was written, and none is missing.</source>
             <translation>Alla {lines} rader är vad som skrevs, och ingen saknas.</translation>
         </message>
@@ -356,6 +368,14 @@
             <translation>Inget som passar har skrivits.</translation>
         </message>
         <message>
+            <source>Old backups</source>
+            <translation>Gamla kopior</translation>
+        </message>
+        <message>
+            <source>Old backups removed: {count}.</source>
+            <translation>Gamla kopior som togs bort: {count}.</translation>
+        </message>
+        <message>
             <source>Older lines</source>
             <translation>Äldre rader</translation>
         </message>
@@ -528,6 +548,10 @@
             <translation>Databasen svarar och är tom: en ny journal skulle börja där.</translation>
         </message>
         <message>
+            <source>The last backup is of {moment}; what was entered since is in no other place.</source>
+            <translation>Den senaste säkerhetskopian är från {moment}; det som har förts in sedan dess finns ingen annanstans.</translation>
+        </message>
+        <message>
             <source>The law keeps what documents the devices, under the pseudonym, until {day} (Regulation (EU) 2017/745, Annex XIII).</source>
             <translation>Lagen bevarar det som dokumenterar hjälpmedlen, under pseudonymen, till {day} (förordning (EU) 2017/745, bilaga XIII).</translation>
         </message>
@@ -570,6 +594,10 @@
         <message>
             <source>The window is locked</source>
             <translation>Fönstret är låst</translation>
+        </message>
+        <message>
+            <source>There is no backup yet: what is in the record is lost if its disk fails.</source>
+            <translation>Det finns ingen säkerhetskopia än: det som finns i journalen går förlorat om dess disk går sönder.</translation>
         </message>
         <message>
             <source>These may be the same person. Two others are found by typing their names below.</source>
@@ -706,6 +734,10 @@
         <message>
             <source>{count} patients were erased after the backup, and now again.</source>
             <translation>{count} patienter raderades efter säkerhetskopian och nu igen.</translation>
+        </message>
+        <message>
+            <source>{newest}; backups in the folder: {count}, the oldest of {oldest}</source>
+            <translation>{newest}; kopior i mappen: {count}, den äldsta från {oldest}</translation>
         </message>
         <message>
             <source>{other} is now part of {kept}.</source>

@@ -88,6 +88,10 @@
             <translation>En buktning som alla väggar delar tas för förvrängning; om de var en och samma vägg, kontrollera den med en riktskiva.</translation>
         </message>
         <message>
+            <source>A cast taken under weight shows tissue that is spread already, so no expansion is proposed; set one for a cast that was taken without weight.</source>
+            <translation>En avgjutning som tagits under belastning visar vävnad som redan är utbredd, så inget mjukdelstillägg föreslås; ange ett för en avgjutning som tagits utan belastning.</translation>
+        </message>
+        <message>
             <source>A chamfer of {chamfer_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are bevelled. Make the chamfer smaller.</source>
             <translation>En fas på {chamfer_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt fasas bara {half_mm:g} mm av kanten. Gör fasen mindre.</translation>
         </message>
@@ -150,6 +154,10 @@
         <message>
             <source>A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of {needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.</source>
             <translation>En hälskivning på {depth_mm:g} mm med {angle:g}° inversion kräver en hälskål på {needed_mm:g} mm, och skålen är {cup_mm:g} mm djup.</translation>
+        </message>
+        <message>
+            <source>A sole stands out of a plane: it is a foot scanned with what lay around it, or a foam box whose file is inside out; say which it is.</source>
+            <translation>En fotsula står ut ur ett plan: det är en fot som skannats med det som låg runt den, eller en skumlåda vars fil är ut och in; ange vilket det är.</translation>
         </message>
         <message>
             <source>A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres ({low_mm:g} to {high_mm:g}).</source>
@@ -222,6 +230,10 @@
         <message>
             <source>An edge radius of {radius_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are rounded. Make the radius smaller.</source>
             <translation>En kantradie på {radius_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt rundas bara {half_mm:g} mm av kanten. Gör radien mindre.</translation>
+        </message>
+        <message>
+            <source>An imprint, {depth_mm:.0f} mm deep, read as the sole that was pressed in.</source>
+            <translation>Ett avtryck, {depth_mm:.0f} mm djupt, läst som den fotsula som tryckts ner.</translation>
         </message>
         <message>
             <source>An order needs one version of one or both feet of its visit; choose them again.</source>
@@ -318,6 +330,10 @@
         <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
+        </message>
+        <message>
+            <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
+            <translation>Efter sin plats i lådan är detta {place} fot, efter sin form {told} fot; ange vilken fot det är.</translation>
         </message>
         <message>
             <source>Calibrating without {capture}</source>
@@ -1232,6 +1248,10 @@
             <translation>Kroppsvikterna för {name} måste gå från lätt till tung; ändra dem.</translation>
         </message>
         <message>
+            <source>The box around the imprint was left out: {percent:.0f} % of what was scanned.</source>
+            <translation>Lådan runt avtrycket har utelämnats: {percent:.0f} % av det som skannades.</translation>
+        </message>
+        <message>
             <source>The cameras are {baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and turned by {turn_deg:.2f}°, from {count} {source}.</source>
             <translation>Kamerorna är {baseline_mm:.1f} mm från varandra ({x:.1f}, {y:.1f}, {z:.1f}) och vridna {turn_deg:.2f}°, enligt {count} {source}.</translation>
         </message>
@@ -1384,6 +1404,10 @@
             <translation>Foten är klar</translation>
         </message>
         <message>
+            <source>The foot was pressed into foam, so its tissue is spread by weight already: no expansion is proposed.</source>
+            <translation>Foten har tryckts ner i skum, så dess vävnad är redan utbredd av belastningen: inget mjukdelstillägg föreslås.</translation>
+        </message>
+        <message>
             <source>The foot's shape is a {shape_side} one, but a {side} foot is to be simulated; give both the same side.</source>
             <translation>Fotens form är en {shape_side} fots, men en {side} fot ska simuleras; ge båda samma sida.</translation>
         </message>
@@ -1428,6 +1452,10 @@
             <translation>Hälen breddas med {expansion_mm:.1f} mm, och konturen ligger bara {beside_mm:.1f} mm bakom foten; bredda konturen vid hälen lika mycket.</translation>
         </message>
         <message>
+            <source>The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under weight the tissue is spread already; set the expansion to 0 unless it was taken without weight.</source>
+            <translation>Hälen breddas med {expansion_mm:.1f} mm, men i ett avtryck eller en avgjutning som tagits under belastning är vävnaden redan utbredd; sätt mjukdelstillägget till 0 om det inte togs utan belastning.</translation>
+        </message>
+        <message>
             <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
             <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
         </message>
@@ -1442,6 +1470,10 @@
         <message>
             <source>The identification is too long for its place; shorten it, so that its letters can be at least {least_mm:g} mm high.</source>
             <translation>Märkningen är för lång för sin plats; korta den, så att bokstäverna kan vara minst {least_mm:g} mm höga.</translation>
+        </message>
+        <message>
+            <source>The imprint is shallow: heel and ball are widest above its rim, so length and widths are smaller than those of the foot.</source>
+            <translation>Avtrycket är grunt: häl och framfot är bredast ovanför dess kant, så längd och bredder är mindre än fotens.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
@@ -1694,6 +1726,10 @@
         <message>
             <source>The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.</source>
             <translation>Formen ser ut som en {shape_side} fot ({reason}); tas ändå som en {side}.</translation>
+        </message>
+        <message>
+            <source>The shape of the imprint does not tell left from right; say which foot it is.</source>
+            <translation>Avtryckets form skiljer inte vänster från höger; ange vilken fot det är.</translation>
         </message>
         <message>
             <source>The solid is closed.</source>
@@ -2184,6 +2220,10 @@
             <translation>Väntar på stadigt djup i vy {views}</translation>
         </message>
         <message>
+            <source>Waiting until the backup has stopped</source>
+            <translation>Väntar tills säkerhetskopieringen har stannat</translation>
+        </message>
+        <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
         </message>
@@ -2424,6 +2464,10 @@
             <translation>kontakt</translation>
         </message>
         <message>
+            <source>contents</source>
+            <translation>filer</translation>
+        </message>
+        <message>
             <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
             <translation>corrections innehåller {count} stycken, och får innehålla {most}; ta bort några.</translation>
         </message>
@@ -2610,6 +2654,10 @@
         <message>
             <source>flatfoot</source>
             <translation>plattfot</translation>
+        </message>
+        <message>
+            <source>follow up</source>
+            <translation>uppföljning</translation>
         </message>
         <message>
             <source>foot length, rounded up to 5 mm</source>
@@ -3288,6 +3336,10 @@
             <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
         </message>
         <message>
+            <source>order</source>
+            <translation>beställning</translation>
+        </message>
+        <message>
             <source>orthopedist</source>
             <translation>ortopedingenjör</translation>
         </message>
@@ -3942,6 +3994,10 @@
         <message>
             <source>view {view}: {reason}</source>
             <translation>vyn {view}: {reason}</translation>
+        </message>
+        <message>
+            <source>visit</source>
+            <translation>besök</translation>
         </message>
         <message>
             <source>watertight</source>
@@ -4768,12 +4824,24 @@
             <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
         </message>
         <message>
-            <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller redan ett register; återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+            <source>{place} holds a record that cannot be read; restore to an empty place, or let it be set aside.</source>
+            <translation>{place} innehåller en journal som inte går att läsa; återställ till en tom plats, eller låt den läggas åt sidan.</translation>
         </message>
         <message>
-            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller ett register som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}). Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}). Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record with {count} entries fewer in its audit log than the backup has; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian har; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds another record than the backup; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en annan journal än säkerhetskopian; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds the record as the backup has it: nothing was changed since. Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
@@ -4902,6 +4970,10 @@
         <message>
             <source>{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of that range.</source>
             <translation>{what} är {value:g}, och måste vara {least} till {most} {unit}; ange ett värde i det området.</translation>
+        </message>
+        <message>
+            <source>{what} {count}</source>
+            <translation>{what} {count}</translation>
         </message>
         <message>
             <source>{what}: {before} → {after}</source>

@@ -98,6 +98,7 @@ class EraseDialog(RecordDialog):
     def _show(self, found: Erasable) -> None:
         self._found = found
         self.means.say_all(_meaning(found, self._today))
+        self.make_room()
         self._allow()
 
     def _forget(self) -> None:
