@@ -664,6 +664,10 @@
             <translation>Det är detsamma som {name}.</translation>
         </message>
         <message>
+            <source>It is {name}, {born}.</source>
+            <translation>Det är {name}, {born}.</translation>
+        </message>
+        <message>
             <source>It names nobody whom the record knows; type the patient's name.</source>
             <translation>Det nämner ingen som finns i journalen; skriv patientens namn.</translation>
         </message>

@@ -251,7 +251,7 @@ def _dry_run(records: Records, table: TextTable, mapping: ColumnMapping) -> _Dry
     if mapping.date_order is None and asks_order:
         return _DryRun(asks_order)
     rows = read_persons(table, mapping, date.today())
-    return _DryRun(asks_order, rows, plan_import(rows, records.persons.everybody()))
+    return _DryRun(asks_order, rows, plan_import(records, rows))
 
 
 def _table_row(line: ImportLine) -> ImportRow:
