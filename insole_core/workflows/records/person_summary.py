@@ -19,6 +19,7 @@ from insole_core.insole.prescription.prescription_lines import (
     make_facts,
     plain_number,
 )
+from insole_core.records.capture import Capture
 from insole_core.records.order import Order
 from insole_core.records.person import Person
 from insole_core.records.prescription import VersionSummary
@@ -108,13 +109,27 @@ def _visit_section(
     for picture in pictures:
         version = dossier.newest(picture.side)
         lines += [] if version is None else _prescription_lines(picture.variant, version, texts)
-    captures = (f"{c.file_name}, {c.facts.recorded_at or c.created_at}" for c in dossier.captures)
-    lines += [f"{texts['captures']}: {line}" for line in captures]
+    lines += [line for capture in dossier.captures for line in _capture_lines(capture, texts)]
     rows = tuple((name.replace("_", " "), f"{mm:g}") for name, mm in visit.measures.items())
     tables = (Table(texts["measures"], (texts["measure"], texts["value"]), rows),) if rows else ()
     plots = (_plot(pictures, texts),) if pictures else ()
     title = texts["visit"].replace("{day}", day)
     return ReportSection(visit.id, title, sentences=tuple(lines), tables=tables, plots=plots)
+
+
+def _capture_lines(capture: Capture, texts: Texts) -> list[str]:
+    facts = capture.facts
+    day = (facts.recorded_at or capture.created_at)[:16].replace("T", " ")
+    head = f"{texts['captures']}: {capture.file_name}, {day} UTC"
+    if not facts.sensor_serials:
+        return [head]
+    calibrated = facts.calibrated_on[:10] or texts["not recorded"]
+    return [
+        head,
+        f"– {texts['sensors']}: {', '.join(facts.sensor_serials)}",
+        f"– {texts['calibrated']}: {calibrated}",
+        *(f"– {line}" for line in facts.residual_lines),
+    ]
 
 
 def _prescription_lines(variant: Variant, version: VersionSummary, texts: Texts) -> list[str]:

@@ -2364,6 +2364,10 @@
             <translation>född {day}</translation>
         </message>
         <message>
+            <source>camera</source>
+            <translation>färgkamera</translation>
+        </message>
+        <message>
             <source>capture</source>
             <translation>avbildning</translation>
         </message>
@@ -2504,6 +2508,10 @@
             <translation>levererad</translation>
         </message>
         <message>
+            <source>depth camera</source>
+            <translation>djupkamera</translation>
+        </message>
+        <message>
             <source>designed</source>
             <translation>konstruerad</translation>
         </message>
@@ -2512,8 +2520,16 @@
             <translation>diabetes</translation>
         </message>
         <message>
+            <source>disparity</source>
+            <translation>disparitet</translation>
+        </message>
+        <message>
             <source>distance of the sensors (mm)</source>
             <translation>sensorernas avstånd (mm)</translation>
+        </message>
+        <message>
+            <source>distortion</source>
+            <translation>distorsion</translation>
         </message>
         <message>
             <source>does not belong here: a device fits both feet; leave it out</source>
@@ -3240,6 +3256,10 @@
             <translation>–</translation>
         </message>
         <message>
+            <source>not recorded</source>
+            <translation>inte antecknat</translation>
+        </message>
+        <message>
             <source>notes</source>
             <translation>anteckningar</translation>
         </message>
@@ -3642,6 +3662,10 @@
         <message>
             <source>step</source>
             <translation>steg</translation>
+        </message>
+        <message>
+            <source>stereo</source>
+            <translation>färg mot djup</translation>
         </message>
         <message>
             <source>strength{where} is {strength:g}, and for smoothing must be 0 to 1; 1 evens out all it can.</source>
@@ -4818,6 +4842,10 @@
         <message>
             <source>{region} {percent:.0f} %</source>
             <translation>{region} {percent:.0f} %</translation>
+        </message>
+        <message>
+            <source>{serial}: {step} {value:.2f} {unit}</source>
+            <translation>{serial}: {step} {value:.2f} {unit}</translation>
         </message>
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
