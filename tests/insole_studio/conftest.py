@@ -18,9 +18,9 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.case_record import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
-from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.scans.mesh_file import Unit
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
-from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.side import Side
+from insole_core.scans.mesh_file import Unit
 from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, Questions, SameSide, Unsaved

@@ -15,8 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.side import Side
+from insole_core.scans.mesh_file import Unit
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
 

@@ -11,10 +11,10 @@ from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
 from insole_core.foot.foot_proportions import ProportionsError
-from insole_core.foot.mesh_file import UnitError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
+from insole_core.scans.mesh_file import UnitError
 from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot

@@ -11,12 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
-from insole_core.foot.mesh_content import check_text, read_binary_stl
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.thinning import thinned
 from insole_core.messages import Message
+from insole_core.scans.mesh_content import check_text, read_binary_stl
 
 if TYPE_CHECKING:
     import trimesh
@@ -56,12 +56,15 @@ class ReadMesh:
     mesh : mm, the file's own frame
     unit
         Of the file, as given or concluded from the size.
+    mm_per_unit
+        What the file's numbers were multiplied with, by their unit or by a known size.
     notes
         What was assumed or corrected, a sentence each.
     """
 
     mesh: TriangleMesh
     unit: Unit
+    mm_per_unit: float
     notes: tuple[str, ...]
 
 
@@ -114,7 +117,7 @@ def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
     if _outward_flux(mesh) < 0:
         mesh = mesh.flipped()
         notes.append("The surface was inside out and has been turned.")
-    return ReadMesh(mesh, unit, tuple(notes))
+    return ReadMesh(mesh, unit, _MM_PER_UNIT[unit], tuple(notes))
 
 
 def _in_mm(mesh: TriangleMesh, mm_per_unit: float) -> TriangleMesh:
