@@ -19,7 +19,7 @@ from insole_core.errors import RecordsError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
-from insole_core.messages import joined
+from insole_core.messages import Translate, joined
 from insole_core.records.capture import NOT_RECORDED, CaptureFacts
 from insole_core.records.context import RecordsContext
 from insole_core.records.person_rows import person_of
@@ -185,8 +185,15 @@ def statement_of(
     )
 
 
-def write_statement_paper(statement: DeviceStatement, path: Path, day: date) -> None:
+def write_statement_paper(
+    statement: DeviceStatement, path: Path, day: date, translate: Translate = str
+) -> None:
     """Write the statement as a PDF, with the corrections and how the devices came about.
+
+    Parameters
+    ----------
+    translate
+        Into the language of the paper.
 
     Raises
     ------
@@ -201,6 +208,7 @@ def write_statement_paper(statement: DeviceStatement, path: Path, day: date) -> 
         material="",
         day=day,
         provenance={foot.side: foot.provenance() for foot in statement.feet},
+        translate=translate,
     )
 
 

@@ -136,6 +136,20 @@ def test_a_person_is_exported(record, tmp_path, capsys):
     assert "not replaced" in capsys.readouterr().err
 
 
+def test_the_summary_is_in_the_language_that_is_asked_for(record, tmp_path):
+    command = ["records", "export", "A-1", "--record", str(record), "--language"]
+    for language, words in (
+        ("sv", ("Besök ", "Orsak: heel")),
+        ("en", ("Visit on", "Reason: heel")),
+    ):
+        out = tmp_path / language
+        assert run([*command, language, "--out", str(out)]) == 0
+        page = (out / "summary.html").read_text(encoding="utf-8")
+        assert f'<html lang="{language}">' in page
+        assert all(word in page for word in words)
+        assert ("Besök" in page) == (language == "sv")
+
+
 def test_only_migrate_makes_a_record(tmp_path, capsys):
     assert run(["records", "list", "--record", str(tmp_path / "new")]) == 2
     assert "does not exist" in capsys.readouterr().err
