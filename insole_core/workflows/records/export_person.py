@@ -48,7 +48,12 @@ from insole_core.workflows.records.person_dossier import (
     read_dossier,
 )
 from insole_core.workflows.records.person_json import ExportedFile, person_json
-from insole_core.workflows.records.person_summary import FootPicture, person_report
+from insole_core.workflows.records.person_summary import (
+    ENGLISH,
+    FootPicture,
+    Wording,
+    person_report,
+)
 from insole_core.workflows.records.plain_name import plain_name
 
 SUMS_NAME: Final = "SHA256SUMS"
@@ -79,6 +84,7 @@ def export_person(
     *,
     is_pseudonymous: bool = False,
     responsible: Responsible = NOBODY,
+    wording: Wording = ENGLISH,
     progress: Progress = SILENT,
 ) -> PersonExport:
     """Export all that the record holds of a person, as a whole or not at all.
@@ -95,6 +101,8 @@ def export_person(
     responsible
         Maker and clinic, for the statement (Annex XIII) of each order whose prescriptions are
         signed; who signed is in the record.
+    wording
+        The language of summary and statement.
 
     Raises
     ------
@@ -113,7 +121,7 @@ def export_person(
     if is_pseudonymous:
         dossier = pseudonymous(dossier)
     with replacing_folder(folder) as beside:
-        writer = _ExportWriter(records, dossier, name, beside, responsible)
+        writer = _ExportWriter(records, dossier, name, beside, responsible, wording=wording)
         writer.write(progress)
     files = tuple(file.path for file in writer.files)
     with records.context.writing(Right.EXPORT, dossier.person.id) as connection:
@@ -138,6 +146,8 @@ class _ExportWriter:
         name: str,
         folder: Path,
         responsible: Responsible,
+        *,
+        wording: Wording,
     ) -> None:
         self._records = records
         self._dossier = dossier
@@ -145,6 +155,7 @@ class _ExportWriter:
         """Of the person, also where the dossier is pseudonymous."""
         self._folder = folder
         self._responsible = responsible
+        self._wording = wording
         self._feet: dict[str, Any] = {}
         self._pictures: dict[str, list[FootPicture]] = {}
         self._requests: list[Resource] = []
@@ -252,7 +263,9 @@ class _ExportWriter:
             self._add_json(f"{place}/statement.json", statement.as_json())
             self._add(
                 f"{place}/statement.pdf",
-                lambda path: write_statement_paper(statement, path, date.today()),
+                lambda path: write_statement_paper(
+                    statement, path, date.today(), self._wording.translate
+                ),
             )
 
     def _write_fhir(self) -> None:
@@ -264,7 +277,7 @@ class _ExportWriter:
 
     def _write_summary(self) -> None:
         files = [file.path for file in self.files]
-        report = person_report(self._dossier, self._pictures, files, self.left_out)
+        report = person_report(self._dossier, self._pictures, files, self.left_out, self._wording)
         self._add("summary.html", lambda path: write_html(report, path))
         self._add("summary.pdf", lambda path: write_pdf(report, path))
         content = person_json(self._dossier, self._feet, self.files, self.left_out)

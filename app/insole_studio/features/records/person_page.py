@@ -171,6 +171,7 @@ class PersonPage(QWidget):
         top.addWidget(self._name, 1)
         top.addWidget(self._button("follow_up", tr("Follow-up…")))
         top.addWidget(self._button("person_orders", tr("Orders")))
+        top.addWidget(self._button("export_patient", tr("Export…")))
         top.addWidget(self._compare)
         top.addWidget(self._button("new_visit_same", tr("New visit, same prescription")))
         top.addWidget(self._button("new_visit", tr("New visit")))
