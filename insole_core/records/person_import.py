@@ -13,14 +13,14 @@ from sqlalchemy import Connection, select
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
-from insole_core.records.person_matching import PersonIndex, born_text, name_key, summary_of
+from insole_core.records.person_matching import PersonIndex, born_text, summary_of
 from insole_core.records.person_rows import PERSON_FIELDS
 from insole_core.records.persons import add_persons
 from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.records import Records
 from insole_core.records.rights import Right
 from insole_core.records.schema import audit_head, persons
-from insole_core.records.search_text import fold
+from insole_core.records.search_text import fold, name_key_of
 
 _AT_ONCE: Final = 500
 """Persons between two looks at whether the user has cancelled."""
@@ -176,13 +176,13 @@ class _Planner:
 
     def _note(self, person: Person, index: PersonIndex) -> None:
         index.add(summary_of(person))
-        self._by_name[name_key(person.name)].append(person)
+        self._by_name[name_key_of(person.name)].append(person)
 
     def _who_holds_all_of(self, person: Person) -> Person | None:
         """Return who is a person without number and birth date, by all that a row says of them."""
         if person.birth_date is not None or person.personal_number:
             return None
-        known = self._by_name[name_key(person.name)]
+        known = self._by_name[name_key_of(person.name)]
         return next((other for other in known if _holds_all_of(other, person)), None)
 
     def _found(self, row: PersonRow, same: PersonSummary) -> ImportLine:

@@ -13,7 +13,9 @@ from matplotlib.figure import Figure
 from insole_core.cases.case_record import Variant
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table
 from insole_core.export.paper import paper_texts
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.prescription_lines import (
     correction_lines,
@@ -27,6 +29,7 @@ from insole_core.records.person import Person
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.program_version import program_version
 from insole_core.records.times import utc_now
+from insole_core.solids.checks import survey_side
 from insole_core.workflows.records.person_dossier import PersonDossier, VisitDossier
 
 _SOLE_MM = 40.0
@@ -64,6 +67,32 @@ class _Texts:
 
 
 @dataclass(frozen=True, eq=False)
+class Relief:
+    """One side of a surface.
+
+    Parameters
+    ----------
+    heights_mm : (ny, nx) float64
+        On pixels of 1 mm; NaN beside the surface.
+    first_mm
+        x and y of the centre of the pixel [0, 0].
+    """
+
+    heights_mm: FloatArray
+    first_mm: tuple[float, float]
+
+    @property
+    def extent_mm(self) -> tuple[float, float, float, float]:
+        """Left, right, lower and upper edge, as plots take them."""
+        return HeightMap(self.heights_mm, self.heights_mm, self.first_mm).extent_mm
+
+
+def relief_of(mesh: TriangleMesh, *, from_above: bool) -> Relief:
+    """Return one side of a surface, from a view along z."""
+    return Relief(*survey_side(mesh, from_above=from_above))
+
+
+@dataclass(frozen=True, eq=False)
 class FootPicture:
     """What is told and drawn of one foot on one visit, without its surface, which is large.
 
@@ -71,16 +100,16 @@ class FootPicture:
     ----------
     variant
         The chosen one of the newest version.
-    sole : mm
-        Heights of the foot.
-    insole : mm
-        Heights of the solid; None where it cannot be made.
+    sole
+        The foot from below.
+    insole
+        The solid from above; None where it cannot be made.
     """
 
     side: Side
     variant: Variant
-    sole: HeightMap
-    insole: HeightMap | None
+    sole: Relief
+    insole: Relief | None
 
 
 def person_report(
@@ -245,17 +274,17 @@ def _plot(pictures: Sequence[FootPicture], texts: _Texts) -> Plot:
 def _draw(figure: Figure, *, pictures: Sequence[FootPicture], texts: _Texts) -> None:
     """Draw the feet and then the insoles, the left one on the left, both to one scale."""
     insoles = [(p.side, p.insole) for p in pictures if p.insole is not None]
-    highest_mm = max((float(np.nanmax(i.top_mm)) for _, i in insoles), default=0.0)
-    maps = [(f"{p.side} foot", p.sole.bottom_mm, p.sole, _SOLE_MM) for p in pictures]
-    maps += [(f"{side} insole", i.top_mm, i, highest_mm) for side, i in insoles]
-    for axes, (title, heights_mm, height_map, most_mm) in zip(
-        figure.subplots(1, len(maps), squeeze=False)[0], maps, strict=True
+    highest_mm = max((float(np.nanmax(i.heights_mm)) for _, i in insoles), default=0.0)
+    reliefs = [(f"{p.side} foot", p.sole, _SOLE_MM) for p in pictures]
+    reliefs += [(f"{side} insole", insole, highest_mm) for side, insole in insoles]
+    for axes, (title, relief, most_mm) in zip(
+        figure.subplots(1, len(reliefs), squeeze=False)[0], reliefs, strict=True
     ):
         image = axes.imshow(
-            heights_mm,
+            relief.heights_mm,
             origin="lower",
             cmap="viridis",
-            extent=height_map.extent_mm,
+            extent=relief.extent_mm,
             vmin=0,
             vmax=most_mm,
         )

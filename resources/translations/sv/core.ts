@@ -2389,7 +2389,7 @@
         </message>
         <message>
             <source>This capture is no longer in the record; open the visit again.</source>
-            <translation>Den här upptagningen finns inte längre i journalen; öppna besöket igen.</translation>
+            <translation>Den här avbildningen finns inte längre i journalen; öppna besöket igen.</translation>
         </message>
         <message>
             <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
@@ -5029,7 +5029,7 @@
         </message>
         <message>
             <source>{folder} does not hold the files of this record; connect the disk or the share that holds them, then try again.</source>
-            <translation>{folder} innehåller inte filerna till detta register; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
+            <translation>{folder} innehåller inte filerna till den här journalen; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
         </message>
         <message>
             <source>{folder} does not keep what is written to it; use another disk for backups.</source>
@@ -5081,7 +5081,7 @@
         </message>
         <message>
             <source>{folder} holds the backups of another record, or of this one under another passphrase; choose another folder.</source>
-            <translation>{folder} innehåller säkerhetskopior av ett annat register, eller av detta med en annan lösenfras; välj en annan mapp.</translation>
+            <translation>{folder} innehåller säkerhetskopior av en annan journal, eller av den här med en annan lösenfras; välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
@@ -5149,7 +5149,7 @@
         </message>
         <message>
             <source>{kind} is no kind of a capture; use session or mesh.</source>
-            <translation>{kind} är inget slags upptagning; använd session eller mesh.</translation>
+            <translation>{kind} är inget slags avbildning; använd session eller mesh.</translation>
         </message>
         <message>
             <source>{least:g} to {most:g}</source>
@@ -5625,11 +5625,11 @@
         </message>
         <message>
             <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller redan ett register; återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+            <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller ett register som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
