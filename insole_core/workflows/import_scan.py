@@ -20,6 +20,7 @@ from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -151,6 +152,10 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
+    box = find_imprinted_feet(read, choice.form, choice.side)
+    if box is not None:
+        left_out = box.left_out
+        return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
     found = find_foot(read.mesh)
     return ScanExamination(path, read.mesh, read.unit, Form.FOOT, (found,), read.notes)
 
@@ -185,5 +190,7 @@ def take_foot(
     check_length(foot.length_mm)
     if not choice.force:
         check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
-    notes = (*examination.notes, *foot.notes, *examination.left_out)
-    return ScannedFoot(replace(foot, notes=notes), mesh_source(found.path or examination.path))
+    form = examination.form
+    notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
+    source = mesh_source(found.path or examination.path, form)
+    return ScannedFoot(replace(foot, notes=notes, form=form), source)

@@ -219,7 +219,7 @@ class OpenActions:
         starting = starting_device(self._services.paths.settings_folder)
         if starting.problem is not None:
             self._messages.show_sentence(starting.problem)
-        design = starting.design(scanned.foot.side)
+        design = starting.design(scanned.foot)
         return FootRecord.begun(scanned.foot, scanned.source, design)
 
     def _is_untouched(self, foot: FootRecord) -> bool:
@@ -227,7 +227,7 @@ class OpenActions:
         device = starting_device(self._services.paths.settings_folder)
         begun = (
             FootRecord.begun(foot.foot, foot.source, design)
-            for design in (device.design(foot.side), None)
+            for design in (device.design(foot.foot), None)
         )
         edited = foot.variants, foot.annotations
         return any(edited == (record.variants, record.annotations) for record in begun)

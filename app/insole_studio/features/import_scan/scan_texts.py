@@ -5,7 +5,7 @@ from __future__ import annotations
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
-from insole_studio.texts import tr
+from insole_studio.texts import fill, tr
 
 CLICKS = ("heel", "toe", "sole")
 """The points that tell a pose, in the order in which they are clicked."""
@@ -33,12 +33,12 @@ def side_text(side: Side) -> str:
 
 def candidate_text(candidate: FootCandidate) -> str:
     """Describe one way in which a scan can be a foot."""
-    length = tr("{length_mm:.0f} mm long").format(length_mm=candidate.length_mm)
+    length = fill(tr("{length_mm:.0f} mm long"), length_mm=candidate.length_mm)
     parts = [length]
     if candidate.covered < 1:
         parts.append(tr("toes missing"))
     if candidate.leg is not None:
-        parts.append(tr("leg cut off at {mm:.0f} mm").format(mm=candidate.leg.height_mm))
+        parts.append(fill(tr("leg cut off at {mm:.0f} mm"), mm=candidate.leg.height_mm))
     return ", ".join(parts)
 
 

@@ -26,9 +26,9 @@ class SizeFields(QWidget):
         self.kind = ComboBox(_kinds())
         self.kind.setAccessibleName(tr("Unit of the file"))
         self.numbers = {
-            LENGTH: _number(tr("mm"), 80, 350, 250),
+            LENGTH: _number("mm", 80, 350, 250),
             SHOE: _number("EU", 15, 55, 40),
-            DISTANCE: _number(tr("mm"), 1, 1000, 85.6),
+            DISTANCE: _number("mm", 1, 1000, 85.6),
         }
         for key, name in (
             (LENGTH, tr("Length of the foot")),
