@@ -297,7 +297,7 @@ class _ExportWriter:
             self._add_json(f"fhir/DeviceRequest-{number}.json", request)
 
     def _write_summary(self) -> None:
-        files = [file.path for file in self.files]
+        files = [f"{file.path}, SHA-256 {file.sha256}" for file in self.files]
         report = person_report(self._dossier, self._pictures, files, self.left_out, self._wording)
         self._add("summary.html", lambda path: write_html(report, path))
         self._add("summary.pdf", lambda path: write_pdf(report, path))

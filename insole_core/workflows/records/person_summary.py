@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Final
@@ -126,7 +126,7 @@ def person_report(
     pictures
         By the id of a visit, the left foot first.
     files
-        Paths within the folder.
+        Paths within the folder, with what tells the files apart.
     left_out
         A sentence for each thing that could not be exported.
     wording
@@ -175,7 +175,8 @@ def _visit_section(
     lines = [line for key in keys for line in _fact(texts, key, getattr(visit, key))]
     for picture in pictures:
         version = dossier.newest(picture.side)
-        lines += [] if version is None else _prescription_lines(picture.variant, version, texts)
+        if version is not None:
+            lines += _prescription_lines(picture.variant, version, dossier, texts)
     lines += [line for capture in dossier.captures for line in _capture_lines(capture, texts)]
     rows = tuple(
         (_measure_name(name, texts), texts.translate(Message("{value:g}", value=value)))
@@ -202,18 +203,14 @@ def _capture_lines(capture: Capture, texts: _Texts) -> list[str]:
     ]
 
 
-def _prescription_lines(variant: Variant, version: VersionSummary, texts: _Texts) -> list[str]:
-    head = [
-        _filled(texts["variant"], name=variant.name),
-        _filled(
-            texts["version"],
-            number=str(version.number),
-            day=version.changed_at[:10],
-            author=version.author,
-        ),
-    ]
-    if version.signed_by and version.signed_at:
-        head.append(_filled(texts["signed"], name=version.signed_by, day=version.signed_at[:10]))
+def _prescription_lines(
+    variant: Variant, version: VersionSummary, dossier: VisitDossier, texts: _Texts
+) -> list[str]:
+    head = [_filled(texts["variant"], name=variant.name), _version_text(version, texts)]
+    scans = (c.file_name for c in dossier.captures if c.id == version.capture_id)
+    made = [_filled(texts["program of a version"], version=version.program_version)]
+    made += [_filled(texts["scan of a version"], name=name) for name in scans]
+    made += [_filled(texts["signature"], signature=version.signature)] if version.signature else []
     facts = (
         f"{texts.translate(name)} {texts.translate(value)}"
         for name, value in make_facts(variant.design).items()
@@ -222,7 +219,25 @@ def _prescription_lines(variant: Variant, version: VersionSummary, texts: _Texts
         f"{texts[str(version.side)]}: {', '.join(head)}",
         *(f"– {texts.translate(line)}" for line in correction_lines(variant.design)),
         f"– {'; '.join(facts)}",
+        f"– {', '.join(made)}",
+        *(f"– {line}" for line in _earlier_lines(version, dossier, texts)),
     ]
+
+
+def _earlier_lines(newest: VersionSummary, dossier: VisitDossier, texts: _Texts) -> Iterator[str]:
+    """Yield who made the versions before, when, and why they were changed."""
+    for version in dossier.versions:
+        if version.side is newest.side and version.id != newest.id:
+            yield ": ".join(filter(None, (_version_text(version, texts), version.reason)))
+
+
+def _version_text(version: VersionSummary, texts: _Texts) -> str:
+    day = version.changed_at[:10]
+    text = _filled(texts["version"], number=str(version.number), day=day, author=version.author)
+    if version.signed_by and version.signed_at:
+        signed = _filled(texts["signed"], name=version.signed_by, day=version.signed_at[:10])
+        return f"{text}, {signed}"
+    return text
 
 
 def _order_lines(order: Order, texts: _Texts) -> list[str]:

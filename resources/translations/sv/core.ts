@@ -3300,6 +3300,10 @@
             <translation>från foten</translation>
         </message>
         <message>
+            <source>from the scan {name}</source>
+            <translation>från skanningen {name}</translation>
+        </message>
+        <message>
             <source>from the shoe size</source>
             <translation>från skostorleken</translation>
         </message>
@@ -3698,6 +3702,10 @@
         <message>
             <source>lower right</source>
             <translation>nere till höger</translation>
+        </message>
+        <message>
+            <source>made with Insole Studio {version}</source>
+            <translation>gjord med Insole Studio {version}</translation>
         </message>
         <message>
             <source>make backups</source>
@@ -4390,6 +4398,10 @@
         <message>
             <source>sign prescriptions</source>
             <translation>signera ordinationer</translation>
+        </message>
+        <message>
+            <source>signature {signature}</source>
+            <translation>signatur {signature}</translation>
         </message>
         <message>
             <source>signed</source>
