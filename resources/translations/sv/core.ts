@@ -3077,7 +3077,7 @@
         </message>
         <message>
             <source>designed</source>
-            <translation>konstruerad</translation>
+            <translation>utformad</translation>
         </message>
         <message>
             <source>device</source>
