@@ -13,6 +13,9 @@ from insole_core.messages import Message
 
 Point = tuple[float, float, float]
 
+CLEAR = 1.25
+"""Least ratio of the dissimilarities from both sides at which the shape determines the side."""
+
 
 @dataclass(frozen=True)
 class PoseClicks:
@@ -105,6 +108,15 @@ class FoundFoot:
     doubts: tuple[Message, ...] = ()
     notes: tuple[str, ...] = ()
     path: Path | None = None
+
+    @property
+    def told_side(self) -> Side | None:
+        """The side that the shape tells; None where it does not tell left from right."""
+        nearest = self.candidates[0]
+        other = self.best(nearest.side.other)
+        if other is None or other.dissimilarity >= CLEAR * nearest.dissimilarity:
+            return nearest.side
+        return None
 
     def best(self, side: Side) -> FootCandidate | None:
         """Return the most likely candidate of a side; None when there is none."""

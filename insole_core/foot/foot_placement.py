@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
-from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
+from insole_core.foot.foot_candidate import CLEAR, FootCandidate, FoundFoot
 from insole_core.foot.foot_proportions import check_length, check_proportions
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, at_origin, is_cut_behind, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
@@ -24,8 +24,6 @@ from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
 
-_CLEAR = 1.25
-"""Least ratio of the two dissimilarities at which the shape determines the side."""
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
@@ -121,6 +119,30 @@ def find_foot(mesh: TriangleMesh) -> FoundFoot:
     return _found(mesh, points, poses, notes)
 
 
+def find_pressed_foot(mesh: TriangleMesh, dorsal: FloatArray) -> FoundFoot:
+    """Find how the sole of an imprint can be a left or a right foot.
+
+    Parameters
+    ----------
+    mesh : mm, any frame
+        Its triangles face out of the foot.
+    dorsal : (3,) float64
+        Unit vector out of the foam, towards the back of the foot.
+
+    Returns
+    -------
+    FoundFoot
+        With a candidate of either side.
+
+    Raises
+    ------
+    InputError
+        When the surface does not look like a foot either way.
+    """
+    points = surface_points(mesh)
+    return _found(mesh, points, _foot_poses(mesh, points, dorsal))
+
+
 def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = False) -> Foot:
     """Bring a found foot to the insole frame as one of its candidates.
 
@@ -130,7 +152,7 @@ def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = Fal
         When the shape is clearly that of the other foot, unless `force`.
     """
     other = found.best(candidate.side.other)
-    if other is not None and candidate.dissimilarity > _CLEAR * other.dissimilarity and not force:
+    if other is not None and candidate.dissimilarity > CLEAR * other.dissimilarity and not force:
         raise SideMismatchError(candidate.side, _reason(other.side))
     source2insole = at_origin(found.mesh, candidate.source2insole)
     placed = found.even.transformed(source2insole)
@@ -168,11 +190,11 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
         found = _found(whole, points, poses)
     except InputError:
         return None
-    nearest, other = found.candidates
-    if other.dissimilarity < _CLEAR * nearest.dissimilarity:
+    side = found.told_side
+    if side is None:
         return None
     try:
-        return place_foot(mesh, nearest.side, frame="unknown")
+        return place_foot(mesh, side, frame="unknown")
     except (InputError, SideMismatchError):  # of a size or proportions that no foot has
         return None
 
@@ -192,16 +214,18 @@ def _found(
     nearest, other = sorted(
         (_best(even, points, poses, side) for side in Side), key=lambda one: one.dissimilarity
     )
-    if other.dissimilarity > _CLEAR * nearest.dissimilarity:
+    if other.dissimilarity > CLEAR * nearest.dissimilarity:
         # The directions of ground and toes follow from the shape, whatever the side.
         poses = _as_it_lies(points, nearest.source2insole)
         other = replace(_best(even, points, poses, other.side), dissimilarity=other.dissimilarity)
     return FoundFoot(mesh, even, (nearest, other), notes=notes)
 
 
-def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+def _foot_poses(
+    mesh: TriangleMesh, points: FloatArray, dorsal: FloatArray | None = None
+) -> list[Pose]:
     """Find the possible poses, the most likely first, which must look like a foot."""
-    poses = find_poses(mesh, points)
+    poses = find_poses(mesh, points, dorsal)
     if poses[0].side_dissimilarity > _NO_FOOT:
         raise InputError(
             "The surface looks like no foot, whichever way it is turned;"
@@ -260,14 +284,14 @@ def _side_notes(asked: FootCandidate, other: FootCandidate | None) -> Iterator[s
     if other is None:
         return
     ratio = other.dissimilarity / asked.dissimilarity
-    if ratio < 1 / _CLEAR:
+    if ratio < 1 / CLEAR:
         yield Message(
             "The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.",
             shape_side=other.side,
             reason=_reason(other.side),
             side=asked.side,
         )
-    elif ratio < _CLEAR:
+    elif ratio < CLEAR:
         yield Message(
             "The shape does not tell left from right; taken as a {side} foot as asked.",
             side=asked.side,

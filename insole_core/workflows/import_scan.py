@@ -18,8 +18,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
-from insole_core.scans.mesh_file import Unit, read_mesh
+from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -99,9 +100,62 @@ def examine_scan(
         When the file cannot be read, or shows no foot.
     Cancelled
     """
+    read = read_scan(path, choice, progress.part(0.0, 0.3))
+    return examine_surface(path, read, choice, progress.part(0.3, 1.0))
+
+
+def read_scan(
+    path: Path, choice: ImportChoice = ImportChoice(), progress: Progress = SILENT
+) -> ReadMesh:
+    """Read the surface of a scan; the first half of `examine_scan`, the same for every pose.
+
+    Parameters
+    ----------
+    path
+        File of a mesh.
+    choice
+        Of which only unit and size count.
+
+    Raises
+    ------
+    UnitError
+        When the surface is not of a foot's size.
+    InputError
+        When the file cannot be read.
+    Cancelled
+    """
     progress.step(0.0, "Reading the scan")
-    read = read_mesh(path, choice.unit)
-    progress.step(0.3, "Finding the pose of the foot")
+    return read_mesh(path, choice.unit)
+
+
+def examine_surface(
+    path: Path,
+    read: ReadMesh,
+    choice: ImportChoice = ImportChoice(),
+    progress: Progress = SILENT,
+) -> ScanExamination:
+    """Find the feet in a surface; the second half of `examine_scan`.
+
+    Parameters
+    ----------
+    path
+        Where the surface was read from.
+    read
+        As `read_scan` returns it.
+    choice
+        What is known already.
+
+    Raises
+    ------
+    InputError
+        When it shows no foot.
+    Cancelled
+    """
+    progress.step(0.0, "Finding the pose of the foot")
+    box = find_imprinted_feet(read, choice.form, choice.side)
+    if box is not None:
+        left_out = box.left_out
+        return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
     found = find_foot(read.mesh)
     return ScanExamination(path, read.mesh, read.unit, Form.FOOT, (found,), read.notes)
 
@@ -136,5 +190,7 @@ def take_foot(
     check_length(foot.length_mm)
     if not choice.force:
         check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
-    notes = (*examination.notes, *foot.notes, *examination.left_out)
-    return ScannedFoot(replace(foot, notes=notes), mesh_source(found.path or examination.path))
+    form = examination.form
+    notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
+    source = mesh_source(found.path or examination.path, form)
+    return ScannedFoot(replace(foot, notes=notes, form=form), source)

@@ -85,6 +85,7 @@ def _mesh_foot(
         )
     choice = ImportChoice(side=side, unit=unit, force=force)
     examination = examine_scan(path, choice, progress)
-    (found,) = examination.feet
+    feet = examination.feet
+    found = next((foot for foot in feet if foot.candidates[0].side is side), feet[0])
     candidate = next(one for one in found.candidates if one.side is side)
     return take_foot(examination, found, candidate, choice)
