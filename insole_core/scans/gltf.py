@@ -15,7 +15,7 @@ from urllib.parse import unquote
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial.transform import Rotation
+import scipy
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
@@ -304,7 +304,7 @@ def _node2parent(node: dict[str, Any]) -> FloatArray:
         matrix = np.eye(4)
         rotation = np.array(node.get("rotation", [0, 0, 0, 1]), dtype=float)
         scale = np.array(node.get("scale", [1, 1, 1]), dtype=float)
-        matrix[:3, :3] = Rotation.from_quat(rotation).as_matrix() * scale
+        matrix[:3, :3] = scipy.spatial.transform.Rotation.from_quat(rotation).as_matrix() * scale
         matrix[:3, 3] = np.array(node.get("translation", [0, 0, 0]), dtype=float)
     if not np.isfinite(matrix).all():
         raise ValueError("the place of a part in it is no number")

@@ -8,10 +8,7 @@ neighbours, turned alike along the spanning tree of least bend (Hoppe and others
 from __future__ import annotations
 
 import numpy as np
-from scipy import sparse
-from scipy.ndimage import binary_dilation
-from scipy.sparse.csgraph import breadth_first_order, connected_components, minimum_spanning_tree
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -31,7 +28,7 @@ _OUTLIER_NEIGHBOURS, _OUTLIER_FACTOR = 6, 4.0
 
 def without_outliers(points: FloatArray) -> BoolArray:
     """Return which points (n,) lie among others: not much farther from them than most are."""
-    tree = cKDTree(points)
+    tree = scipy.spatial.cKDTree(points)
     sample = points[:: max(1, len(points) // 20_000)]
     reach = min(_OUTLIER_NEIGHBOURS + 1, len(points))
     usual = float(np.median(_nearest(tree, sample, reach)[0][:, -1]))
@@ -64,7 +61,7 @@ def surface_through(
     if len(points) < 4 * _PLANE_NEIGHBOURS:
         raise ValueError("they are too few for a surface")
     points, normals, colors = _thinned(points, normals, colors)
-    tree = cKDTree(points)
+    tree = scipy.spatial.cKDTree(points)
     spacing = float(np.median(_nearest(tree, points, _SPACING_NEIGHBOUR + 1)[0][:, -1]))
     cell = max(_LEAST_CELL_MM, _CELL_SHARE * spacing)
     cell = max(cell, float(np.prod(np.ptp(points, axis=0) + 8 * cell) / _MOST_NODES) ** (1 / 3))
@@ -106,7 +103,7 @@ def _thinned(
     )
 
 
-def _normals(points: FloatArray, tree: cKDTree) -> FloatArray:
+def _normals(points: FloatArray, tree: scipy.spatial.cKDTree) -> FloatArray:
     """Return normals (n, 3) of the planes through each point's neighbours, turned outwards."""
     near = _nearest(tree, points, _PLANE_NEIGHBOURS)[1]
     offsets = points[near] - points[near].mean(axis=1, keepdims=True)
@@ -123,13 +120,13 @@ def _turns(points: FloatArray, normals: FloatArray, near: IntArray) -> FloatArra
     starts, ends = np.repeat(np.arange(count), width), near.ravel()
     cosines = np.einsum("ij,ij->i", normals[starts], normals[ends])
     weights = 1.001 - np.abs(cosines)
-    graph = sparse.csr_array((weights, (starts, ends)), shape=(count, count))
-    tree = minimum_spanning_tree(graph.maximum(graph.T))
-    pieces, piece = connected_components(tree, directed=False)
+    graph = scipy.sparse.csr_array((weights, (starts, ends)), shape=(count, count))
+    tree = scipy.sparse.csgraph.minimum_spanning_tree(graph.maximum(graph.T))
+    pieces, piece = scipy.sparse.csgraph.connected_components(tree, directed=False)
     turn = np.ones(count)
     for number in range(pieces):
         members = np.flatnonzero(piece == number)
-        order, before = breadth_first_order(tree, members[0], directed=False)
+        order, before = scipy.sparse.csgraph.breadth_first_order(tree, members[0], directed=False)
         agree = np.einsum("ij,ij->i", normals[order[1:]], normals[before[order[1:]]]) >= 0
         signs = turn.tolist()
         for vertex, parent, same in zip(
@@ -144,14 +141,16 @@ def _turns(points: FloatArray, normals: FloatArray, near: IntArray) -> FloatArra
 
 
 def _zero_level(
-    points: FloatArray, normals: FloatArray, tree: cKDTree, cell: float
+    points: FloatArray, normals: FloatArray, tree: scipy.spatial.cKDTree, cell: float
 ) -> TriangleMesh:
     margin = _BAND_CELLS + 2
     origin = points.min(axis=0) - margin * cell
     shape = np.ceil(np.ptp(points, axis=0) / cell).astype(int) + 2 * margin + 1
     near = np.zeros(shape, dtype=bool)
     near[tuple(np.rint((points - origin) / cell).astype(int).T)] = True
-    near = binary_dilation(near, np.ones((3, 3, 3), dtype=bool), iterations=_BAND_CELLS)
+    near = scipy.ndimage.binary_dilation(
+        near, np.ones((3, 3, 3), dtype=bool), iterations=_BAND_CELLS
+    )
     nodes = np.argwhere(near)
     places = origin + cell * nodes
     distance, index = _nearest(tree, places, _BLENDED_NEIGHBOURS)
@@ -169,7 +168,7 @@ def _zero_level(
 
 
 def _within_surface(
-    vertices: FloatArray, points: FloatArray, tree: cKDTree, cell: float
+    vertices: FloatArray, points: FloatArray, tree: scipy.spatial.cKDTree, cell: float
 ) -> BoolArray:
     """Return which vertices (n,) lie near points, and not beyond the border of a surface."""
     distance, index = _nearest(tree, vertices, _BLENDED_NEIGHBOURS)
@@ -179,7 +178,7 @@ def _within_surface(
 
 
 def _nearest(
-    tree: cKDTree, places: FloatArray, count: int, within: float = np.inf
+    tree: scipy.spatial.cKDTree, places: FloatArray, count: int, within: float = np.inf
 ) -> tuple[FloatArray, IntArray]:
     """Return distances and indices (n, count) of the nearest points, inf where there is none."""
     wanted = np.arange(1, count + 1)

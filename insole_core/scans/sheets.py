@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import binary_closing, binary_fill_holes, label
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -21,6 +21,7 @@ _LEAST_SHARE = 0.12
 _FOOT_SHARE = 0.4
 """Of the height over the plane, that counts for the outline of the foot: no leaning leg."""
 _CELLS = 150
+_MOST_BELOW = 0.05
 _LEAST_PIECE = 0.03
 
 
@@ -33,13 +34,15 @@ class _Plane:
         return np.asarray(points @ self.normal - self.offset)
 
 
-def without_sheet(mesh: TriangleMesh, tolerance: float) -> TriangleMesh:
+def without_sheet(mesh: TriangleMesh, tolerance: float, least_height: float = 0.0) -> TriangleMesh:
     """Cut off the largest plane, as far as it goes beyond the outline of what stands on it.
 
     Parameters
     ----------
     tolerance
         Greatest distance of the sheet's points from its plane, in the unit of the mesh.
+    least_height
+        Of what stands on the sheet.
 
     Returns
     -------
@@ -54,8 +57,10 @@ def without_sheet(mesh: TriangleMesh, tolerance: float) -> TriangleMesh:
     below = heights < -tolerance
     if above.sum() < below.sum():
         heights, above, below = -heights, below, above
-    if not above.any() or below.sum() > 0.05 * above.sum():
+    if not above.any() or below.sum() > _MOST_BELOW * above.sum():
         return mesh  # it goes through the middle: no sheet on which something stands
+    if np.quantile(heights[above], 0.98) < least_height:
+        return mesh
     sheet = flat & ~_under_foot(mesh, plane, heights, above)
     areas = mesh.triangle_areas_mm2
     if areas[sheet].sum() < _LEAST_SHARE * areas.sum():
@@ -127,8 +132,9 @@ def _under_foot(
     for points in (places[standing], middles):
         cells = np.minimum(((points - low) / cell).astype(int) + 2, shape - 1)
         mask[tuple(cells.T)] = True
-    mask = binary_fill_holes(binary_closing(mask, np.ones((5, 5), dtype=bool)))
-    pieces, count = label(mask)
+    mask = scipy.ndimage.binary_closing(mask, np.ones((5, 5), dtype=bool))
+    mask = scipy.ndimage.binary_fill_holes(mask)
+    pieces, count = scipy.ndimage.label(mask)
     sizes = np.bincount(pieces.ravel(), minlength=count + 1)
     large = sizes >= _LEAST_PIECE * sizes[1:].max(initial=1)
     large[0] = False

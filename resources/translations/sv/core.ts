@@ -116,6 +116,10 @@
             <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
         </message>
         <message>
+            <source>A flat sheet of {area_cm2:.0f} cm² (floor, table or glass) was cut off.</source>
+            <translation>En plan yta på {area_cm2:.0f} cm² (golv, bord eller glas) har skurits bort.</translation>
+        </message>
+        <message>
             <source>A foot of {length_mm:.0f} mm is asked for, but feet are {least:.0f} to {most:.0f} mm long; correct the length or the shoe size.</source>
             <translation>En fot på {length_mm:.0f} mm begärs, men fötter är {least:.0f} till {most:.0f} mm långa; rätta längden eller skostorleken.</translation>
         </message>
@@ -130,6 +134,10 @@
         <message>
             <source>A newer Insole Studio has changed {place} meanwhile; install the newest version on this computer, too.</source>
             <translation>Ett nyare Insole Studio har under tiden ändrat {place}; installera den nyaste versionen även på den här datorn.</translation>
+        </message>
+        <message>
+            <source>A piece of {area_cm2:.0f} cm² was left out: {kind}.</source>
+            <translation>En del på {area_cm2:.0f} cm² har utelämnats: {kind}.</translation>
         </message>
         <message>
             <source>A plane</source>
@@ -342,6 +350,10 @@
         <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
+        </message>
+        <message>
+            <source>Both feet in the scan look like a {side} one; say which foot is which.</source>
+            <translation>Båda fötterna i skanningen ser ut som en {side}; ange vilken fot som är vilken.</translation>
         </message>
         <message>
             <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
@@ -2936,8 +2948,20 @@
             <translation>det är ett rör eller en enhet, ingen fil</translation>
         </message>
         <message>
+            <source>it is a rod, as a leg of a table</source>
+            <translation>den är en stång, som ett bordsben</translation>
+        </message>
+        <message>
+            <source>it is far from the foot</source>
+            <translation>den ligger långt från foten</translation>
+        </message>
+        <message>
             <source>it is far larger than such a file is</source>
             <translation>den är mycket större än en sådan fil är</translation>
+        </message>
+        <message>
+            <source>it is flat, as a sheet, a card or a wall</source>
+            <translation>den är plan, som en skiva, ett kort eller en vägg</translation>
         </message>
         <message>
             <source>it is longer than {limit_mb} MB; check what was put there.</source>
@@ -2946,6 +2970,10 @@
         <message>
             <source>it is not flat, or something stood before it</source>
             <translation>den är inte plan, eller något stod framför den</translation>
+        </message>
+        <message>
+            <source>it lies within the surface, as the inner side of a shell</source>
+            <translation>den ligger innanför ytan, som insidan av ett skal</translation>
         </message>
         <message>
             <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
@@ -4456,6 +4484,10 @@
             <translation>{name} saknas, men sensor.json anger den som disparity_correction; återställ den från inspelningen.</translation>
         </message>
         <message>
+            <source>{name} is named as a {side} foot, but looks like a {told} one; say which foot it is.</source>
+            <translation>{name} heter som en {side} fot men ser ut som en {told}; ange vilken fot det är.</translation>
+        </message>
+        <message>
             <source>{name} is no number a design can hold; put in a usual one.</source>
             <translation>{name} är inget tal som en design kan ha; ange ett vanligt.</translation>
         </message>
@@ -4662,10 +4694,6 @@
         <message>
             <source>{path} holds only triangles without area; export it again.</source>
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
-        </message>
-        <message>
-            <source>{path} holds two scans ({first}, {second}); open the one that is meant.</source>
-            <translation>{path} innehåller två skanningar ({first}, {second}); öppna den som avses.</translation>
         </message>
         <message>
             <source>{path} holds two scans of the {side} foot by their names ({first}, {second}); open the one that is meant.</source>
