@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+import scipy
 
 from insole_core.errors import InputError
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
@@ -100,8 +100,8 @@ def _up_directions(mesh: TriangleMesh, points: FloatArray) -> Iterator[FloatArra
 def _faces(vertices: FloatArray) -> list[FloatArray]:
     """Return inward normals of the convex hull's largest faces, nearly parallel ones merged."""
     try:
-        hull = ConvexHull(vertices)
-    except QhullError as error:
+        hull = scipy.spatial.ConvexHull(vertices)
+    except scipy.spatial.QhullError as error:
         raise InputError("The surface is flat, which is no foot; export the scan again.") from error
     a, b, c = (vertices[hull.simplices[:, corner]] for corner in range(3))
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)

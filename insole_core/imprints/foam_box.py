@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, label, minimum_filter
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.level_cut import level_cut
@@ -171,7 +171,10 @@ def _within(view: _View, number: int, places: FloatArray) -> FloatArray:
     Two regions divide what lies between them.
     """
     relief = view.relief
-    away = [distance_transform_edt(~region.mask) * relief.cell_mm for region in view.regions]
+    away = [
+        scipy.ndimage.distance_transform_edt(~region.mask) * relief.cell_mm
+        for region in view.regions
+    ]
     own = away.pop(number)
     inside = np.minimum.reduce([_BESIDE_MM - own, *((other - own) / 2 for other in away)])
     return relief.at(inside, places, beyond=-1.0)
@@ -180,13 +183,13 @@ def _within(view: _View, number: int, places: FloatArray) -> FloatArray:
 def _lowest_nearby(relief: Relief, places: FloatArray) -> FloatArray:
     """Return the lowest of the uppermost surface about places (n, 2): below it all is hidden."""
     heights = np.where(np.isnan(relief.heights_mm), np.inf, relief.heights_mm)
-    lowest = minimum_filter(heights, _UNDER_NODES)
+    lowest = scipy.ndimage.minimum_filter(heights, _UNDER_NODES)
     return relief.at(np.where(np.isfinite(lowest), lowest, -1e3), places, beyond=-1e3)
 
 
 def _away_from(curled: BoolArray, detail: Relief, places: FloatArray) -> FloatArray:
     """Return how far places (n, 2) lie from where the foam curls over, mm; not above 0 there."""
-    away_mm = distance_transform_edt(~curled) * detail.cell_mm
+    away_mm = scipy.ndimage.distance_transform_edt(~curled) * detail.cell_mm
     return detail.at(away_mm - detail.cell_mm / 2, places, beyond=-1.0)
 
 
@@ -226,9 +229,9 @@ def _toe_like(detail: Relief, curled: BoolArray) -> BoolArray:
     What reaches the edge of the relief is beside the box.
     """
     low = ~curled & ~(detail.heights_mm > -_RIM_MM)
-    radius_mm = distance_transform_edt(low) * detail.cell_mm
-    broad = distance_transform_edt(radius_mm < _TOE_MM) * detail.cell_mm < _TOE_MM
-    parts, count = label(broad)
+    radius_mm = scipy.ndimage.distance_transform_edt(low) * detail.cell_mm
+    broad = scipy.ndimage.distance_transform_edt(radius_mm < _TOE_MM) * detail.cell_mm < _TOE_MM
+    parts, count = scipy.ndimage.label(broad)
     size = np.bincount(parts.ravel(), minlength=count + 1) * detail.cell_mm**2
     beside = np.zeros(count + 1, dtype=bool)
     beside[[*parts[[0, -1]].ravel(), *parts[:, [0, -1]].ravel()]] = True

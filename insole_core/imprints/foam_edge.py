@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, gaussian_filter
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.imprints.relief import Relief
@@ -30,9 +30,11 @@ def curled_over(relief: Relief) -> BoolArray:
 def _smoothed(relief: Relief) -> FloatArray:
     """Return the heights without noise; what was not measured gets the nearest height."""
     missing = np.isnan(relief.heights_mm)
-    nearest = distance_transform_edt(missing, return_distances=False, return_indices=True)
+    nearest = scipy.ndimage.distance_transform_edt(
+        missing, return_distances=False, return_indices=True
+    )
     heights = relief.heights_mm[tuple(nearest)]
-    return np.asarray(gaussian_filter(heights, _NOISE_MM / relief.cell_mm))
+    return np.asarray(scipy.ndimage.gaussian_filter(heights, _NOISE_MM / relief.cell_mm))
 
 
 def _steepest_below(heights: FloatArray, slope: FloatArray, reach: int) -> FloatArray:

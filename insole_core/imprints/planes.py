@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
@@ -69,7 +69,7 @@ def large_planes(points: FloatArray) -> list[Plane]:
 
 def _normals(points: FloatArray) -> FloatArray:
     """Return the directions (n, 3) in which the neighbours of each point vary least."""
-    near = points[cKDTree(points).query(points, _NEIGHBOURS)[1]]
+    near = points[scipy.spatial.cKDTree(points).query(points, _NEIGHBOURS)[1]]
     near = near - near.mean(axis=1, keepdims=True)
     return np.asarray(np.linalg.eigh(np.swapaxes(near, 1, 2) @ near)[1][:, :, 0])
 

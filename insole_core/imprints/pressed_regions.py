@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import binary_fill_holes, distance_transform_edt, label
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.imprints.relief import Relief
@@ -67,7 +67,7 @@ def pressed_regions(relief: Relief) -> list[PressedRegion]:
 
 def _at_level(relief: Relief, level_mm: float) -> list[PressedRegion]:
     low = (relief.heights_mm < -level_mm) & (relief.heights_mm > -_DEEPEST_MM)
-    parts, count = label(_holes_filled(low, relief), np.ones((3, 3)))
+    parts, count = scipy.ndimage.label(_holes_filled(low, relief), np.ones((3, 3)))
     sizes = np.bincount(parts.ravel(), minlength=count + 1) * relief.cell_mm**2
     large = [n for n in range(1, count + 1) if sizes[n] > _PART_MM2]
     masks = _grouped([parts == n for n in sorted(large, key=lambda n: -sizes[n])], relief)
@@ -78,12 +78,12 @@ def _at_level(relief: Relief, level_mm: float) -> list[PressedRegion]:
 def _holes_filled(low: BoolArray, relief: Relief) -> BoolArray:
     """Add what is enclosed and was not measured, such as steep walls."""
     missing = np.isnan(relief.heights_mm)
-    enclosed = missing & binary_fill_holes(~missing)
+    enclosed = missing & scipy.ndimage.binary_fill_holes(~missing)
     return np.asarray(low | (enclosed & _near(low, relief)))
 
 
 def _near(mask: BoolArray, relief: Relief) -> BoolArray:
-    return np.asarray(distance_transform_edt(~mask) * relief.cell_mm < _RING_MM)
+    return np.asarray(scipy.ndimage.distance_transform_edt(~mask) * relief.cell_mm < _RING_MM)
 
 
 def _grouped(parts: list[BoolArray], relief: Relief) -> list[BoolArray]:
@@ -91,7 +91,7 @@ def _grouped(parts: list[BoolArray], relief: Relief) -> list[BoolArray]:
     groups: list[BoolArray] = []
     for part in parts:
         for number, group in enumerate(groups):
-            gap = distance_transform_edt(~group)[part].min() * relief.cell_mm
+            gap = scipy.ndimage.distance_transform_edt(~group)[part].min() * relief.cell_mm
             if gap < _GAP_MM and _is_foot_like(*_extents(group | part, relief)):
                 groups[number] = group | part
                 break

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import map_coordinates
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -54,7 +54,9 @@ class Relief:
     def at(self, values: FloatArray, places: FloatArray, beyond: float) -> FloatArray:
         """Interpolate values (ny, nx) at places (n, 2), relief frame; `beyond` outside the grid."""
         column, row = ((places - self.first_mm) / self.cell_mm).T
-        return np.asarray(map_coordinates(values, [row, column], order=1, cval=beyond))
+        return np.asarray(
+            scipy.ndimage.map_coordinates(values, [row, column], order=1, cval=beyond)
+        )
 
 
 class ReliefViewer:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, gaussian_filter
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -126,7 +126,7 @@ def _lower_envelope(foot: TriangleMesh, x: FloatArray, y: FloatArray) -> FloatAr
 
 def _curled(lowest: FloatArray, touched: BoolArray, box: FoamBox) -> FloatArray:
     """Return the heights of the foam that was not touched: dragged down beside the imprint."""
-    away, nearest = distance_transform_edt(~touched, box.cell_mm, return_indices=True)
+    away, nearest = scipy.ndimage.distance_transform_edt(~touched, box.cell_mm, return_indices=True)
     depth = np.minimum(box.curl_mm, -lowest[tuple(nearest)])
     dragged = -depth * np.exp(-away / max(box.curl_mm, 1e-6))
     return np.asarray(np.minimum(dragged, 0.0))
@@ -136,7 +136,7 @@ def _seen(heights: FloatArray, box: FoamBox, rng: np.random.Generator) -> BoolAr
     """Return which cells of the grid (ny - 1, nx - 1) the scanner sees."""
     corners = np.stack([heights[:-1, :-1], heights[1:, :-1], heights[:-1, 1:], heights[1:, 1:]])
     steep = np.ptp(corners, axis=0) > _STEEP * box.cell_mm
-    patches = gaussian_filter(rng.standard_normal(steep.shape), _PATCH_CELLS)
+    patches = scipy.ndimage.gaussian_filter(rng.standard_normal(steep.shape), _PATCH_CELLS)
     hidden = patches < np.quantile(patches, box.unseen) if box.unseen > 0 else False
     return np.asarray(~(steep & hidden))
 
