@@ -104,12 +104,24 @@
             <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
         </message>
         <message>
+            <source>A distance of {distance_mm:g} mm between the two points is asked for; give one of {least:.0f} to {most:.0f} mm.</source>
+            <translation>Ett avstånd på {distance_mm:g} mm mellan de två punkterna begärs; ange ett på {least:.0f} till {most:.0f} mm.</translation>
+        </message>
+        <message>
             <source>A dome or a bar; trials disagree where a dome works best.</source>
             <translation>En pelott eller en stav; studier är oense om var en pelott verkar bäst.</translation>
         </message>
         <message>
             <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
             <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
+        </message>
+        <message>
+            <source>A flat sheet of {area_cm2:.0f} cm² (floor, table or glass) was cut off.</source>
+            <translation>En plan yta på {area_cm2:.0f} cm² (golv, bord eller glas) har skurits bort.</translation>
+        </message>
+        <message>
+            <source>A foot of {length_mm:.0f} mm is asked for, but feet are {least:.0f} to {most:.0f} mm long; correct the length or the shoe size.</source>
+            <translation>En fot på {length_mm:.0f} mm begärs, men fötter är {least:.0f} till {most:.0f} mm långa; rätta längden eller skostorleken.</translation>
         </message>
         <message>
             <source>A material needs a name; type one.</source>
@@ -122,6 +134,10 @@
         <message>
             <source>A newer Insole Studio has changed {place} meanwhile; install the newest version on this computer, too.</source>
             <translation>Ett nyare Insole Studio har under tiden ändrat {place}; installera den nyaste versionen även på den här datorn.</translation>
+        </message>
+        <message>
+            <source>A piece of {area_cm2:.0f} cm² was left out: {kind}.</source>
+            <translation>En del på {area_cm2:.0f} cm² har utelämnats: {kind}.</translation>
         </message>
         <message>
             <source>A plane</source>
@@ -166,6 +182,10 @@
         <message>
             <source>A stiff shell; the arch lower than usual.</source>
             <translation>Ett styvt skal; valvet lägre än vanligt.</translation>
+        </message>
+        <message>
+            <source>A surface was laid through {points} points.</source>
+            <translation>En yta har lagts genom {points} punkter.</translation>
         </message>
         <message>
             <source>A taper over {taper_mm:g} mm is too long for an insole of {length_mm:.0f} mm; it tapers over half of its length. Shorten the taper.</source>
@@ -330,6 +350,10 @@
         <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
+        </message>
+        <message>
+            <source>Both feet in the scan look like a {side} one; say which foot is which.</source>
+            <translation>Båda fötterna i skanningen ser ut som en {side}; ange vilken fot som är vilken.</translation>
         </message>
         <message>
             <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
@@ -1068,6 +1092,10 @@
             <translation>Root</translation>
         </message>
         <message>
+            <source>Scaled by the size that is known: the surface is {length_mm:.0f} mm long.</source>
+            <translation>Skalad efter den kända storleken: ytan är {length_mm:.0f} mm lång.</translation>
+        </message>
+        <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
             <translation>Sensor {serial} är inte kalibrerad; fabrikens värden används, vilka är flera millimeter mindre noggranna.</translation>
         </message>
@@ -1372,6 +1400,10 @@
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
         </message>
         <message>
+            <source>The file of colours {library} is not beside the scan or cannot be read; the scan has no colours.</source>
+            <translation>Färgfilen {library} ligger inte bredvid skanningen eller kan inte läsas; skanningen har inga färger.</translation>
+        </message>
+        <message>
             <source>The file {name} of the record is missing in {folder}; restore it from a backup.</source>
             <translation>Registrets fil {name} saknas i {folder}; återställ den från en säkerhetskopia.</translation>
         </message>
@@ -1624,6 +1656,10 @@
             <translation>Punkterna på en kula ligger inte på någon kula; välj bara kulan.</translation>
         </message>
         <message>
+            <source>The points of {path} give no surface ({reason}); export it as a triangle mesh.</source>
+            <translation>Punkterna i {path} ger ingen yta ({reason}); exportera den som ett triangelnät.</translation>
+        </message>
+        <message>
             <source>The points that should place one frame in another lie on one line; at least one beside it is needed.</source>
             <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
         </message>
@@ -1804,6 +1840,10 @@
             <translation>Tabellen behöver minst ett material; lägg till ett.</translation>
         </message>
         <message>
+            <source>The texture {picture} is not beside the scan or cannot be read; the scan has no colours there.</source>
+            <translation>Texturen {picture} ligger inte bredvid skanningen eller kan inte läsas; skanningen har inga färger där.</translation>
+        </message>
+        <message>
             <source>The tip of the 2nd toe does not stand out; the foot axis runs to its usual place.</source>
             <translation>2:a tåns spets framträder inte; fotaxeln går till dess vanliga plats.</translation>
         </message>
@@ -1842,6 +1882,10 @@
         <message>
             <source>The two lines are not the same; type both again.</source>
             <translation>De två raderna är inte lika; skriv båda igen.</translation>
+        </message>
+        <message>
+            <source>The two points of the known distance coincide; set them apart.</source>
+            <translation>De två punkterna för det kända avståndet sammanfaller; sätt dem isär.</translation>
         </message>
         <message>
             <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
@@ -2924,8 +2968,20 @@
             <translation>det är ett rör eller en enhet, ingen fil</translation>
         </message>
         <message>
+            <source>it is a rod, as a leg of a table</source>
+            <translation>den är en stång, som ett bordsben</translation>
+        </message>
+        <message>
+            <source>it is far from the foot</source>
+            <translation>den ligger långt från foten</translation>
+        </message>
+        <message>
             <source>it is far larger than such a file is</source>
             <translation>den är mycket större än en sådan fil är</translation>
+        </message>
+        <message>
+            <source>it is flat, as a sheet, a card or a wall</source>
+            <translation>den är plan, som en skiva, ett kort eller en vägg</translation>
         </message>
         <message>
             <source>it is longer than {limit_mb} MB; check what was put there.</source>
@@ -2934,6 +2990,10 @@
         <message>
             <source>it is not flat, or something stood before it</source>
             <translation>den är inte plan, eller något stod framför den</translation>
+        </message>
+        <message>
+            <source>it lies within the surface, as the inner side of a shell</source>
+            <translation>den ligger innanför ytan, som insidan av ett skal</translation>
         </message>
         <message>
             <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
@@ -4152,6 +4212,14 @@
             <translation>{count} av {taken} bilder ({kind}) användes; ett hörn träffas inom {rms_px:.2f} px.</translation>
         </message>
         <message>
+            <source>{count} points far from all others were left out.</source>
+            <translation>{count} punkter långt från alla andra har utelämnats.</translation>
+        </message>
+        <message>
+            <source>{count} points stuck out of the surface as spikes and were drawn back.</source>
+            <translation>{count} punkter stack ut ur ytan som taggar och har dragits tillbaka.</translation>
+        </message>
+        <message>
             <source>{count} rows of {table} refer to something that is not there; restore the record from a backup.</source>
             <translation>{count} rader i {table} hänvisar till något som inte finns; återställ registret från en säkerhetskopia.</translation>
         </message>
@@ -4444,6 +4512,10 @@
             <translation>{name} saknas, men sensor.json anger den som disparity_correction; återställ den från inspelningen.</translation>
         </message>
         <message>
+            <source>{name} is named as a {side} foot, but looks like a {told} one; say which foot it is.</source>
+            <translation>{name} heter som en {side} fot men ser ut som en {told}; ange vilken fot det är.</translation>
+        </message>
+        <message>
             <source>{name} is no number a design can hold; put in a usual one.</source>
             <translation>{name} är inget tal som en design kan ha; ange ett vanligt.</translation>
         </message>
@@ -4520,12 +4592,16 @@
             <translation>{path} kan inte läsas efter rad {line}: ett citattecken är inte avslutat eller en text är för lång; rätta det eller exportera filen igen.</translation>
         </message>
         <message>
-            <source>{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, so export it again.</source>
-            <translation>{path} kan inte läsas som en ytmodell i formatet {format} ({reason}); den kan vara skadad eller avskuren, så exportera den igen.</translation>
+            <source>{path} cannot be read as a {format} file ({reason}); it may be damaged or cut off, so export it again.</source>
+            <translation>{path} kan inte läsas som en {format}-fil ({reason}); den kan vara skadad eller avklippt, så exportera den igen.</translation>
         </message>
         <message>
             <source>{path} cannot be read: {reason}; check the name of the file.</source>
             <translation>{path} kan inte läsas: {reason}; kontrollera filens namn.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be read: {reason}; check the name of the folder.</source>
+            <translation>{path} kan inte läsas: {reason}; kontrollera mappens namn.</translation>
         </message>
         <message>
             <source>{path} cannot be read: {reason}; export it again.</source>
@@ -4554,6 +4630,10 @@
         <message>
             <source>{path} cannot be written; choose another place.</source>
             <translation>{path} kan inte skrivas; välj en annan plats.</translation>
+        </message>
+        <message>
+            <source>{path} declares entities in its model, which no scan does; do not use it.</source>
+            <translation>{path} deklarerar entiteter i sin modell, vilket ingen skanning gör; använd den inte.</translation>
         </message>
         <message>
             <source>{path} declares something twice or without a number in its header; export it again.</source>
@@ -4604,8 +4684,16 @@
             <translation>{path} har trianglar på sammanlagt {area_m2:.0f} m², långt mer än ett ben och en fot; deras hörn är förväxlade, så exportera den på nytt.</translation>
         </message>
         <message>
+            <source>{path} holds a {format}, although its name ends in {suffix}; choose another file, or give it its right name.</source>
+            <translation>{path} innehåller {format}, fast namnet slutar på {suffix}; välj en annan fil eller ge den dess rätta namn.</translation>
+        </message>
+        <message>
             <source>{path} holds coordinates that are not numbers; it is damaged, so export it again.</source>
             <translation>{path} innehåller koordinater som inte är tal; den är skadad, så exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds more than {count} files; choose the folder of one visit.</source>
+            <translation>{path} innehåller mer än {count} filer; välj mappen för ett besök.</translation>
         </message>
         <message>
             <source>{path} holds no manifest.json, so it is not a recorded session; choose the folder or zip archive of a session.</source>
@@ -4620,8 +4708,12 @@
             <translation>{path} innehåller inget rått 11-bitars djup på 640×480; spela in med djupformatet 11 bitar.</translation>
         </message>
         <message>
-            <source>{path} holds no surface that can be read, as if it were cut off or held points only; export it again as a triangle mesh.</source>
-            <translation>{path} innehåller ingen yta som kan läsas, som om den vore avskuren eller bara höll punkter; exportera den igen som triangelnät.</translation>
+            <source>{path} holds no scan; hand in a file of one of the formats {suffixes}, or a folder or zip archive with the scans of one person.</source>
+            <translation>{path} innehåller ingen skanning; ange en fil i något av formaten {suffixes}, eller en mapp eller ett zip-arkiv med en persons skanningar.</translation>
+        </message>
+        <message>
+            <source>{path} holds no surface that can be read, as if it were cut off or held a few points only; export it again as a triangle mesh.</source>
+            <translation>{path} innehåller ingen yta som kan läsas, som om den vore avklippt eller bara innehöll några få punkter; exportera den igen som ett triangelnät.</translation>
         </message>
         <message>
             <source>{path} holds no {file}, so it is no case; choose an .insole file.</source>
@@ -4632,8 +4724,16 @@
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
         </message>
         <message>
+            <source>{path} holds two scans of the {side} foot by their names ({first}, {second}); open the one that is meant.</source>
+            <translation>{path} innehåller enligt namnen två skanningar av {side} fot ({first}, {second}); öppna den som avses.</translation>
+        </message>
+        <message>
             <source>{path} holds {count_a} points of a and {count_b} of b; pick each point on both.</source>
             <translation>{path} innehåller {count_a} punkter av a och {count_b} av b; välj varje punkt på båda.</translation>
+        </message>
+        <message>
+            <source>{path} holds {count} scans ({names} …), and one foot or both are expected; open the one that is meant.</source>
+            <translation>{path} innehåller {count} skanningar ({names} …), men en fot eller båda väntas; öppna den som avses.</translation>
         </message>
         <message>
             <source>{path} is a mesh, which does not say which foot it is; add --side.</source>
@@ -4648,12 +4748,20 @@
             <translation>{path} är en session, som säger hur foten ligger; utelämna form och punkter.</translation>
         </message>
         <message>
+            <source>{path} is compressed with {method}, which is not read; export it again without compression.</source>
+            <translation>{path} är komprimerad med {method}, vilket inte kan läsas; exportera den igen utan komprimering.</translation>
+        </message>
+        <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
         <message>
             <source>{path} is empty; choose a table with one row for a person.</source>
             <translation>{path} är tom; välj en tabell med en rad för varje person.</translation>
+        </message>
+        <message>
+            <source>{path} is empty; export it again.</source>
+            <translation>{path} är tom; exportera den igen.</translation>
         </message>
         <message>
             <source>{path} is flat, which is no surface of a foot; export it again.</source>
@@ -4680,10 +4788,6 @@
             <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
         </message>
         <message>
-            <source>{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file.</source>
-            <translation>{path} är ingen ytmodell som kan läsas; ange en .ply-, .stl- eller .obj-fil.</translation>
-        </message>
-        <message>
             <source>{path} is no name of a report; let it end in {suffixes}.</source>
             <translation>{path} är inget namn på en rapport; låt det sluta på {suffixes}.</translation>
         </message>
@@ -4702,6 +4806,10 @@
         <message>
             <source>{path} is no readable picture; restore it or take it out of the folder.</source>
             <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
+        </message>
+        <message>
+            <source>{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.</source>
+            <translation>{path} är ingen skanning som kan läsas; ange en fil i något av formaten {suffixes}.</translation>
         </message>
         <message>
             <source>{path} is no table of text; save it again as CSV UTF-8.</source>
@@ -4740,8 +4848,16 @@
             <translation>{path} är mappen som du arbetar i, eller innehåller den; ange en mapp inuti den.</translation>
         </message>
         <message>
-            <source>{path} is too large for a foot (more than {millions} million triangles or 600 MB); reduce it in the program that made it.</source>
-            <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
+            <source>{path} is too large for a foot (more than {millions} million triangles or {points} million points); reduce it in the program that made it.</source>
+            <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller {points} miljoner punkter); minska den i programmet som gjorde den.</translation>
+        </message>
+        <message>
+            <source>{path} is too large for a foot (more than {most_mb} MB); reduce it in the program that made it.</source>
+            <translation>{path} är för stor för en fot (mer än {most_mb} MB); minska den i programmet som gjorde den.</translation>
+        </message>
+        <message>
+            <source>{path} is {length_mm:.0f} mm long by the size that is given, which is no foot; check the size.</source>
+            <translation>{path} är {length_mm:.0f} mm lång enligt den angivna storleken, vilket inte är någon fot; kontrollera storleken.</translation>
         </message>
         <message>
             <source>{path} is {length_mm:.0f} mm long if it is read in {unit}, which is no foot; choose another unit.</source>
