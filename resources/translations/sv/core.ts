@@ -816,6 +816,10 @@
             <translation>Hälhöjning</translation>
         </message>
         <message>
+            <source>Heel or toes were pressed in by {depth_mm:.0f} mm only: the length is some millimetres smaller than that of the foot.</source>
+            <translation>Häl eller tår trycktes ner bara {depth_mm:.0f} mm: längden är några millimeter mindre än fotens.</translation>
+        </message>
+        <message>
             <source>Heel pitch</source>
             <translation>Hälfall</translation>
         </message>
@@ -1166,6 +1170,10 @@
         <message>
             <source>One column holds the whole name, and another a part of it; choose either the whole name, or given name and family name.</source>
             <translation>En kolumn innehåller hela namnet och en annan en del av det; välj antingen hela namnet eller förnamn och efternamn.</translation>
+        </message>
+        <message>
+            <source>One end of the imprint is only {depth_mm:.0f} mm deep: heel or toes were hardly pressed in, so that side and length are uncertain; say which foot it is, and compare its length.</source>
+            <translation>Ena änden av avtrycket är bara {depth_mm:.0f} mm djup: häl eller tår trycktes knappt ner, så sida och längd är osäkra; ange vilken fot det är och jämför dess längd.</translation>
         </message>
         <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
@@ -1884,8 +1892,8 @@
             <translation>Märkningen är för lång för sin plats; korta den, så att bokstäverna kan vara minst {least_mm:g} mm höga.</translation>
         </message>
         <message>
-            <source>The imprint is shallow: heel and ball are widest above its rim, so length and widths are smaller than those of the foot.</source>
-            <translation>Avtrycket är grunt: häl och framfot är bredast ovanför dess kant, så längd och bredder är mindre än fotens.</translation>
+            <source>The imprint in the foam, {depth_mm:.0f} mm deep, does not look like a foot; see that heel, ball and toes are pressed in, and take it again.</source>
+            <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
