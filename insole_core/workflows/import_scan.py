@@ -50,6 +50,10 @@ class ImportChoice:
     force: bool = False
 
 
+NOTHING_SAID = ImportChoice()
+"""All is to be concluded."""
+
+
 @dataclass(frozen=True, eq=False)
 class ScanExamination:
     """What a scan shows.
@@ -81,7 +85,7 @@ class ScanExamination:
 
 
 def examine_scan(
-    path: Path, choice: ImportChoice = ImportChoice(), progress: Progress = SILENT
+    path: Path, choice: ImportChoice = NOTHING_SAID, progress: Progress = SILENT
 ) -> ScanExamination:
     """Read a scan and find the feet in it.
 
@@ -105,7 +109,7 @@ def examine_scan(
 
 
 def read_scan(
-    path: Path, choice: ImportChoice = ImportChoice(), progress: Progress = SILENT
+    path: Path, choice: ImportChoice = NOTHING_SAID, progress: Progress = SILENT
 ) -> ReadMesh:
     """Read the surface of a scan; the first half of `examine_scan`, the same for every pose.
 
@@ -131,7 +135,7 @@ def read_scan(
 def examine_surface(
     path: Path,
     read: ReadMesh,
-    choice: ImportChoice = ImportChoice(),
+    choice: ImportChoice = NOTHING_SAID,
     progress: Progress = SILENT,
 ) -> ScanExamination:
     """Find the feet in a surface; the second half of `examine_scan`.
@@ -164,7 +168,7 @@ def take_foot(
     examination: ScanExamination,
     found: FoundFoot,
     candidate: FootCandidate,
-    choice: ImportChoice = ImportChoice(),
+    choice: ImportChoice = NOTHING_SAID,
 ) -> ScannedFoot:
     """Make a foot of what was found in a scan.
 

@@ -2628,6 +2628,10 @@
             <translation>Väntar på stadigt djup i vy {views}</translation>
         </message>
         <message>
+            <source>Waiting until the backup has stopped</source>
+            <translation>Väntar tills säkerhetskopieringen har stannat</translation>
+        </message>
+        <message>
             <source>Weight in kg</source>
             <translation>Vikt i kg</translation>
         </message>
@@ -2980,6 +2984,10 @@
             <translation>kontakt</translation>
         </message>
         <message>
+            <source>contents</source>
+            <translation>filer</translation>
+        </message>
+        <message>
             <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
             <translation>corrections innehåller {count} stycken, och får innehålla {most}; ta bort några.</translation>
         </message>
@@ -3242,6 +3250,10 @@
         <message>
             <source>flatfoot</source>
             <translation>plattfot</translation>
+        </message>
+        <message>
+            <source>follow up</source>
+            <translation>uppföljning</translation>
         </message>
         <message>
             <source>following</source>
@@ -4032,6 +4044,10 @@
             <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
         </message>
         <message>
+            <source>order</source>
+            <translation>beställning</translation>
+        </message>
+        <message>
             <source>orthopedist</source>
             <translation>ortopedingenjör</translation>
         </message>
@@ -4812,6 +4828,10 @@
             <translation>vyn {view}: {reason}</translation>
         </message>
         <message>
+            <source>visit</source>
+            <translation>besök</translation>
+        </message>
+        <message>
             <source>watertight</source>
             <translation>vattentät</translation>
         </message>
@@ -5484,6 +5504,10 @@
             <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
         </message>
         <message>
+            <source>{path} is a session, which says how the foot lies; leave out form and points.</source>
+            <translation>{path} är en session, som säger hur foten ligger; utelämna form och punkter.</translation>
+        </message>
+        <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
@@ -5676,8 +5700,28 @@
             <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
+            <source>{place} holds a record that cannot be read; restore to an empty place, or let it be set aside.</source>
+            <translation>{place} innehåller en journal som inte går att läsa; återställ till en tom plats, eller låt den läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}). Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}). Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
             <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
             <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record with {count} entries fewer in its audit log than the backup has; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian har; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds another record than the backup; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en annan journal än säkerhetskopian; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds the record as the backup has it: nothing was changed since. Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
@@ -5810,6 +5854,10 @@
         <message>
             <source>{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of that range.</source>
             <translation>{what} är {value:g}, och måste vara {least} till {most} {unit}; ange ett värde i det området.</translation>
+        </message>
+        <message>
+            <source>{what} {count}</source>
+            <translation>{what} {count}</translation>
         </message>
         <message>
             <source>{what}: {before} → {after}</source>

@@ -64,6 +64,10 @@
             <translation>Alla patienter</translation>
         </message>
         <message>
+            <source>An administrator looks after accounts, backups and the audit log, and sees no patients; whoever treats patients signs in with an account of their own.</source>
+            <translation>En administratör sköter konton, säkerhetskopior och loggen och ser inga patienter; den som behandlar patienter loggar in med ett eget konto.</translation>
+        </message>
+        <message>
             <source>Another scan</source>
             <translation>En annan skanning</translation>
         </message>
@@ -414,6 +418,10 @@
         <message>
             <source>Remember the last prescription</source>
             <translation>Kom ihåg den förra ordinationen</translation>
+        </message>
+        <message>
+            <source>Remind me in a week</source>
+            <translation>Påminn mig om en vecka</translation>
         </message>
         <message>
             <source>Returned</source>
