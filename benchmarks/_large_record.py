@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import random
 from collections.abc import Iterator, Sequence
-from datetime import date, timedelta
+from datetime import UTC, date, datetime, timedelta
 from typing import Any, Final
 
 from sqlalchemy import Table, insert, update
@@ -14,7 +14,8 @@ from insole_core.records.audit import hash_of_line
 from insole_core.records.database import Database
 from insole_core.records.person import new_id, new_pseudonym
 from insole_core.records.schema import FIRST_HASH, audit, audit_head, orders, persons, visits
-from insole_core.records.search_text import search_text_of, sort_key_of
+from insole_core.records.search_text import MOST_KEY, name_key_of, search_text_of, sort_key_of
+from insole_core.records.times import TIME_FORMAT
 
 FIRST_NAMES: Final = [
     "Anna",
@@ -87,6 +88,9 @@ LAST_NAMES: Final = [
 ]
 TODAY: Final = date.today()
 _WRITTEN: Final = "2026-11-20T10:00:00.000000Z"
+BEGUN: Final = datetime(2021, 1, 1, tzinfo=UTC)
+"""When the first line of the audit log was written."""
+_KEPT_S: Final = 5 * 365 * 86_400
 _BATCH: Final = 20_000
 
 
@@ -126,6 +130,7 @@ def _person(rng: random.Random, number: int) -> dict[str, Any]:
         "name": name,
         "search_text": search_text_of(name, born, personal_number, [pseudonym]),
         "sort_key": sort_key_of(name),
+        "name_key": name_key_of(name)[:MOST_KEY],
         "birth_date": born,
         "personal_number": personal_number,
         "number_kind": "se",
@@ -173,7 +178,9 @@ def _lines(rng: random.Random, ids: Sequence[str], count: int) -> Iterator[dict[
     previous = FIRST_HASH
     for seq in range(1, count + 1):
         action = rng.choice(("seen", "changed", "added"))
-        fields = (seq, _WRITTEN, "anna", "desk", action, "person", rng.choice(ids), "{}", previous)
+        at = (BEGUN + timedelta(seconds=seq * _KEPT_S / count)).strftime(TIME_FORMAT)
+        author = "rare" if seq % 100_000 == 1 else rng.choice(("anna", "ben"))
+        fields = (seq, at, author, "desk", action, "person", rng.choice(ids), "{}", previous)
         previous = hash_of_line(fields)
         yield dict(zip(names, (*fields, previous), strict=True))
 

@@ -1,8 +1,9 @@
 """The clinic's record after many years: search, a person, the start page, a case, and memory.
 
 50 000 persons, 200 000 visits and 1 000 000 lines of the audit log, in SQLite and in PostgreSQL
-(where it is installed). ``PERSONS=5000`` asks for fewer. Beside the search stands the same one by
-SQLite's own index of three letters (FTS5), beside a case that is opened, the same one in a file.
+(where it is installed). ``PERSONS=5000`` asks for fewer, ``DATABASES=SQLite`` for one of them.
+Beside the search stands one by SQLite's own index of three letters (FTS5), beside a case that is
+opened, the same one in a file.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
-from datetime import date
+from dataclasses import replace
+from datetime import date, timedelta
 from functools import partial
 from pathlib import Path
 
@@ -26,36 +28,43 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests/insole_core/records"))
 from postgres_server import binaries, running_server
 
-from benchmarks._large_record import fill_record
+from benchmarks._large_record import BEGUN, fill_record
 from benchmarks._measure import median_ms, print_table, resident_mb
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
+from insole_core.records.audit_search import AuditFilter, authors_of_audit, search_audit
 from insole_core.records.author import Author
+from insole_core.records.duplicates import find_duplicates
 from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
-from insole_core.records.search_text import search_words
+from insole_core.records.search_text import fold
 from insole_core.records.visit import Visit
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 
-TYPED = ("a", "an", "and", "anna", "anna berg", "1962-03", "sorensen ali", "xyzzy", "26-00012")
-SEARCH_MS, PERSON_MS, START_MS = 50.0, 150.0, 300.0
+TYPED = (
+    "a", "an", "and", "anna", "anna berg", "a b", "a b 19", "19", "1962-03", "sorensen ali",
+    "xyzzy", "26-00012",
+)  # fmt: skip
+SEARCH_MS, PERSON_MS, START_MS, ADMINISTRATION_MS = 50.0, 150.0, 300.0, 300.0
 ME = Author("anna", "desk")
 
 
 def main() -> None:
     count = int(os.environ.get("PERSONS", "50000"))
+    kinds = os.environ.get("DATABASES", "SQLite,PostgreSQL").split(",")
     rows: list[list[object]] = []
     with tempfile.TemporaryDirectory(prefix="records-") as name:
         folder = Path(name)
-        rows += _measured("SQLite", RecordsPlace.local(folder / "local"), count)
-        rows += _peer(folder / "local" / "records.sqlite3", folder / "peer.sqlite3")
-        if binaries() is None:
-            print("PostgreSQL is not installed; only SQLite was measured.")
-        else:
+        if "SQLite" in kinds:
+            rows += _measured("SQLite", RecordsPlace.local(folder / "local"), count)
+            rows += _peer(folder / "local" / "records.sqlite3", folder / "peer.sqlite3")
+        if "PostgreSQL" in kinds and binaries() is None:
+            print("PostgreSQL is not installed.")
+        elif "PostgreSQL" in kinds:
             with running_server(durable=True) as server:
                 place = RecordsPlace.of_url(server.url("postgres"), folder / "contents")
                 rows += _measured("PostgreSQL", place, count)
@@ -79,6 +88,9 @@ def _measured(kind: str, place: RecordsPlace, count: int) -> Iterator[list[objec
         yield _row(kind, f"search “{typed}”", partial(records.persons.search, typed), SEARCH_MS)
     yield _row(kind, "person page", _each(ids, lambda id_: _person_page(records, id_)), PERSON_MS)
     yield _row(kind, "start page", lambda: _start_page(records), START_MS)
+    yield _row(kind, "duplicates", lambda: _duplicates(records), ADMINISTRATION_MS)
+    for name, call in _audit_searches(records, ids[0]).items():
+        yield _row(kind, f"audit log, {name}", call, ADMINISTRATION_MS)
     yield [kind, "memory, MB more than before", f"{resident_mb() - before_mb:.0f}", "", ""]
     yield from _case(kind, records, ids[0])
     records.close()
@@ -130,6 +142,35 @@ def _start_page(records: Records) -> None:
     records.orders.open()
 
 
+def _duplicates(records: Records) -> None:
+    find_duplicates(records.persons.alike())
+    records.persons.latest_merges()
+
+
+def _audit_searches(records: Records, person_id: str) -> dict[str, Callable[[], object]]:
+    pseudonym = records.persons.get(person_id).pseudonym
+    begun = BEGUN.date()
+    year_ends, day = begun + timedelta(days=730), begun + timedelta(days=700)
+    of_year = AuditFilter(first_day=begun + timedelta(days=365), last_day=year_ends)
+    wanted = {
+        "newest": AuditFilter(),
+        "person": AuditFilter(pseudonym=pseudonym),
+        "author": AuditFilter(author="anna"),
+        "rare author": AuditFilter(author="rare"),
+        "day": AuditFilter(first_day=day, last_day=day),
+        "year": of_year,
+        "five years": AuditFilter(first_day=begun),
+        "author and year": replace(of_year, author="anna"),
+        "rare author and year": replace(of_year, author="rare"),
+        "person and year": replace(of_year, pseudonym=pseudonym),
+        "person and author": AuditFilter(pseudonym=pseudonym, author="ben"),
+    }
+    searches: dict[str, Callable[[], object]] = {
+        name: partial(search_audit, records.context, one) for name, one in wanted.items()
+    }
+    return searches | {"all authors": partial(authors_of_audit, records.context)}
+
+
 def _case(kind: str, records: Records, person_id: str) -> Iterator[list[object]]:
     """Open a visit with two feet, and the same case from a file."""
     feet = []
@@ -160,7 +201,7 @@ def _peer(database: Path, copy: Path) -> Iterator[list[object]]:
             "INSERT INTO found (rowid, search_text) SELECT rowid, search_text FROM persons"
         )
         for typed in TYPED:
-            words = [word for word in search_words(typed) if len(word) > 2]
+            words = [word for word in fold(typed).split() if len(word) > 2]
             if not words:
                 continue  # it knows nothing shorter
             query = " AND ".join(f'"{word}"' for word in words)

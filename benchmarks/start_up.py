@@ -15,7 +15,8 @@ import subprocess
 import sys
 import tempfile
 import time
-from pathlib import Path
+from argparse import Namespace
+from contextlib import suppress
 
 from benchmarks._measure import print_table, resident_mb
 
@@ -24,6 +25,7 @@ FIRST = "first start, no byte code"
 _CALL = "import benchmarks.start_up as b; b.{}()"
 _ENVIRONMENT = {"QT_QPA_PLATFORM": "offscreen", **os.environ}
 _POLL_MS = 10
+_HOMES = ("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")
 
 
 def main() -> None:
@@ -48,8 +50,7 @@ def main() -> None:
 
 
 def _new_home(empty: str) -> dict[str, str]:
-    names = ("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "PYTHONPYCACHEPREFIX")
-    return dict.fromkeys(names, empty)
+    return dict.fromkeys((*_HOMES, "PYTHONPYCACHEPREFIX"), empty)
 
 
 def _run(call: list[str], environment: dict[str, str]) -> tuple[float, str]:
@@ -82,15 +83,13 @@ def import_libraries() -> None:
 def paint_window() -> None:
     """Open the window as a user does; tell when it is painted and takes events."""
     from PySide6.QtCore import QEvent, QObject, QTimer
+    from PySide6.QtWidgets import QApplication
 
-    from insole_studio.app.bootstrap import qt_application
-    from insole_studio.app.main_window import MainWindow
-
-    qt = qt_application()
+    qt = QApplication([])
 
     class FirstPaint(QObject):
         def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-            if event.type() == QEvent.Type.Paint and isinstance(watched, MainWindow):
+            if event.type() == QEvent.Type.Paint and type(watched).__name__ == "MainWindow":
                 qt.removeEventFilter(self)
                 QTimer.singleShot(0, qt, _tell)
                 QTimer.singleShot(0, qt, qt.quit)
@@ -104,14 +103,14 @@ def paint_window() -> None:
 def load_rest() -> None:
     """Open the window; tell when all is loaded that the first foot needs."""
     from PySide6.QtCore import QTimer
+    from PySide6.QtWidgets import QApplication
 
-    from insole_studio.app.bootstrap import qt_application
-    from insole_studio.app.preload import MODULES
-
-    qt = qt_application()
+    qt = QApplication([])
     poll = QTimer(qt)
 
     def look() -> None:
+        from insole_studio.app.preload import MODULES
+
         if sys.modules.keys() >= set(MODULES):
             poll.stop()
             _tell()
@@ -123,11 +122,13 @@ def load_rest() -> None:
 
 
 def _open_window() -> None:
-    from insole_studio.app.bootstrap import run_application
-    from insole_studio.user_paths import UserPaths
+    from insole_core.progress import Progress
+    from insole_studio.cli import window
 
     with tempfile.TemporaryDirectory() as name:
-        run_application([], UserPaths(Path(name) / "settings.json", Path(name) / "autosave"))
+        os.environ.update(dict.fromkeys(_HOMES, name))
+        with suppress(SystemExit):
+            window.run(Namespace(path=None, emulate=None), Progress())
 
 
 def _tell() -> None:

@@ -9,7 +9,7 @@ from threading import Lock
 from typing import Any, TypeVar
 
 import numpy as np
-from scipy.sparse import issparse
+import scipy
 
 _Result = TypeVar("_Result")
 
@@ -92,7 +92,7 @@ def _arrays(value: Any) -> Iterator[np.ndarray[Any, Any]]:
         yield value
         return
     parts: Iterable[Any] = ()
-    if issparse(value):
+    if scipy.sparse.issparse(value):
         parts = vars(value).values()
     elif isinstance(value, dict):
         parts = value.values()

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
-from scipy.spatial import KDTree
-from scipy.spatial.transform import Rotation
+import scipy
 
 from insole_core.compare.seen_surface import SurfacePoints
 from insole_core.geometry.arrays import FloatArray, IntArray
@@ -83,7 +82,7 @@ class _Target:
 
     def __init__(self, a: SurfacePoints) -> None:
         self.surface = a
-        self.tree = KDTree(a.points)
+        self.tree = scipy.spatial.KDTree(a.points)
 
     def partners(self, b: SurfacePoints, reach_mm: float) -> tuple[IntArray, IntArray]:
         """Return indices into b and a of points that face each other within reach."""
@@ -128,7 +127,7 @@ def _step(
     normal_matrix = weighted.T @ jacobian
     damping = 1e-9 * np.trace(normal_matrix) * np.eye(6)
     motion = -np.linalg.solve(normal_matrix + damping, weighted.T @ distance)
-    rotation = Rotation.from_rotvec(motion[:3]).as_matrix()
+    rotation = scipy.spatial.transform.Rotation.from_rotvec(motion[:3]).as_matrix()
     return rigid(rotation, centre + motion[3:] - rotation @ centre)
 
 

@@ -9,11 +9,11 @@ from insole_core.compare.foot_measures import recorded_foot_measures, surface_me
 from insole_core.compare.one_view import one_view_surface
 from insole_core.errors import ReconstructionError
 from insole_core.foot.measure_table import Measured
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruct
 from insole_core.recording.reader import is_session, read_session
+from insole_core.scans.mesh_file import read_mesh
 
 
 @dataclass(frozen=True, eq=False)

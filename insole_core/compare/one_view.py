@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
@@ -125,7 +125,7 @@ def _above(table: _Table, points: FloatArray, valid: BoolArray) -> BoolArray:
 
 def _middle_piece(mesh: TriangleMesh, view: View) -> TriangleMesh:
     """Keep, of the components that may be a foot's replica, the one nearest the optical axis."""
-    _, piece = connected_components(mesh.links.adjacency, directed=False)
+    _, piece = scipy.sparse.csgraph.connected_components(mesh.links.adjacency, directed=False)
     fitting: list[tuple[float, int]] = []
     for number in np.flatnonzero(np.bincount(piece) >= 100):
         places = mesh.vertices[piece == number]

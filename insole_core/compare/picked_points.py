@@ -6,7 +6,7 @@ from itertools import permutations
 from pathlib import Path
 
 import numpy as np
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from insole_core.compare.best_fit import Fit
 from insole_core.errors import InputError, ReconstructionError
@@ -112,7 +112,9 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
         )
     brightness = mesh.colors @ np.array(_LUMA)
     dark = np.flatnonzero(brightness < _DARK * np.median(brightness))
-    _, piece = connected_components(mesh.links.adjacency[dark][:, dark], directed=False)
+    _, piece = scipy.sparse.csgraph.connected_components(
+        mesh.links.adjacency[dark][:, dark], directed=False
+    )
     spots = [dark[piece == number] for number in range(piece.max(initial=-1) + 1)]
     dots = [spot for spot in spots if _is_dot(mesh.vertices[spot])]
     if len(dots) != DOTS:

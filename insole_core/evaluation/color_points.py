@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
@@ -41,7 +41,7 @@ def points_at_color(sensor: Sensor, depth_mm: FloatArray, color_px: FloatArray) 
     if len(seen) < _NEIGHBOURS:
         raise InputError("The depth image has no readings; capture it again.")
     pixels = sensor.color_camera.project(seen)
-    distance, nearest = cKDTree(pixels).query(color_px, k=_NEIGHBOURS)
+    distance, nearest = scipy.spatial.cKDTree(pixels).query(color_px, k=_NEIGHBOURS)
     inverse = _plane_value(pixels[nearest] - color_px[:, None], seen[nearest, 2])
     far = np.asarray(distance)[:, _NEIGHBOURS // 3] > _FAR_PX * sensor.color_camera.width
     inverse[far] = np.nan

@@ -10,8 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy import sparse
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.gap_closing import gap_triangles
@@ -135,7 +134,7 @@ def _opened(mesh: TriangleMesh) -> FloatArray:
     of another above. It is positive everywhere where no disc fits at all.
     """
     furthest_mm = 2 * _HIGH_DISC_MM
-    rim_mm, _ = cKDTree(boundary_points(mesh, _RIM_STEP_MM)).query(
+    rim_mm, _ = scipy.spatial.cKDTree(boundary_points(mesh, _RIM_STEP_MM)).query(
         mesh.vertices, distance_upper_bound=furthest_mm
     )
     rim_mm = np.minimum(rim_mm, furthest_mm)
@@ -152,7 +151,9 @@ def _within_discs(mesh: TriangleMesh, rim_mm: FloatArray, disc_mm: float) -> Flo
     if len(centres) == 0:
         return np.full(len(rim_mm), -disc_mm)
     outer = inside_mm < 0
-    near, _ = cKDTree(centres).query(mesh.vertices[outer], distance_upper_bound=2 * disc_mm)
+    near, _ = scipy.spatial.cKDTree(centres).query(
+        mesh.vertices[outer], distance_upper_bound=2 * disc_mm
+    )
     away_mm = np.zeros(len(rim_mm))
     away_mm[outer] = np.minimum(near, 2 * disc_mm)
     return disc_mm + _SLACK_MM - away_mm
@@ -185,7 +186,7 @@ def _border_smoothed(mesh: TriangleMesh) -> FloatArray:
     is_simple = (degree == 2)[:, None]
     both = np.concatenate([ends, ends[:, ::-1]])
     shape = (count, count)
-    sums = sparse.csr_array((np.ones(len(both)), (both[:, 0], both[:, 1])), shape)
+    sums = scipy.sparse.csr_array((np.ones(len(both)), (both[:, 0], both[:, 1])), shape)
     vertices = mesh.vertices
     for _ in range(_BORDER_ROUNDS):
         beside = np.asarray(sums @ vertices) / 2

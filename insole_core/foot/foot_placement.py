@@ -3,28 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_candidate import CLEAR, FootCandidate, FoundFoot
 from insole_core.foot.foot_proportions import check_length, check_proportions
-from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, at_origin, is_cut_behind, level
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, at_origin, is_cut_behind, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rotation_angle_deg, transform
+from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
 
-_CLEAR = 1.25
-"""Least ratio of the two dissimilarities at which the shape determines the side."""
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
@@ -54,18 +53,6 @@ class SideMismatchError(InsoleError):
         self.asked = asked
 
 
-@dataclass(frozen=True, eq=False)
-class _Candidate:
-    """The surface as a foot of one side, levelled from its best pose."""
-
-    pose: Pose
-    foot: LevelFoot
-
-    @property
-    def side(self) -> Side:
-        return self.pose.side
-
-
 def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = False) -> Foot:
     """Bring a surface to the insole frame, without small pieces that float beside it.
 
@@ -93,35 +80,90 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         When the surface does not look like a foot in any pose, has no sole, or, in an unknown
         frame, has a size that no foot has or, without `force`, proportions that none has.
     """
+    found = find_foot(mesh) if frame == "unknown" else _held_foot(mesh)
+    candidate = next(one for one in found.candidates if one.side is side)
+    foot = placed_foot(found, candidate, force=force)
+    if frame == "unknown":
+        check_length(foot.length_mm)
+        if not force:
+            check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
+    return foot
+
+
+def find_foot(mesh: TriangleMesh) -> FoundFoot:
+    """Find how a surface that lies in any way can be a left or a right foot.
+
+    Parameters
+    ----------
+    mesh : mm, any frame
+
+    Returns
+    -------
+    FoundFoot
+        With a candidate of either side.
+
+    Raises
+    ------
+    InputError
+        When the surface does not look like a foot in any pose, or has no sole.
+    """
     mesh, scraps = without_scraps(mesh)
     points = surface_points(mesh)
-    if frame == "unknown":
-        poses = _foot_poses(mesh, points)
-        mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
-    else:
-        poses, inside_out = _near_frame(mesh, points), False
-    even = EvenSurface.of(mesh)
-    asked, other = (_best(even, points, poses, s) for s in (side, side.other))
-    if asked.pose.side_dissimilarity > _CLEAR * other.pose.side_dissimilarity:
-        if not force:
-            raise SideMismatchError(side, _reason(other))
-        # The directions of ground and toes follow from the shape, whatever the side.
-        asked = _best(even, points, _as_it_lies(points, other.foot.source2insole), side)
-    found = asked.foot
-    source2insole = at_origin(mesh, found.source2insole)
-    placed = even.transformed(source2insole)
-    standing = mesh.transformed(source2insole)
-    if frame == "unknown":
-        check_length(found.length_mm)
-        if not force:
-            check_proportions(standing, transform(source2insole, points), found.length_mm)
+    poses = _foot_poses(mesh, points)
+    mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     notes = (
-        _side_note(asked, other),
-        *_pose_notes(asked, frame),
-        *_rear_notes(placed),
+        "The file does not say how the foot lies: of all ways it could stand, the one that"
+        " looks most like a foot was taken.",
         *_surface_notes(scraps, inside_out),
     )
-    foot = Foot(side, standing, source2insole, found.length_mm, notes)
+    return _found(mesh, points, poses, notes)
+
+
+def find_pressed_foot(mesh: TriangleMesh, dorsal: FloatArray) -> FoundFoot:
+    """Find how the sole of an imprint can be a left or a right foot.
+
+    Parameters
+    ----------
+    mesh : mm, any frame
+        Its triangles face out of the foot.
+    dorsal : (3,) float64
+        Unit vector out of the foam, towards the back of the foot.
+
+    Returns
+    -------
+    FoundFoot
+        With a candidate of either side.
+
+    Raises
+    ------
+    InputError
+        When the surface does not look like a foot either way.
+    """
+    points = surface_points(mesh)
+    return _found(mesh, points, _foot_poses(mesh, points, dorsal))
+
+
+def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = False) -> Foot:
+    """Bring a found foot to the insole frame as one of its candidates.
+
+    Raises
+    ------
+    SideMismatchError
+        When the shape is clearly that of the other foot, unless `force`.
+    """
+    other = found.best(candidate.side.other)
+    if other is not None and candidate.dissimilarity > CLEAR * other.dissimilarity and not force:
+        raise SideMismatchError(candidate.side, _reason(other.side))
+    source2insole = at_origin(found.mesh, candidate.source2insole)
+    placed = found.even.transformed(source2insole)
+    notes = (
+        *_side_notes(candidate, other),
+        *_candidate_notes(candidate),
+        *_rear_notes(placed),
+        *found.notes,
+    )
+    mesh = found.mesh.transformed(source2insole)
+    foot = Foot(candidate.side, mesh, source2insole, candidate.length_mm, notes)
     foot.derived.get("even", (), lambda: placed)
     return foot
 
@@ -143,30 +185,47 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
     points = surface_points(whole)
     try:
         poses = _foot_poses(whole, points)
+        if _outside_out(whole, poses[0].source2rough)[1]:
+            return None
+        found = _found(whole, points, poses)
     except InputError:
         return None
-    if _outside_out(whole, poses[0].source2rough)[1]:
-        return None
-    even = EvenSurface.of(whole)
-    try:
-        found = sorted(
-            (_best(even, points, poses, side) for side in Side),
-            key=lambda candidate: candidate.pose.side_dissimilarity,
-        )
-    except InputError:
-        return None
-    nearest, other = (candidate.pose.side_dissimilarity for candidate in found)
-    if other < _CLEAR * nearest:
+    side = found.told_side
+    if side is None:
         return None
     try:
-        return place_foot(mesh, found[0].side, frame="unknown")
+        return place_foot(mesh, side, frame="unknown")
     except (InputError, SideMismatchError):  # of a size or proportions that no foot has
         return None
 
 
-def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+def _held_foot(mesh: TriangleMesh) -> FoundFoot:
+    """Find a foot that lies as its frame says."""
+    mesh, scraps = without_scraps(mesh)
+    points = surface_points(mesh)
+    return _found(mesh, points, _near_frame(mesh, points), tuple(_surface_notes(scraps, False)))
+
+
+def _found(
+    mesh: TriangleMesh, points: FloatArray, poses: list[Pose], notes: tuple[str, ...] = ()
+) -> FoundFoot:
+    """Level the surface as a foot of either side."""
+    even = EvenSurface.of(mesh)
+    nearest, other = sorted(
+        (_best(even, points, poses, side) for side in Side), key=lambda one: one.dissimilarity
+    )
+    if other.dissimilarity > CLEAR * nearest.dissimilarity:
+        # The directions of ground and toes follow from the shape, whatever the side.
+        poses = _as_it_lies(points, nearest.source2insole)
+        other = replace(_best(even, points, poses, other.side), dissimilarity=other.dissimilarity)
+    return FoundFoot(mesh, even, (nearest, other), notes=notes)
+
+
+def _foot_poses(
+    mesh: TriangleMesh, points: FloatArray, dorsal: FloatArray | None = None
+) -> list[Pose]:
     """Find the possible poses, the most likely first, which must look like a foot."""
-    poses = find_poses(mesh, points)
+    poses = find_poses(mesh, points, dorsal)
     if poses[0].side_dissimilarity > _NO_FOOT:
         raise InputError(
             "The surface looks like no foot, whichever way it is turned;"
@@ -202,7 +261,7 @@ def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     return held if held and held[0].side_dissimilarity < poses[0].side_dissimilarity else poses
 
 
-def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
+def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Side) -> FootCandidate:
     """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
     foot = level(surface, side, rough.source2rough, rough.covered)
@@ -211,33 +270,43 @@ def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Sid
         for pose in poses_as_it_lies(points, foot.source2insole)
         if (pose.side, pose.covered) == (side, rough.covered)
     )
-    return _Candidate(levelled, foot)
-
-
-def _side_note(asked: _Candidate, other: _Candidate) -> str:
-    ratio = other.pose.side_dissimilarity / asked.pose.side_dissimilarity
-    if ratio < 1 / _CLEAR:
-        return Message(
-            "The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.",
-            shape_side=other.side,
-            reason=_reason(other),
-            side=asked.side,
-        )
-    if ratio < _CLEAR:
-        return Message(
-            "The shape does not tell left from right; taken as a {side} foot as asked.",
-            side=asked.side,
-        )
-    return Message(
-        "A {side} foot by its shape: {reason} (margin {ratio:.1f} to 1).",
-        side=asked.side,
-        reason=_reason(asked),
-        ratio=ratio,
+    return FootCandidate(
+        side,
+        foot.source2insole,
+        foot.length_mm,
+        levelled.side_dissimilarity,
+        rough.covered,
+        foot.second_toe_found,
     )
 
 
-def _reason(candidate: _Candidate) -> str:
-    direction = "right" if candidate.side.medial_sign > 0 else "left"
+def _side_notes(asked: FootCandidate, other: FootCandidate | None) -> Iterator[str]:
+    if other is None:
+        return
+    ratio = other.dissimilarity / asked.dissimilarity
+    if ratio < 1 / CLEAR:
+        yield Message(
+            "The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.",
+            shape_side=other.side,
+            reason=_reason(other.side),
+            side=asked.side,
+        )
+    elif ratio < CLEAR:
+        yield Message(
+            "The shape does not tell left from right; taken as a {side} foot as asked.",
+            side=asked.side,
+        )
+    else:
+        yield Message(
+            "A {side} foot by its shape: {reason} (margin {ratio:.1f} to 1).",
+            side=asked.side,
+            reason=_reason(asked.side),
+            ratio=ratio,
+        )
+
+
+def _reason(side: Side) -> str:
+    direction = "right" if side.medial_sign > 0 else "left"
     return Message(
         "seen from above with the toes ahead, the big toe and the high side of the arch "
         "lie on the {direction}",
@@ -245,22 +314,17 @@ def _reason(candidate: _Candidate) -> str:
     )
 
 
-def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
-    """Say how the pose was decided, and what was missing for it."""
-    if frame == "unknown":
-        yield (
-            "The file does not say how the foot lies: of all ways it could stand, the one that"
-            " looks most like a foot was taken."
-        )
-    if found.pose.covered < 1:
+def _candidate_notes(found: FootCandidate) -> Iterator[str]:
+    """Say what was missing to decide the pose."""
+    if found.covered < 1:
         yield (
             Message(
                 "The toes are missing; the foot's length was estimated as {length_mm:.0f} mm "
                 "from the rest.",
-                length_mm=found.foot.length_mm,
+                length_mm=found.length_mm,
             )
         )
-    elif not found.foot.second_toe_found:
+    elif not found.second_toe_found:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+import scipy
 
 from insole_core.errors import InputError
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
@@ -51,7 +51,9 @@ class Pose:
     covered: float
 
 
-def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+def find_poses(
+    mesh: TriangleMesh, points: FloatArray, dorsal: FloatArray | None = None
+) -> list[Pose]:
     """Find the possible poses of a surface, the most similar to a foot first.
 
     Parameters
@@ -59,6 +61,8 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     mesh : mm, source frame
     points : (n, 3) float64, mm, source frame
         Its `surface_points`.
+    dorsal : (3,) float64, optional
+        Unit vector towards the back of the foot, where it is known.
 
     Returns
     -------
@@ -70,9 +74,10 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     InputError
         When the surface is flat.
     """
+    ups = _up_directions(mesh, points) if dorsal is None else [dorsal]
     poses = [
         pose
-        for up in _up_directions(mesh, points)
+        for up in ups
         for rotation in _both_ways(points, up)
         for pose in _turned(points, rotation)
     ]
@@ -95,8 +100,8 @@ def _up_directions(mesh: TriangleMesh, points: FloatArray) -> Iterator[FloatArra
 def _faces(vertices: FloatArray) -> list[FloatArray]:
     """Return inward normals of the convex hull's largest faces, nearly parallel ones merged."""
     try:
-        hull = ConvexHull(vertices)
-    except QhullError as error:
+        hull = scipy.spatial.ConvexHull(vertices)
+    except scipy.spatial.QhullError as error:
         raise InputError("The surface is flat, which is no foot; export the scan again.") from error
     a, b, c = (vertices[hull.simplices[:, corner]] for corner in range(3))
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import Landmarks
@@ -79,8 +78,10 @@ def _blobs(mesh: TriangleMesh, inked: BoolArray) -> Iterator[tuple[FloatArray, f
     areas = mesh.vertex_areas[inked]
     edges = part.triangles[:, [0, 1, 1, 2]].reshape(-1, 2)
     count = len(part.vertices)
-    links = coo_array((np.ones(len(edges), bool), (edges[:, 0], edges[:, 1])), (count, count))
-    blobs, blob = connected_components(links, directed=False)
+    links = scipy.sparse.coo_array(
+        (np.ones(len(edges), bool), (edges[:, 0], edges[:, 1])), (count, count)
+    )
+    blobs, blob = scipy.sparse.csgraph.connected_components(links, directed=False)
     area = np.bincount(blob, areas, minlength=blobs)
     for number in np.flatnonzero((area > _AREA_MM2[0]) & (area < _AREA_MM2[1])):
         chosen = blob == number

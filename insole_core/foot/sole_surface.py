@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.foot.border_fit import USUAL_MM, UsualBorder, fit_border
 from insole_core.foot.foot import Foot
@@ -111,8 +111,8 @@ class SoleSurface:
         self._sole = self._inner.part(facing)
 
     @cached_property
-    def _tree(self) -> cKDTree:
-        return cKDTree(self._sole.points[:, :2])
+    def _tree(self) -> scipy.spatial.cKDTree:
+        return scipy.spatial.cKDTree(self._sole.points[:, :2])
 
     def along(self, way: FloatArray) -> SoleSurface:
         """Return the same part with +y in another direction (3,), given in this sole frame."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import ConvexHull
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 
@@ -27,7 +27,7 @@ def tape_length(section: FloatArray) -> float | None:
     if len(section) < 3:
         return None
     points = section.reshape(-1, 2)
-    hull = ConvexHull(points)
+    hull = scipy.spatial.ConvexHull(points)
     corners = points[hull.vertices]
     ways = np.roll(corners, -1, axis=0) - corners
     straight = np.linalg.norm(ways, axis=1) > _MOST_GAP_MM

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -97,7 +97,7 @@ def extend_boundary(
 
 
 def _is_free(points: FloatArray, mesh: TriangleMesh, width_mm: float) -> BoolArray:
-    near, _ = cKDTree(mesh.vertices).query(points)
+    near, _ = scipy.spatial.cKDTree(mesh.vertices).query(points)
     return np.asarray(near > _LEAST_DISTANCE * width_mm)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -166,4 +166,4 @@ def _rim_distance(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
     rim = boundary_points(mesh, _CELL_MM)
     if len(rim) == 0:
         return np.full(len(points), np.inf)
-    return np.asarray(cKDTree(rim).query(points, distance_upper_bound=_RIM_MM)[0])
+    return np.asarray(scipy.spatial.cKDTree(rim).query(points, distance_upper_bound=_RIM_MM)[0])

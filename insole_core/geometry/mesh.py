@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy import sparse
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
 from insole_core.geometry.contour_constraints import ContourConstraints
@@ -87,7 +87,9 @@ class TriangleMesh:
             return False
         starts, ends = self.triangles.ravel(), self.triangles[:, [1, 2, 0]].ravel()
         shape = len(self.vertices), len(self.vertices)
-        edges = sparse.csr_array((np.ones(len(starts), np.int32), (starts, ends)), shape=shape)
+        edges = scipy.sparse.csr_array(
+            (np.ones(len(starts), np.int32), (starts, ends)), shape=shape
+        )
         back = edges.T.tocsr()
         return bool(
             (edges.data == 1).all()

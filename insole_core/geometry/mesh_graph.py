@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -20,7 +20,7 @@ def pieces(mesh: TriangleMesh) -> tuple[int, IntArray]:
     piece : (n,) int32
         Index of the piece of each vertex.
     """
-    count, piece = connected_components(mesh.links.adjacency, directed=False)
+    count, piece = scipy.sparse.csgraph.connected_components(mesh.links.adjacency, directed=False)
     return int(count), np.asarray(piece)
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
-from scipy import sparse
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, IndexArray, IntArray
 
-_Matrix = sparse.csr_array[np.float64]
+_Matrix: TypeAlias = "scipy.sparse.csr_array[np.float64]"
 
 
 class MeshTopology:
@@ -32,7 +33,7 @@ class MeshTopology:
         corner = self._triangles.ravel()
         triangle = np.arange(len(corner)) // 3
         shape = (self._count, len(self._triangles))
-        return sparse.csr_array((np.ones(len(corner)), (corner, triangle)), shape)
+        return scipy.sparse.csr_array((np.ones(len(corner)), (corner, triangle)), shape)
 
     @cached_property
     def _sides(self) -> _Matrix:
@@ -40,11 +41,11 @@ class MeshTopology:
         start = self._triangles.ravel()
         end = self._triangles[:, [1, 2, 0]].ravel()
         shape = (self._count, self._count)
-        return sparse.csr_array((np.ones(len(start)), (start, end)), shape)
+        return scipy.sparse.csr_array((np.ones(len(start)), (start, end)), shape)
 
     @cached_property
     def _both_ways(self) -> _Matrix:
-        return sparse.csr_array(self._sides + self._sides.T)
+        return scipy.sparse.csr_array(self._sides + self._sides.T)
 
     @cached_property
     def edges(self) -> tuple[IntArray, IntArray]:
@@ -67,7 +68,7 @@ class MeshTopology:
         """(k, 2) directed boundary edges: those that no triangle traverses in reverse."""
         sides = self._sides.copy()
         sides.data[:] = 1
-        apart = sparse.csr_array(sides - sides.T)
+        apart = scipy.sparse.csr_array(sides - sides.T)
         return np.stack(_entries(apart), axis=1)[apart.data > 0]
 
     @cached_property
@@ -95,7 +96,7 @@ class MeshTopology:
     @cached_property
     def laplacian(self) -> _Matrix:
         """(n, n) uniform Laplacian: mean of the neighbours minus the vertex itself."""
-        return sparse.csr_array(self.mean - sparse.eye_array(self._count, format="csr"))
+        return scipy.sparse.csr_array(self.mean - scipy.sparse.eye_array(self._count, format="csr"))
 
 
 def _entries(matrix: _Matrix) -> tuple[IntArray, IntArray]:

@@ -47,11 +47,12 @@ class RayCaster:
         EmbreeMesh(self._scene, vertices, np.ascontiguousarray(mesh.triangles, np.int32))
 
     def cast(self, origin: FloatArray, directions: FloatArray) -> RayHits:
-        """Find the first intersections of rays with a common origin.
+        """Find the first intersections of rays.
 
         Parameters
         ----------
-        origin : (3,) float64, mm, frame of the mesh
+        origin : (3,) or (n, 3) float64, mm, frame of the mesh
+            Common to all rays, or of each.
         directions : (n, 3) float64
             Of any length.
 

@@ -9,8 +9,7 @@ not welded together.
 from __future__ import annotations
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -50,8 +49,8 @@ def _patches(mesh: TriangleMesh, pitch_mm: float) -> tuple[int, IntArray]:
     starts, ends = mesh.triangles.ravel(), mesh.triangles[:, [1, 2, 0]].ravel()
     within = key[starts] == key[ends]
     links = (np.ones(int(within.sum()), dtype=np.int8), (starts[within], ends[within]))
-    graph = sparse.coo_array(links, shape=(len(key), len(key)))
-    count, patch = connected_components(graph, directed=False)
+    graph = scipy.sparse.coo_array(links, shape=(len(key), len(key)))
+    count, patch = scipy.sparse.csgraph.connected_components(graph, directed=False)
     return int(count), np.asarray(patch)
 
 

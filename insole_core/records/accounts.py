@@ -12,6 +12,7 @@ import time
 import unicodedata
 import uuid
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any, Final
@@ -23,6 +24,7 @@ from insole_core.records import schema
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author, Role
 from insole_core.records.database import Database
+from insole_core.records.database_errors import DamagedDatabase
 from insole_core.records.passwords import (
     check_password,
     hash_password,
@@ -92,6 +94,8 @@ class Accounts:
         self._monotonic = monotonic
         self._locked_here: dict[str, float] = {}
         """By id, until when by the monotonic clock: no jump of the other one shortens a lock."""
+        self._failures_here: dict[str, int] = {}
+        """By id, where nothing can be written."""
 
     @property
     def are_on(self) -> bool:
@@ -211,7 +215,7 @@ class Accounts:
             self._require_management(connection)
             self._set_password(connection, _get(connection, account_id), password)
             self._log(connection, "reset password", account_id)
-        self._locked_here.pop(account_id, None)
+        self._forgive_here(account_id)
 
     def unlock(self, account_id: str) -> None:
         """Let somebody try again who has mistyped too often.
@@ -224,13 +228,14 @@ class Accounts:
             self._require_management(connection)
             _forgive(connection, account_id)
             self._log(connection, "unlocked", account_id)
-        self._locked_here.pop(account_id, None)
+        self._forgive_here(account_id)
 
     def sign_in(self, name: str, password: str) -> Author:
         """Return the author that name and password belong to.
 
         An attempt is counted before its password is checked, so that attempts at the same time,
-        or a program that is killed, gain nothing.
+        or a program that is killed, gain nothing. A record that may only be read, such as a
+        damaged one, counts them as long as the program runs, and its log keeps no line.
 
         Raises
         ------
@@ -244,14 +249,19 @@ class Accounts:
                 "The name or the password is wrong; try again, or ask the administrator for "
                 "another password."
             )
+        author = Author(found.name, self._who.station, Role(found.role))
+        if not self._database.is_read_only:
+            with suppress(DamagedDatabase):  # from now on it may only be read, by whoever may
+                self._note_success(author, found, password)
+        self._forgive_here(found.id)
+        return author
+
+    def _note_success(self, author: Author, found: Row[Any], password: str) -> None:
         with self._database.writing() as connection:
             _forgive(connection, found.id)
             if is_outdated(found.password_hash):
                 _store_password(connection, found.id, password)
-            author = Author(found.name, self._who.station, Role(found.role))
             AuditLog.append(connection, author, "signed in", _ACCOUNT, found.id)
-        self._locked_here.pop(found.id, None)
-        return author
 
     def change_password(self, name: str, old: str, new: str) -> None:
         """Let the owner of an account choose another password.
@@ -279,14 +289,13 @@ class Accounts:
         NotAllowed
             While the account is locked.
         """
-        with self._database.writing() as connection:
-            found = _find(connection, name, for_update=True)
-            wait_s = 0.0 if found is None else self._time_locked(connection, found)
-            if found is None or wait_s > 0:
-                # Not the name that was typed, which is often the password.
-                self._log(connection, "refused", "?" if found is None else found.id)
-            else:
-                self._count_failure(connection, found)
+        if self._database.is_read_only:
+            found, wait_s = self._count_here(name)
+        else:
+            try:
+                found, wait_s = self._count_in_record(name)
+            except DamagedDatabase:  # from now on it may only be read
+                found, wait_s = self._count_here(name)
         if wait_s > 0:
             raise NotAllowed(
                 "Too many wrong passwords: wait {minutes} min, or ask the administrator to unlock "
@@ -295,12 +304,53 @@ class Accounts:
             )
         return found
 
+    def _count_in_record(self, name: str) -> tuple[Row[Any] | None, float]:
+        """Count one more failure; return the account, and for how many seconds it is locked."""
+        with self._database.writing() as connection:
+            found = _find(connection, name, for_update=True)
+            wait_s = 0.0 if found is None else self._time_locked(connection, found)
+            if found is None or wait_s > 0:
+                # Not the name that was typed, which is often the password.
+                self._log(connection, "refused", "?" if found is None else found.id)
+            else:
+                self._count_failure(connection, found)
+        return found, wait_s
+
+    def _count_here(self, name: str) -> tuple[Row[Any] | None, float]:
+        """Do the same where nothing can be written; the lock of the record holds here, too."""
+        with self._database.reading() as connection:
+            found = _find(connection, name)
+        if found is None:
+            return None, 0.0
+        if found.id not in self._failures_here:
+            self._failures_here[found.id] = found.failures
+            self._lock_here(found.id, min(self._time_written(found), _lock_s(found.failures)))
+        wait_s = self._time_locked_here(found.id)
+        if wait_s == 0:
+            self._failures_here[found.id] += 1
+            self._lock_here(found.id, _lock_s(self._failures_here[found.id]))
+        return found, wait_s
+
+    def _lock_here(self, account_id: str, lock_s: float) -> None:
+        self._locked_here[account_id] = self._monotonic() + lock_s
+
+    def _time_locked_here(self, account_id: str) -> float:
+        return max(self._locked_here.get(account_id, 0.0) - self._monotonic(), 0.0)
+
+    def _time_written(self, found: Row[Any]) -> float:
+        """Return for how many seconds the record says that an account is locked."""
+        return 0.0 if found.locked_until is None else _read(found.locked_until) - self._now()
+
+    def _forgive_here(self, account_id: str) -> None:
+        self._locked_here.pop(account_id, None)
+        self._failures_here.pop(account_id, None)
+
     def _count_failure(self, connection: Connection, found: Row[Any]) -> None:
         lock_s = _lock_s(found.failures + 1)
         values: dict[str, Any] = {"failures": found.failures + 1}
         if lock_s > 0:
             values["locked_until"] = _written(self._now() + lock_s)
-            self._locked_here[found.id] = self._monotonic() + lock_s
+            self._lock_here(found.id, lock_s)
             self._log(connection, "locked", found.id, failures=found.failures + 1)
         _change(connection, found.id, **values)
 
@@ -311,15 +361,12 @@ class Accounts:
         number of failures asks for. One that was put forward does not end a lock of this process,
         and after a new start it allows a single attempt, since failures count until one succeeds.
         """
-        here_s = self._locked_here.get(found.id, 0.0) - self._monotonic()
-        if found.locked_until is None:
-            return max(here_s, 0.0)
-        there_s = _read(found.locked_until) - self._now()
+        there_s = self._time_written(found)
         longest_s = _lock_s(found.failures)
         if there_s > longest_s:
             there_s = longest_s
             _change(connection, found.id, locked_until=_written(self._now() + longest_s))
-        return max(here_s, there_s, 0.0)
+        return max(self._time_locked_here(found.id), there_s)
 
     def _set_password(self, connection: Connection, found: Row[Any], password: str) -> None:
         check_password(password, found.name, found.full_name)

@@ -15,7 +15,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
-from sqlalchemy import Connection, Row, Select, insert, select, update
+from sqlalchemy import (
+    Column,
+    ColumnElement,
+    Connection,
+    Row,
+    Select,
+    false,
+    func,
+    insert,
+    select,
+    update,
+)
 
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
@@ -199,12 +210,14 @@ class AuditLog:
         if about is not None:
             query = query.where(audit.c.subject_id.in_(about))
         if author is not None:
-            query = query.where(audit.c.author == author)
-        if times is not None:
-            query = query.where(audit.c.at >= times[0], audit.c.at < times[1])
+            is_alone = about is None and subject_id is None
+            by = audit.c.author if is_alone else _unindexed(audit.c.author)
+            query = query.where(by == author)
         if before is not None:
             query = query.where(audit.c.seq < before)
         with self._database.reading() as connection:
+            if times is not None:
+                query = _within(connection, query, times)
             return [AuditLine(**row._mapping) for row in connection.execute(query)]
 
     def head(self) -> tuple[int, str]:
@@ -235,6 +248,27 @@ def head_of(connection: Connection) -> tuple[int, str]:
     """Return number and hash of the last line, as `audit_head` states them."""
     seq, head = connection.execute(select(audit_head.c.seq, audit_head.c.hash)).one()
     return int(seq), str(head)
+
+
+def _within(connection: Connection, query: Select[Any], times: tuple[str, str]) -> Select[Any]:
+    """Return a query of lines of a time alone.
+
+    The first and the last of these lines are found by the index of times. Between them, lines are
+    read in their order, which a clock that jumps does not tell.
+    """
+    begin, end = times
+    seq = audit.c.seq + 0  # else PostgreSQL looks for the first one from the first line on
+    bounds = select(func.min(seq), func.max(seq)).where(audit.c.at >= begin, audit.c.at < end)
+    first, last = connection.execute(bounds).one()
+    if first is None:
+        return query.where(false())
+    at = _unindexed(audit.c.at)  # else a database may sort all lines of the time
+    return query.where(audit.c.seq >= first, audit.c.seq <= last, at >= begin, at < end)
+
+
+def _unindexed(column: Column[str]) -> ColumnElement[str]:
+    """Return a column for a comparison that is not worth a search by its index."""
+    return func.coalesce(column, "")
 
 
 def hash_of_line(fields: tuple[Any, ...]) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import UTC, date, datetime, time, timedelta
 from typing import Any
 
-from sqlalchemy import CompoundSelect, Connection, Select, select, union_all
+from sqlalchemy import CompoundSelect, Connection, Select, func, select, union_all
 
 from insole_core.errors import RecordsError
 from insole_core.progress import SILENT, Progress
@@ -103,8 +103,16 @@ def authors_of_audit(context: RecordsContext) -> list[str]:
     """
     with context.database.reading() as connection:
         require(connection, context.author, Right.READ_AUDIT)
-        query = select(audit.c.author).distinct().order_by(audit.c.author)
-        return list(connection.execute(query).scalars())
+        return _authors(connection)
+
+
+def _authors(connection: Connection) -> list[str]:
+    """Go from each author to the next one by the index: reading a million lines takes longer."""
+    first = select(func.min(audit.c.author).label("author")).cte("authors", recursive=True)
+    later = select(func.min(audit.c.author)).where(audit.c.author > first.c.author)
+    found = first.union_all(select(later.scalar_subquery()).where(first.c.author.is_not(None)))
+    query = select(found.c.author).where(found.c.author.is_not(None))
+    return list(connection.execute(query).scalars())
 
 
 def verify_audit(context: RecordsContext, progress: Progress = SILENT) -> AuditReport:

@@ -10,7 +10,7 @@ from enum import StrEnum
 from itertools import pairwise
 
 from insole_core.records.person import PersonSummary
-from insole_core.records.person_matching import name_key
+from insole_core.records.search_text import name_key_of
 
 
 class Likeness(StrEnum):
@@ -39,6 +39,11 @@ def find_duplicates(persons: Iterable[PersonSummary]) -> list[Duplicate]:
     """Propose persons to merge, those with the same personal number first.
 
     Each pair is proposed once; of three who are alike, two pairs.
+
+    Parameters
+    ----------
+    persons
+        Those who may be alike, see `Persons.alike`.
     """
     known = list(persons)
     proposed: dict[frozenset[str], Duplicate] = {}
@@ -70,7 +75,7 @@ def _number(person: PersonSummary) -> str | None:
 
 
 def _name_and_birth_date(person: PersonSummary) -> tuple[str, date] | None:
-    return None if person.birth_date is None else (name_key(person.name), person.birth_date)
+    return None if person.birth_date is None else (name_key_of(person.name), person.birth_date)
 
 
 def _last_seen(person: PersonSummary) -> date:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from sqlalchemy import Table, select
+from sqlalchemy import Table, func, or_, select
 
 from insole_core.errors import RecordsError
 from insole_core.export.atomic import make_output_folder
@@ -33,6 +33,12 @@ from insole_core.records.schema import (
 
 _NEEDED: Final = (persons, visits, prescription_versions, clinic)
 """Without these there is nothing to read."""
+_IS_READ_ONLY: Final = select(
+    or_(
+        func.pg_is_in_recovery(),
+        func.current_setting("default_transaction_read_only") == "on",
+    )
+)
 
 
 def open_records(place: RecordsPlace, who: Author) -> Records:
@@ -53,6 +59,8 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
         _make_file(place.database_file)
     database = Database(place, problem=_why_read_only(place))
     try:
+        if not place.is_local:
+            database.problem = _why_server_read_only(database)
         try:
             if not database.is_read_only:
                 migrate(database)
@@ -90,6 +98,19 @@ def _why_read_only(place: RecordsPlace) -> Message | None:
     if not place.is_local or (os.access(file, os.W_OK) and os.access(file.parent, os.W_OK)):
         return None
     return Message("{file} may only be read by you; ask for the right to write to it.", file=file)
+
+
+def _why_server_read_only(database: Database) -> Message | None:
+    """Ask a server whether it takes changes: one that stands by for another one does not."""
+    with database.reading() as connection:
+        is_read_only = connection.execute(_IS_READ_ONLY).scalar_one()
+    if not is_read_only:
+        return None
+    return Message(
+        "{place} takes no changes, as a server that stands by for another one; check the address "
+        "of the database, or ask whoever looks after it.",
+        place=database.place.name,
+    )
 
 
 def _check_tables(database: Database, tables: Sequence[Table]) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from insole_core.messages import Message
 from insole_core.records.person import Person, PersonSummary
-from insole_core.records.search_text import fold
+from insole_core.records.search_text import name_key_of
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class PersonIndex:
         if person.personal_number:
             self._by_number[person.personal_number].append(person)
         self._by_pseudonym[person.pseudonym] = person
-        self._by_name[name_key(person.name)].append(person)
+        self._by_name[name_key_of(person.name)].append(person)
 
     def with_pseudonym(self, pseudonym: str) -> PersonSummary | None:
         """Return whom a pseudonym stands for; None when it is free."""
@@ -76,7 +76,7 @@ class PersonIndex:
             yield _identified(person, known, "personal number")
         if same_pseudonym is not None:
             yield _identified(person, same_pseudonym, "pseudonym")
-        for known in self._by_name.get(name_key(person.name), ()):
+        for known in self._by_name.get(name_key_of(person.name), ()):
             match = _namesake(person, known)
             if match is not None:
                 yield match
@@ -91,7 +91,7 @@ def summary_of(person: Person) -> PersonSummary:
 
 def _identified(person: Person, known: PersonSummary, what: str) -> Match:
     """Return the match of somebody with the same number; name or birth date must agree, too."""
-    same_name = name_key(person.name) == name_key(known.name)
+    same_name = name_key_of(person.name) == name_key_of(known.name)
     dates = {person.birth_date, known.birth_date} - {None}
     if len(dates) < 2 and (same_name or person.birth_date == known.birth_date is not None):
         return Match(known, is_certain=True, reason=Message(""))
@@ -131,8 +131,3 @@ def _born(person: PersonSummary) -> Message:
     if person.birth_date is None:
         return Message("birth date unknown")
     return Message("born {day}", day=person.birth_date.isoformat())
-
-
-def name_key(name: str) -> str:
-    """Return the words of a name in one order: "Berg, Anna" is "Anna Berg"."""
-    return " ".join(sorted(fold(name).replace(",", " ").split()))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import fields
 from typing import Final
 
@@ -10,7 +11,7 @@ from sqlalchemy import Connection, select, update
 from insole_core.errors import RecordsError
 from insole_core.records.person import Person
 from insole_core.records.schema import audit_head, orders, persons
-from insole_core.records.search_text import search_text_of, sort_key_of
+from insole_core.records.search_text import MOST_KEY, name_key_of, search_text_of, sort_key_of
 
 PERSON_FIELDS: Final = tuple(field.name for field in fields(Person))
 
@@ -52,11 +53,25 @@ def write_search_text(connection: Connection, person_id: str) -> None:
     numbers = connection.execute(
         select(orders.c.number).where(orders.c.person_id == person_id).order_by(orders.c.number)
     ).scalars()
-    text = search_text_of(
-        person.name, person.birth_date, person.personal_number, [person.pseudonym, *numbers]
-    )
     row = update(persons).where(persons.c.id == person_id)
-    connection.execute(row.values(search_text=text, sort_key=sort_key_of(person.name)))
+    connection.execute(row.values(found_by(person, numbers)))
+
+
+def found_by(person: Person, numbers: Iterable[str] = ()) -> dict[str, str]:
+    """Return the columns that a person is found and sorted by.
+
+    Parameters
+    ----------
+    numbers
+        Of the person's orders.
+    """
+    return {
+        "search_text": search_text_of(
+            person.name, person.birth_date, person.personal_number, [person.pseudonym, *numbers]
+        ),
+        "sort_key": sort_key_of(person.name),
+        "name_key": name_key_of(person.name)[:MOST_KEY],
+    }
 
 
 def _one(connection: Connection, person_id: str, *, locked: bool = False) -> Person:

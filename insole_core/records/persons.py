@@ -10,12 +10,14 @@ from typing import Any, Final
 from sqlalchemy import (
     ColumnElement,
     Connection,
+    ScalarSelect,
     Select,
     and_,
     case,
     func,
     insert,
     select,
+    tuple_,
     update,
 )
 
@@ -34,18 +36,31 @@ from insole_core.records.merging import (
 from insole_core.records.person import Person, PersonSummary, new_pseudonym
 from insole_core.records.person_rows import (
     PERSON_FIELDS,
+    found_by,
     locked_person,
     person_of,
     touch_person,
     write_search_text,
 )
 from insole_core.records.rights import Right
-from insole_core.records.schema import persons, visits
-from insole_core.records.search_text import search_text_of, search_words, sort_key_of
+from insole_core.records.schema import person_words, persons, visits
+from insole_core.records.search_text import search_words
 from insole_core.records.times import utc_now
 
 _LAST_CHARACTER: Final = "\U0010ffff"
 _MOST_VALUES: Final = 500
+_FEW: Final = 500
+"""If more have each of the words, many names that begin with the first are likely to fit."""
+_MANY: Final = 2000
+"""Less are looked at one by one in some ten milliseconds; of more, many are likely to fit."""
+_SUMMARY: Final = (
+    persons.c.id,
+    persons.c.name,
+    persons.c.birth_date,
+    persons.c.personal_number,
+    persons.c.pseudonym,
+)
+_CAN_BE_FOUND: Final = (persons.c.merged_into.is_(None), persons.c.is_erased.is_(False))
 _EDITED: Final = (
     "name",
     "birth_date",
@@ -65,12 +80,15 @@ class Persons:
         self._context = context
 
     def search(self, typed: str, limit: int = 50) -> list[PersonSummary]:
-        """Find persons by words of name, birth date, personal number, pseudonym and orders.
+        """Find persons by beginnings of words of all that they are known by.
+
+        That is name, birth date, personal number, pseudonym and numbers of orders.
 
         Parameters
         ----------
         typed
-            Every word must occur; case and accents do not matter. Without words, the recent ones.
+            Every word must begin one of theirs; case, accents and signs in numbers do not matter.
+            Without words, the recent ones.
 
         Returns
         -------
@@ -81,8 +99,14 @@ class Persons:
         if not words:
             return self.recent(limit)
         with self._context.reading() as connection:
-            found = _found(connection, _by_name(words).limit(limit))
-            if len(found) < limit:
+            counts = {word: _count(connection, word) for word in words}
+            rarest = min(words, key=counts.__getitem__)
+            found = []
+            if counts[rarest] >= _FEW:
+                found = _found(connection, _by_name(words).limit(limit))
+            if counts[rarest] < _MANY and len(found) < limit:
+                found = _found(connection, _by_word(rarest, words, limit))
+            elif len(found) < limit:
                 found += _found(connection, _by_rest(words).limit(limit - len(found)))
         return found
 
@@ -93,6 +117,18 @@ class Persons:
     def everybody(self) -> list[PersonSummary]:
         """Return all who can be found, to compare a list of others with them."""
         return self._summaries(_listed())
+
+    def alike(self) -> list[PersonSummary]:
+        """Return those who may be here twice: by personal number, or by name and birth date."""
+        number, name_key, born = persons.c.personal_number, persons.c.name_key, persons.c.birth_date
+        several = func.count() > 1
+        numbers = select(number).where(number != "").group_by(number).having(several)
+        named = select(name_key, born).where(name_key != "", born.is_not(None))
+        names = named.group_by(name_key, born).having(several)
+        with self._context.reading() as connection:
+            same_number = _found(connection, _listed().where(number.in_(numbers)))
+            same_name = _found(connection, _listed().where(tuple_(name_key, born).in_(names)))
+        return list(dict.fromkeys([*same_number, *same_name]))
 
     def with_number(self, personal_number: str) -> list[PersonSummary]:
         """Return those who have a personal number, as it is stored."""
@@ -244,55 +280,67 @@ def add_persons(
 
 def _values(person: Person) -> dict[str, Any]:
     """Return the columns of a person without orders."""
-    text = search_text_of(
-        person.name, person.birth_date, person.personal_number, [person.pseudonym]
-    )
-    key = sort_key_of(person.name)
-    fields = {name: getattr(person, name) for name in PERSON_FIELDS}
-    return fields | {"search_text": text, "sort_key": key}
+    return {name: getattr(person, name) for name in PERSON_FIELDS} | found_by(person)
 
 
 def _listed() -> Select[Any]:
     """Return the query of the summaries of all who can be found."""
-    last_visit = (
-        select(func.max(visits.c.visited_on))
-        .where(visits.c.person_id == persons.c.id)
-        .scalar_subquery()
-    )
-    return select(
-        persons.c.id,
-        persons.c.name,
-        persons.c.birth_date,
-        persons.c.personal_number,
-        persons.c.pseudonym,
-        last_visit,
-    ).where(persons.c.merged_into.is_(None), persons.c.is_erased.is_(False))
+    return select(*_SUMMARY, _last_visit(persons.c.id)).where(*_CAN_BE_FOUND)
+
+
+def _last_visit(person_id: ColumnElement[str]) -> ScalarSelect[date | None]:
+    of_person = visits.c.person_id == person_id
+    return select(func.max(visits.c.visited_on)).where(of_person).scalar_subquery()
 
 
 def _found(connection: Connection, query: Select[Any]) -> list[PersonSummary]:
     return [PersonSummary(*row) for row in connection.execute(query)]
 
 
+def _count(connection: Connection, word: str) -> int:
+    """Return how many words begin with this one, up to `_MANY`."""
+    begun = select(person_words.c.word).where(_begins(person_words.c.word, word)).limit(_MANY)
+    return int(connection.execute(select(func.count()).select_from(begun.subquery())).scalar_one())
+
+
+def _by_word(rarest: str, words: list[str], limit: int) -> Select[Any]:
+    """Return the query that looks at those only who have one of the words, less than `_MANY`."""
+    begun = select(person_words.c.person_id).where(_begins(person_words.c.word, rarest))
+    of_word = begun.distinct().subquery()
+
+    def looked_up(value: ColumnElement[Any]) -> ScalarSelect[Any]:
+        """Return a value of one person: where they are joined, databases read all persons."""
+        return select(value).where(persons.c.id == of_word.c.person_id).scalar_subquery()
+
+    wanted = and_(*_CAN_BE_FOUND, *(_holds(word) for word in words if word != rarest))
+    found = select(of_word.c.person_id, looked_up(persons.c.sort_key).label("sort_key"))
+    found_ones = found.where(looked_up(wanted)).limit(_MANY).subquery()
+    begins_name = case((_begins(found_ones.c.sort_key, words[0]), 0), else_=1)
+    listed = select(found_ones, begins_name.label("rank"))
+    listed_ones = listed.order_by("rank", found_ones.c.sort_key).limit(limit).subquery()
+    query = select(*_SUMMARY, _last_visit(persons.c.id))
+    query = query.join(listed_ones, listed_ones.c.person_id == persons.c.id)
+    return query.order_by(listed_ones.c.rank, listed_ones.c.sort_key)
+
+
 def _by_name(words: list[str]) -> Select[Any]:
     """Return the query of those whose name begins with the first word; an index finds them."""
-    rest = (_holds(word) for word in words[1:])
-    return _listed().where(_name_begins(words[0]), *rest).order_by(persons.c.sort_key)
+    wanted = (_begins(persons.c.sort_key, words[0]), *(_holds(word) for word in words[1:]))
+    return _listed().where(*wanted).order_by(persons.c.sort_key)
 
 
 def _by_rest(words: list[str]) -> Select[Any]:
-    """Return the query of all others; those come first of whom a word begins with the first."""
-    rank = case((_holds(f" {words[0]}"), 0), else_=1)
-    others = (~_name_begins(words[0]), *(_holds(word) for word in words))
-    return _listed().where(*others).order_by(rank, persons.c.sort_key)
+    """Return the query of all others; as many have each of the words, some are soon found."""
+    others = (~_begins(persons.c.sort_key, words[0]), *(_holds(word) for word in words))
+    return _listed().where(*others).order_by(persons.c.sort_key)
 
 
-def _name_begins(word: str) -> ColumnElement[bool]:
-    key = persons.c.sort_key
-    return and_(key >= word, key < f"{word}{_LAST_CHARACTER}")
+def _begins(column: ColumnElement[str], word: str) -> ColumnElement[bool]:
+    return and_(column >= word, column < f"{word}{_LAST_CHARACTER}")
 
 
 def _holds(word: str) -> ColumnElement[bool]:
-    return persons.c.search_text.contains(word, autoescape=True)
+    return persons.c.search_text.contains(f" {word}", autoescape=True)
 
 
 def _with_free_pseudonym(connection: Connection, person: Person, taken: set[str]) -> Person:

@@ -275,6 +275,7 @@ def erase_identity(connection: Connection, person_id: str) -> None:
             name=persons.c.pseudonym,
             search_text="",
             sort_key="",
+            name_key="",
             birth_date=None,
             personal_number="",
             number_kind="",

@@ -63,6 +63,7 @@ persons = Table(
     Column("name", Text, nullable=False),
     Column("search_text", _bytewise(), nullable=False),
     Column("sort_key", _bytewise(), nullable=False, server_default="", index=True),
+    Column("name_key", _bytewise(), nullable=False, server_default=""),
     Column("birth_date", Date),
     _text("personal_number"),
     _text("number_kind"),
@@ -76,7 +77,17 @@ persons = Table(
     Column("last_seq", BigInteger, nullable=False, server_default="0", index=True),
     *_times(),
     Index("ix_persons_personal_number", "personal_number"),
+    Index("ix_persons_name_key_birth_date", "name_key", "birth_date"),
 )
+
+person_words = Table(
+    "person_words",
+    metadata,
+    Column("word", _bytewise(), primary_key=True),
+    Column("person_id", Text, ForeignKey("persons.id"), primary_key=True),
+    sqlite_with_rowid=False,
+)
+"""The words of each `persons.search_text`, written by triggers of the database."""
 
 contents = Table(
     "contents",
@@ -224,6 +235,8 @@ audit = Table(
     Column("previous_hash", Text, nullable=False),
     Column("hash", Text, nullable=False),
     Index("ix_audit_subject_id", "subject_id"),
+    Index("ix_audit_author_seq", "author", "seq"),
+    Index("ix_audit_at_seq", "at", "seq"),
 )
 
 audit_head = Table(

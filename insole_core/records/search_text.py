@@ -1,15 +1,21 @@
-"""How persons are found: by words of one line of folded text."""
+"""How persons are found: by the beginnings of the words of one line of folded text."""
 
 from __future__ import annotations
 
+import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from datetime import date
 from typing import Final
 
 MOST_KEY: Final = 80
-_LETTERS = str.maketrans({"ø": "o", "ł": "l", "đ": "d", "æ": "ae", "œ": "oe", "ı": "i"})
+MOST_WORD: Final = 40
+"""Letters of a word that count: an index of any database takes as many."""
+_LETTERS = str.maketrans({"ø": "o", "ł": "l", "đ": "d", "æ": "ae", "œ": "oe", "ı": "i", "’": "'"})
 """Letters that Unicode does not take apart into a base letter and an accent."""
+_NUMBER: Final = re.compile(r"[./+-]*\d[\d./+-]*")
+_FULL_SWEDISH: Final = 12
+"""Digits of a personal number with its century."""
 
 
 def fold(text: str) -> str:
@@ -27,34 +33,76 @@ def sort_key_of(name: str) -> str:
     return " ".join(fold(name).split())[:MOST_KEY]
 
 
+def name_key_of(name: str) -> str:
+    """Return the words of a name in one order: "Berg, Anna" is "Anna Berg"."""
+    return " ".join(sorted(fold(name).replace(",", " ").split()))
+
+
 def search_text_of(
     name: str, birth_date: date | None, personal_number: str, numbers: Iterable[str]
 ) -> str:
-    """Return the text that a person is found by; the name comes first.
+    """Return the text that a person is found by.
 
-    Every word follows a space, so that one that begins with what was typed is told from one that
-    only holds it.
+    Every word follows a space: a person is found by what stands after one. A word that only
+    begins another one is left out.
 
     Parameters
     ----------
     numbers
         Pseudonym and numbers of orders.
     """
-    words = [" ".join(fold(name).split()), *_writings(birth_date)]
-    digits = "".join(c for c in personal_number if c.isalnum())
-    words += [fold(personal_number), fold(digits)] if personal_number else []
-    words += [fold(number) for number in numbers]
-    return f" {' '.join(dict.fromkeys(word for word in words if word))}"
+    words = [*_words_of(name), *_writings(birth_date), *_words_of_number(personal_number)]
+    for number in numbers:
+        words += _words_of(number)
+    cut = list(dict.fromkeys(word[:MOST_WORD] for word in words if word))
+    longest = [w for w in cut if not any(o.startswith(w) for o in cut if o != w)]
+    return "".join(f" {word}" for word in longest)
 
 
 def search_words(text: str) -> list[str]:
     """Return the words of what somebody typed, as they stand in a search text."""
-    return list(dict.fromkeys(fold(text).split()))
+    words = (_plain(word)[:MOST_WORD] for word in fold(text).split())
+    return list(dict.fromkeys(word for word in words if word))
+
+
+def _words_of(text: str) -> Iterator[str]:
+    """Yield the words of a text, and what follows a sign within one, as in "Berg-Lund"."""
+    for word in fold(text).split():
+        for start in _starts(word):
+            yield _plain(word[start:])
+
+
+def _starts(word: str) -> Iterator[int]:
+    """Yield where somebody may begin to type a word.
+
+    That is at any letter of a script that writes no spaces, or has its article before the word.
+    """
+    for index, letter in enumerate(word[:MOST_WORD]):
+        follows_sign = index > 0 and letter.isalnum() and not word[index - 1].isalnum()
+        if index == 0 or follows_sign or unicodedata.category(letter) == "Lo":
+            yield index
+
+
+def _plain(word: str) -> str:
+    """Return the digits alone of a date or number, and any other word as it is.
+
+    In a date as 8.2.1970, days and months get two digits.
+    """
+    if _NUMBER.fullmatch(word) is None:
+        return word
+    *first, last = re.split(r"[./]", word)
+    return re.sub(r"\D", "", "".join([*(part.rjust(2, "0") for part in first), last]))
+
+
+def _words_of_number(number: str) -> Iterator[str]:
+    """Yield the words of a personal number, all of it in one, and that without its century."""
+    joined = "".join(letter for letter in fold(number) if letter.isalnum())
+    yield joined
+    if len(joined) == _FULL_SWEDISH and joined.isdecimal():
+        yield joined[2:]
+    yield from _words_of(number)
 
 
 def _writings(day: date | None) -> list[str]:
-    """Return a date as it is written in Sweden and Britain, in Germany, and in one row."""
-    if day is None:
-        return []
-    forms = ("%Y-%m-%d", "%Y%m%d", "%d.%m.%Y", "%d/%m/%Y")
-    return [day.strftime(form) for form in forms]
+    """Return the digits of a date as it is written in Sweden, short, and in other countries."""
+    return [] if day is None else [day.strftime(form) for form in ("%Y%m%d", "%y%m%d", "%d%m%Y")]

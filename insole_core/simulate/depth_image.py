@@ -16,7 +16,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter, uniform_filter
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, RawArray
 from insole_core.geometry.transforms import transform
@@ -115,7 +115,7 @@ def _slant_deg(normals: FloatArray, directions: FloatArray) -> FloatArray:
 def _is_matchable(raw: FloatArray) -> BoolArray:
     """Return where the matching window is complete and enough of it has a surface."""
     valid = np.isfinite(raw)
-    support = uniform_filter(valid.astype(float), WINDOW_PX, mode="nearest")
+    support = scipy.ndimage.uniform_filter(valid.astype(float), WINDOW_PX, mode="nearest")
     matchable = valid & (support >= _LEAST_SUPPORT)
     matchable[:, BLIND_COLUMNS] = False
     return matchable
@@ -123,7 +123,7 @@ def _is_matchable(raw: FloatArray) -> BoolArray:
 
 def _correlated_noise(shape: tuple[int, int], rng: np.random.Generator) -> FloatArray:
     """Draw unit noise, correlated over about 4 px because neighbouring windows share dots."""
-    smooth = gaussian_filter(rng.standard_normal(shape), _CORRELATION_PX)
+    smooth = scipy.ndimage.gaussian_filter(rng.standard_normal(shape), _CORRELATION_PX)
     share = _UNCORRELATED_SHARE
     white = rng.standard_normal(shape)
     return np.asarray(np.sqrt(1 - share) * smooth / smooth.std() + np.sqrt(share) * white)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.polynomial import chebyshev
-from scipy.ndimage import gaussian_filter
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
@@ -112,7 +112,9 @@ def make_device(
     disparity = _disparity(focal_px, rng)
     distortion = _distortion(rng)
     residual = _unit(
-        gaussian_filter(rng.standard_normal((_HEIGHT, _WIDTH)), _RESIDUAL_CORRELATION_PX)
+        scipy.ndimage.gaussian_filter(
+            rng.standard_normal((_HEIGHT, _WIDTH)), _RESIDUAL_CORRELATION_PX
+        )
     )
     sensor = Sensor(
         model="kinect-v1",

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.simulate.foot_shape import FootShape
@@ -182,7 +182,7 @@ def _profiles(table: Mapping[str, tuple[float, ...]], at: FloatArray) -> list[Fl
     """Interpolate all rows of a table but the first, at coordinates along the first."""
     stations, *rows = (np.array(row, dtype=float) for row in table.values())
     inside = np.clip(at, stations[0], stations[-1])
-    return [np.asarray(PchipInterpolator(stations, row)(inside)) for row in rows]
+    return [np.asarray(scipy.interpolate.PchipInterpolator(stations, row)(inside)) for row in rows]
 
 
 def _smooth_step(share: FloatArray) -> FloatArray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -89,8 +89,8 @@ def _surface(field: FootField, rng: np.random.Generator, cell_mm: float) -> Tria
     length_mm = max(field.shape.length_mm, float(field.toe_tips()[:, 1].max()))
     high = np.array([half_width, length_mm + _MARGIN_MM, LEG_HEIGHT_MM + _MARGIN_MM])
     x, y, z = (np.arange(a, b, cell_mm) for a, b in zip(low, high, strict=True))
-    values = gaussian_filter(field.sample(x, y, z), _SMOOTHING_CELLS)
-    relief = gaussian_filter(rng.standard_normal(values.shape), _RELIEF_CELLS)
+    values = scipy.ndimage.gaussian_filter(field.sample(x, y, z), _SMOOTHING_CELLS)
+    relief = scipy.ndimage.gaussian_filter(rng.standard_normal(values.shape), _RELIEF_CELLS)
     return extract_surface(values + _RELIEF_MM / relief.std() * relief, low, cell_mm)
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy.ndimage import binary_erosion
+import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
@@ -244,7 +244,9 @@ class _Survey:
     @cached_property
     def inner(self) -> BoolArray:
         """(ny, nx) pixels away from the rim."""
-        return np.asarray(binary_erosion(np.isfinite(self.seen[0]), iterations=_RIM_PIXELS))
+        return np.asarray(
+            scipy.ndimage.binary_erosion(np.isfinite(self.seen[0]), iterations=_RIM_PIXELS)
+        )
 
     def place(self, index: tuple[int, ...]) -> Place:
         return _rounded(np.array([*self.places[index], self.seen[0][index]]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.outline_curve import evenly_spread
@@ -37,7 +37,9 @@ def behind_front_mm(outline: FloatArray, field: HeightField) -> FloatArray:
     front += slopes[0] * np.minimum(field.x_mm - x[0], 0)
     front += slopes[1] * np.maximum(field.x_mm - x[-1], 0)
     sigma = _SIGMA_MM / field.step_mm
-    slope = gaussian_filter1d(np.gradient(front, field.step_mm), sigma, mode="nearest")
+    slope = scipy.ndimage.gaussian_filter1d(
+        np.gradient(front, field.step_mm), sigma, mode="nearest"
+    )
     return np.asarray((front - field.y_mm[:, None]) / np.hypot(1.0, slope))
 
 

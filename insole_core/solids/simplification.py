@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import manifold3d
 import numpy as np
-from scipy.spatial import KDTree
+import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray, IntArray
@@ -117,7 +117,7 @@ def distances_to(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
         Never smaller than the true distance.
     """
     places, triangle = _covering(mesh)
-    tree = KDTree(places)
+    tree = scipy.spatial.KDTree(places)
     distance = np.full(len(points), np.inf)
     for neighbours in _NEIGHBOURS:
         far = np.flatnonzero(distance > _NEAR_MM)

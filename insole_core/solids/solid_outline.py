@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from scipy.spatial import KDTree
+import scipy
 
 from insole_core.errors import DesignError
 from insole_core.foot.landmarks import find_landmarks
@@ -118,7 +118,7 @@ def _away_from(polygon: FloatArray, places: FloatArray) -> tuple[FloatArray, Flo
     dense = _densified(polygon)
     along = np.roll(dense, -1, axis=0) - dense
     normals = along[:, ::-1] * [1, -1] / np.linalg.norm(along, axis=1, keepdims=True)
-    _, nearest = KDTree(dense).query(places)
+    _, nearest = scipy.spatial.KDTree(dense).query(places)
     before, after = np.asarray(nearest) - 1, np.asarray(nearest)
     share = [_share(places - dense[side], along[side]) for side in (before, after)]
     ways = [

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 from insole_core.errors import UsageError
-from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.mesh_file import Unit, read_mesh
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
+from insole_core.scans.mesh_file import Unit
+from insole_core.workflows.import_scan import ImportChoice, examine_scan, take_foot
 from insole_core.workflows.make_foot import make_foot, open_session
-from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
+from insole_core.workflows.scanned_foot import ScannedFoot
 
 
 def open_scan(
@@ -83,8 +82,9 @@ def _mesh_foot(
         raise UsageError(
             "{path} is a mesh, which does not say which foot it is; add --side.", path=path
         )
-    progress.step(0.0, "Reading the scan")
-    read = read_mesh(path, unit)
-    progress.step(0.3, "Finding the pose of the foot")
-    foot = place_foot(read.mesh, side, frame="unknown", force=force)
-    return ScannedFoot(replace(foot, notes=(*read.notes, *foot.notes)), mesh_source(path))
+    choice = ImportChoice(side=side, unit=unit, force=force)
+    examination = examine_scan(path, choice, progress)
+    feet = examination.feet
+    found = next((foot for foot in feet if foot.candidates[0].side is side), feet[0])
+    candidate = next(one for one in found.candidates if one.side is side)
+    return take_foot(examination, found, candidate, choice)

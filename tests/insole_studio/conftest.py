@@ -1,4 +1,4 @@
-"""What the tests of the window share: a small foot, a whole application, and a check for leaks."""
+"""What the tests of the window share: a foot, an application, its record, a check for leaks."""
 
 from __future__ import annotations
 
@@ -18,15 +18,14 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.case_record import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
-from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
-from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.fields_dialog import Field
 
@@ -52,9 +51,6 @@ class CannedQuestions:
     """Answers without asking; a test sets what."""
 
     def __init__(self) -> None:
-        self.side: Side | None = Side.LEFT
-        self.side_after_all: Side | None = None
-        self.units: list[Unit | None] = []
         self.anyway = False
         self.unsaved = Answer.DISCARD
         self.replace = True
@@ -66,15 +62,6 @@ class CannedQuestions:
 
     def on(self, _window: object) -> CannedQuestions:
         return self
-
-    def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
-        self.asked.append(trouble or "side")
-        unit = self.units.pop(0) if self.units else None
-        return None if self.side is None else ScanAnswer(self.side, unit)
-
-    def which_side_after_all(self, sentence: str, _asked: Side) -> Side | None:
-        self.asked.append(sentence)
-        return self.side_after_all
 
     def open_anyway(self, sentence: str) -> bool:
         self.asked.append(sentence)
@@ -252,3 +239,38 @@ def opened(app: Application, settle: Callable[[], None]) -> Application:
     app.case.open_foot(plantar_foot(Side.LEFT), ScanSource("mesh", "/nowhere/foot.ply", "0" * 64))
     settle()
     return app
+
+
+@pytest.fixture
+def clinic(app: Application, qtbot: QtBot) -> Application:
+    """The application on its start page, with a new record."""
+    record = app.services.clinic
+    app.window.resize(1366, 768)
+    app.features.records.show_start()
+    record.open()
+    qtbot.waitUntil(lambda: record.is_open, timeout=20_000)
+    return app
+
+
+@pytest.fixture
+def records(clinic: Application) -> Records:
+    """The record that the window has open, to look into it from outside."""
+    return clinic.services.clinic.ask_now(lambda found: found)
+
+
+@pytest.fixture
+def rest(qtbot: QtBot, clinic: Application) -> Callable[[], None]:
+    """Wait until the record and the window have nothing left to do."""
+
+    def is_at_rest() -> bool:
+        all_jobs = (
+            clinic.services.clinic.jobs,
+            clinic.jobs,
+            clinic.features.clinic.backups.jobs,
+        )
+        return not any(jobs.is_running() for jobs in all_jobs)
+
+    def wait() -> None:
+        qtbot.waitUntil(is_at_rest, timeout=30_000)
+
+    return wait

@@ -20,7 +20,6 @@ import insole_studio
 from insole_core.calibration.boards.board import Chequerboard
 from insole_core.calibration.plausibility import USUAL_DEPTH, find_misfit
 from insole_core.errors import CalibrationError, InputError
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_kinds import pad_name
 from insole_core.insole.prescription.design import InsoleDesign, Shell
@@ -28,6 +27,7 @@ from insole_core.insole.prescription.design_differences import LABELS, WORDS
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.solids.shop import read_shop

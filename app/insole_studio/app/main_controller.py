@@ -195,9 +195,9 @@ class MainController(QObject):
     def _tell_handed_over(self, name: str, conflicted: bool) -> None:
         if conflicted:
             sentence = tr(
-                "{name}: somebody else changed the same foot while the record did not answer. "
-                "Theirs is the newest version; what was changed here is kept beside it, see "
-                "“Versions…” on the patient's page."
+                "{name}: somebody else changed the same foot or field while the record did not "
+                "answer. Theirs counts; what was changed here is kept beside it: feet under "
+                "“Versions…” on the patient's page, fields in the notes of the visit."
             )
         else:
             sentence = tr("{name}: what was not saved yet is now in the record.")

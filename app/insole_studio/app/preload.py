@@ -6,7 +6,16 @@ from importlib import import_module
 
 from PySide6.QtCore import QObject, QTimer
 
-MODULES = ("trimesh", "matplotlib.pyplot", "pyvista", "pyvista.plotting", "pyvistaqt")
+MODULES = (
+    "scipy.spatial",
+    "scipy.ndimage",
+    "scipy.interpolate",
+    "scipy.sparse.linalg",
+    "matplotlib.pyplot",
+    "pyvista",
+    "pyvista.plotting",
+    "pyvistaqt",
+)
 """In parts of less than half a second: between two of them the window answers."""
 PAUSE_MS = 50
 

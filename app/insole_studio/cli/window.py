@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import sys
 from pathlib import Path
 
@@ -21,6 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Open the window and return when it is closed."""
+    gc.disable()  # modules leave no garbage while they load; then the window collects by itself
     from insole_studio.app.bootstrap import run_application
 
     paths = [arguments.path] if arguments.path else []

@@ -12,12 +12,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.errors import InsoleError, Unreachable
 from insole_core.progress import Progress
+from insole_core.records.author import Author, Role
 from insole_studio.document.record_location import RecordLocation
 from insole_studio.jobs import Jobs
 
 if TYPE_CHECKING:
     from insole_core.messages import Message
-    from insole_core.records.author import Author
     from insole_core.records.records import Records
 
 log = logging.getLogger(__name__)
@@ -98,6 +98,12 @@ class ClinicRecord(QObject):
     def author(self) -> Author | None:
         """Whose changes these are; None before the record is open."""
         return None if self._records is None else self._records.who
+
+    @property
+    def may_show_patients(self) -> bool:
+        """Whether whoever works here may see patients, which an administrator may not."""
+        author = self.author
+        return author is None or author.role is not Role.ADMINISTRATOR
 
     @property
     def is_read_only(self) -> bool:
@@ -299,7 +305,6 @@ def _not_open() -> InsoleError:
 
 
 def _open(location: RecordLocation) -> _Opened:
-    from insole_core.records.author import Author
     from insole_core.records.open import open_records
 
     records = open_records(location.place(), Author.of_user())

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError, Unreachable
 from insole_studio.document.autosave import Recovered, find_recovered
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
+from insole_studio.texts import tr
 
 if TYPE_CHECKING:
+    from insole_core.records.author import Author
     from insole_core.records.records import Records
     from insole_core.workflows.records.keep_case import KeptChange
 
@@ -21,7 +25,8 @@ class HandOver(QObject):
     """Stores journals of visits as soon as the record can be asked; none is removed before.
 
     Where somebody else has changed the same foot meanwhile, theirs stays the newest version, and
-    what the journal holds becomes a version before it.
+    what the journal holds becomes a version before it. Of a field that both have changed, theirs
+    stays, and what the journal holds is added to the notes of the visit.
 
     Parameters
     ----------
@@ -30,7 +35,7 @@ class HandOver(QObject):
     """
 
     handed_over = Signal(str, bool)
-    """Emitted with the patient's name, and whether somebody else had changed the same foot."""
+    """Emitted with the patient's name, and whether somebody else had changed the same, too."""
     refused = Signal(object)
     """Emitted with journals (`Recovered`) that the record cannot take, as it cannot be opened."""
     failed = Signal(object)
@@ -40,7 +45,8 @@ class HandOver(QObject):
         self._clinic = clinic
         self._folder = folder
         self._waiting: list[Recovered] = []
-        self._was_away = False
+        self._looks_again = False
+        self._author: Author | None = None
         clinic.state_changed.connect(self._go_on)
 
     def take(self, journals: Sequence[Recovered]) -> None:
@@ -55,23 +61,36 @@ class HandOver(QObject):
         self._waiting.clear()
 
     def _go_on(self) -> None:
-        state = self._clinic.state
-        if state is RecordState.AWAY:
-            self._was_away = True
-        elif state is RecordState.REFUSED and self._waiting:
+        clinic = self._clinic
+        if clinic.state is RecordState.AWAY:
+            self._looks_again = True
+        elif clinic.state is RecordState.REFUSED and self._waiting:
             waiting, self._waiting = self._waiting, []
             self.refused.emit(waiting)
-        elif state is RecordState.OPEN:
-            if self._was_away:
-                self._was_away = False
-                found = find_recovered(self._folder)
-                self._waiting += [journal for journal in found if journal.visit is not None]
-                for journal in found:
-                    if journal.visit is None:
-                        journal.release()
-            waiting, self._waiting = self._waiting, []
-            for journal in waiting:
-                self._hand_over(journal)
+        elif clinic.is_open:
+            self._note_author()
+            if clinic.may_show_patients:
+                self._hand_over_all()
+
+    def _hand_over_all(self) -> None:
+        if self._looks_again:
+            self._look_again()
+        waiting, self._waiting = self._waiting, []
+        for journal in waiting:
+            self._hand_over(journal)
+
+    def _note_author(self) -> None:
+        """Look again for what was set aside when somebody else has signed in."""
+        before, self._author = self._author, self._clinic.author
+        self._looks_again |= before is not None and before != self._author
+
+    def _look_again(self) -> None:
+        self._looks_again = False
+        found = find_recovered(self._folder)
+        self._waiting += [journal for journal in found if journal.visit is not None]
+        for journal in found:
+            if journal.visit is None:
+                journal.release()
 
     def _hand_over(self, journal: Recovered) -> None:
         def keep(records: Records) -> KeptChange:
@@ -82,7 +101,8 @@ class HandOver(QObject):
                 missed(change.trouble)
                 return
             journal.discard()
-            self.handed_over.emit(journal.record.patient.name, bool(change.conflicts))
+            collided = bool(change.conflicts or change.collided)
+            self.handed_over.emit(journal.record.patient.name, collided)
 
         def missed(error: Exception) -> None:
             self._waiting.append(journal)
@@ -105,4 +125,22 @@ def _keep(records: Records, journal: Recovered) -> KeptChange:
     for conflict in kept.conflicts.values():
         theirs = records.prescriptions.read(conflict.theirs.id)
         records.prescriptions.settle(visit.visit_id, conflict.mine, conflict.theirs, theirs)
+    if kept.collided and kept.theirs is not None and kept.trouble is None:
+        notes = _with_mine(kept.theirs.notes, journal.record.patient, kept.collided)
+        noted = CaseRecord(replace(kept.theirs, notes=notes))
+        added = keep_case(records, CaseChange(visit.visit_id, kept.theirs, noted, {}))
+        return replace(kept, trouble=added.trouble)
     return kept
+
+
+def _with_mine(notes: str, mine: Patient, collided: Sequence[str]) -> str:
+    """Return notes with what the fields were changed to here below them."""
+    labels = {
+        "name": tr("Name"),
+        "born": tr("Born"),
+        "visit": tr("Day"),
+        "pseudonym": tr("Pseudonym"),
+    }
+    lines = [f"{labels[n]}: {getattr(mine, n)}" for n in collided if n in labels]
+    lines += [mine.notes] if "notes" in collided else []
+    return "\n".join((notes, *lines)).strip()

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
+import scipy
 from PySide6.QtCore import QObject, Signal
-from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
@@ -128,7 +128,7 @@ class RimModel(QObject):
         if curve is None or outline is None:
             return np.zeros(0, dtype=bool)
         if not _same(self._reached_of, (curve.edge, outline)):
-            away, _ = KDTree(outline).query(curve.edge.points_mm)
+            away, _ = scipy.spatial.KDTree(outline).query(curve.edge.points_mm)
             self._reached_of = curve.edge, outline
             self._reached = np.asarray(away < BESIDE_MM)
         return self._reached

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.level_lines import level_lines
@@ -74,7 +74,7 @@ def _labels(
         here = places[gentle & (number == level)]
         others = places[number != level]
         around = np.concatenate([others, rim])[:, :2]
-        room = np.asarray(cKDTree(around).query(here[:, :2])[0])
+        room = np.asarray(scipy.spatial.cKDTree(around).query(here[:, :2])[0])
         for place, _ in labels:
             near = np.linalg.norm(here[:, :2] - place[:2], axis=1) < _LABEL_GAP_MM
             room[near] = 0.0

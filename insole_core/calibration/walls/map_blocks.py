@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from scipy import sparse
+import scipy
 
 from insole_core.calibration.walls.wall_plane import WallFit
 from insole_core.geometry.arrays import BoolArray, FloatArray
@@ -67,19 +67,21 @@ def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> MapBlocks:
     )
 
 
-def bending(shape: tuple[int, int]) -> sparse.csc_array:
+def bending(shape: tuple[int, int]) -> scipy.sparse.csc_array:
     """Return the quadratic form of the squared second differences of a map of blocks."""
     height, width = shape
-    across, down = sparse.eye_array(width), sparse.eye_array(height)
-    operator = sparse.vstack(
+    across, down = scipy.sparse.eye_array(width), scipy.sparse.eye_array(height)
+    operator = scipy.sparse.vstack(
         [
-            sparse.kron(down, _differences(width, (1.0, -2.0, 1.0))),
-            sparse.kron(_differences(height, (1.0, -2.0, 1.0)), across),
+            scipy.sparse.kron(down, _differences(width, (1.0, -2.0, 1.0))),
+            scipy.sparse.kron(_differences(height, (1.0, -2.0, 1.0)), across),
             np.sqrt(2.0)
-            * sparse.kron(_differences(height, (-1.0, 1.0)), _differences(width, (-1.0, 1.0))),
+            * scipy.sparse.kron(
+                _differences(height, (-1.0, 1.0)), _differences(width, (-1.0, 1.0))
+            ),
         ]
     )
-    return sparse.csc_array(operator.T @ operator)
+    return scipy.sparse.csc_array(operator.T @ operator)
 
 
 def to_pixels(values: FloatArray, shape: tuple[int, int]) -> FloatArray:
@@ -107,9 +109,9 @@ def _means(image: FloatArray) -> FloatArray:
     return np.asarray(blocks.mean(axis=(1, 3)).ravel())
 
 
-def _differences(count: int, stencil: tuple[float, ...]) -> sparse.dia_array:
+def _differences(count: int, stencil: tuple[float, ...]) -> scipy.sparse.dia_array:
     rows = count - len(stencil) + 1
-    return sparse.diags_array(
+    return scipy.sparse.diags_array(
         [np.full(rows, value) for value in stencil],
         offsets=list(range(len(stencil))),
         shape=(rows, count),

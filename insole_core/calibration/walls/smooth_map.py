@@ -16,8 +16,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse.linalg import splu
+import scipy
 
 from insole_core.calibration.walls.map_blocks import MapBlocks, bending
 from insole_core.geometry.arrays import FloatArray
@@ -133,7 +132,7 @@ def solve_map(blocks: MapBlocks, smoothing: Smoothing) -> BlockMap:
 def _factor(
     weight: FloatArray,
     t: FloatArray,
-    stiffness: sparse.csc_array,
+    stiffness: scipy.sparse.csc_array,
     smoothing: Smoothing,
     decay: float,
 ) -> _Factor:
@@ -141,10 +140,10 @@ def _factor(
 
     The last term is slope_shrink (S + decay D)².
     """
-    unit = smoothing.slope_shrink * sparse.eye_array(weight.shape[1])
+    unit = smoothing.slope_shrink * scipy.sparse.eye_array(weight.shape[1])
     cross = _diagonal((weight * t).sum(0)) + decay * unit
     gauge = _GAUGE * len(weight)
-    normal = sparse.block_array(
+    normal = scipy.sparse.block_array(
         [
             [
                 _diagonal(weight.sum(0) + gauge) + smoothing.offset * stiffness + decay**2 * unit,
@@ -154,7 +153,7 @@ def _factor(
         ],
         format="csc",
     )
-    factor: _Factor = splu(
+    factor: _Factor = scipy.sparse.linalg.splu(
         normal,
         permc_spec="MMD_AT_PLUS_A",
         diag_pivot_thresh=0.0,
@@ -248,5 +247,5 @@ def _unit_std(factor: _Factor, shape: tuple[int, int], unknowns: int) -> FloatAr
     return np.asarray(full.ravel())
 
 
-def _diagonal(values: FloatArray) -> sparse.dia_array:
-    return sparse.diags_array([values], offsets=[0])
+def _diagonal(values: FloatArray) -> scipy.sparse.dia_array:
+    return scipy.sparse.diags_array([values], offsets=[0])

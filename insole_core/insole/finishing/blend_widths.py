@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d, maximum_filter1d
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.edge_distance import (
@@ -57,7 +57,9 @@ def asked_widths(place: EdgeDistance, finish: Finish) -> FloatArray:
     """Return the widths (n,), mm, that a finish asks for at the points of the edge."""
     heel, arch, forefoot = finish.heel_blend_mm, finish.arch_blend_mm, finish.forefoot_blend_mm
     widths = np.interp(place.edge.along, _ZONES_ALONG, (heel, arch, arch, forefoot))
-    return np.asarray(gaussian_filter1d(widths, _SIGMA_MM / place.edge.step_mm, mode="wrap"))
+    return np.asarray(
+        scipy.ndimage.gaussian_filter1d(widths, _SIGMA_MM / place.edge.step_mm, mode="wrap")
+    )
 
 
 def blend_widths(
@@ -90,8 +92,8 @@ def blend_widths(
     needed_mm = np.maximum(lines.depth_mm[chosen], asked_mm)
     step_mm = place.edge.step_mm
     size = 2 * round(_SPREAD_MM / step_mm) + 1
-    wide_mm = maximum_filter1d(needed_mm - asked_mm, size, mode="wrap")
-    wide_mm = gaussian_filter1d(wide_mm, _SIGMA_MM / step_mm, mode="wrap")
+    wide_mm = scipy.ndimage.maximum_filter1d(needed_mm - asked_mm, size, mode="wrap")
+    wide_mm = scipy.ndimage.gaussian_filter1d(wide_mm, _SIGMA_MM / step_mm, mode="wrap")
     width_mm = np.minimum(asked_mm + wide_mm, most_mm)
     return BlendWidths(asked_mm, width_mm, lines.room_mm, is_steep)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter, map_coordinates
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
@@ -74,7 +74,9 @@ def expanded(
     backwards = expansion_mm * (1 - smoother_step(share, 0.0, _HEEL_CENTRE))
     rows, columns = np.indices(field.heights_mm.shape, dtype=np.float64)
     places = rows + backwards / field.step_mm, columns - medial_sign * sideways / field.step_mm
-    return np.asarray(map_coordinates(field.heights_mm, places, order=3, mode="nearest"))
+    return np.asarray(
+        scipy.ndimage.map_coordinates(field.heights_mm, places, order=3, mode="nearest")
+    )
 
 
 @dataclass(frozen=True)
@@ -151,7 +153,7 @@ def without_folds(field: HeightField, level_over: BoolArray, sigma_mm: float) ->
     heights = field.heights_mm
     if sigma_mm <= 0:
         return heights
-    even = gaussian_filter(heights, sigma_mm / field.step_mm, mode="nearest")
+    even = scipy.ndimage.gaussian_filter(heights, sigma_mm / field.step_mm, mode="nearest")
     if level_over.any():
         even += (heights - even)[level_over].mean()
     return np.asarray(even)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import KDTree
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
@@ -97,7 +97,7 @@ class Edge:
 
     def nearest_arc_mm(self, x_mm: float, y_mm: float) -> float:
         """Return the arc length of the edge's point nearest to a place, insole frame."""
-        _, nearest = KDTree(self.points_mm).query([x_mm, y_mm])
+        _, nearest = scipy.spatial.KDTree(self.points_mm).query([x_mm, y_mm])
         return float(self.arc_mm[nearest])
 
 

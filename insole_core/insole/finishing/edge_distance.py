@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt
-from scipy.spatial import KDTree
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
@@ -84,7 +83,7 @@ class EdgeDistance:
         Of two equally near ones a mirrored insole takes the mirrored one.
         """
         flip = int(-self.edge.turn)
-        row, column = distance_transform_edt(
+        row, column = scipy.ndimage.distance_transform_edt(
             ~self.plate.nodes[:, ::flip], return_distances=False, return_indices=True
         )
         if flip < 0:
@@ -125,7 +124,7 @@ def _measured(edge: Edge, field: HeightField) -> EdgeDistance:
 def _from_edge(edge: Edge, places: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return how far places (k, 2) lie inside the edge, and the arc length of its nearest point."""
     points = edge.points_mm
-    _, nearest = KDTree(points).query(places)
+    _, nearest = scipy.spatial.KDTree(points).query(places)
     best_mm = np.full(len(places), np.inf)
     arc_mm, side = np.zeros(len(places)), np.zeros(len(places))
     for start in (np.asarray(nearest) - 1, np.asarray(nearest)):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import gcd
 
 import numpy as np
-from scipy.linalg import cho_solve_banded, cholesky_banded
+import scipy
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 
@@ -143,12 +143,16 @@ class _RingSystem:
         entries = band.reshape(-1)
         entries[self.entries[0]] = -2 * (stiffness + after)
         entries[self.entries[1]] = after
-        factor = cholesky_banded(band, overwrite_ab=True, lower=True, check_finite=False)
+        factor = scipy.linalg.cholesky_banded(
+            band, overwrite_ab=True, lower=True, check_finite=False
+        )
 
         def solve(right: FloatArray) -> FloatArray:
             folded = np.empty(right.size)
             folded[self.place] = right
-            solved = cho_solve_banded((factor, True), folded, overwrite_b=True, check_finite=False)
+            solved = scipy.linalg.cho_solve_banded(
+                (factor, True), folded, overwrite_b=True, check_finite=False
+            )
             return np.asarray(solved[self.place])
 
         return solve

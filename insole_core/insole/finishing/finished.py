@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
@@ -172,7 +172,9 @@ def _along_edge(place: EdgeDistance, field: HeightField) -> FloatArray:
     """Return the smoothed heights (n,) of a field at the points of the edge."""
     edge = place.edge
     heights = field.height_at(edge.points_mm)
-    return np.asarray(gaussian_filter1d(heights, RIM_SIGMA_MM / edge.step_mm, mode="wrap"))
+    return np.asarray(
+        scipy.ndimage.gaussian_filter1d(heights, RIM_SIGMA_MM / edge.step_mm, mode="wrap")
+    )
 
 
 def _factorised(foot: Foot, outline: Outline, place: EdgeDistance, zones: Zones) -> SprungPlate:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
-from scipy.spatial import KDTree
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
@@ -31,6 +30,8 @@ def flank_heights(foot: Foot, outline: Outline) -> FloatArray:
 def _measured(foot: Foot, edge: Edge) -> FloatArray:
     points = foot.even.points
     low = points[points[:, 2] <= _HIGHEST_MM]
-    beside = KDTree(low[:, :2]).query_ball_point(edge.points_mm, _BESIDE_MM)
+    beside = scipy.spatial.KDTree(low[:, :2]).query_ball_point(edge.points_mm, _BESIDE_MM)
     highest = np.array([low[near, 2].max(initial=0.0) for near in beside])
-    return np.asarray(gaussian_filter1d(highest, _SIGMA_MM / edge.step_mm, mode="wrap"))
+    return np.asarray(
+        scipy.ndimage.gaussian_filter1d(highest, _SIGMA_MM / edge.step_mm, mode="wrap")
+    )

@@ -10,8 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
@@ -112,7 +111,7 @@ class Rim:
         if not placed:
             return RimCurve(self.edge, fair_heights(self.contact_mm, self.edge.step_mm), ())
         knots = list(_without_twins(placed, self.edge.length_mm))
-        even = gaussian_filter1d(
+        even = scipy.ndimage.gaussian_filter1d(
             self._interpolated(knots), RIM_SIGMA_MM / self.edge.step_mm, mode="wrap"
         )
         return RimCurve(self.edge, fair_heights(even, self.edge.step_mm), tuple(placed))
@@ -156,7 +155,9 @@ class Rim:
         turns = np.arange(-_TURNS, _TURNS + 1) * length_mm
         arcs = (arc_mm[order] + turns[:, None]).ravel()
         return np.asarray(
-            PchipInterpolator(arcs, np.tile(height_mm[order], len(turns)))(self.edge.arc_mm)
+            scipy.interpolate.PchipInterpolator(arcs, np.tile(height_mm[order], len(turns)))(
+                self.edge.arc_mm
+            )
         )
 
     def _way(self, start: PlacedStation, end: PlacedStation) -> FloatArray:

@@ -12,9 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import cho_solve_banded, cholesky_banded
-from scipy.sparse import csr_matrix, diags_array, vstack
-from scipy.sparse.csgraph import reverse_cuthill_mckee
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.insole.surface.height_field import HeightField
@@ -50,8 +48,8 @@ class Plate:
 
     nodes: BoolArray
     step_mm: float
-    energy: csr_matrix
-    from_edge: csr_matrix
+    energy: scipy.sparse.csr_matrix
+    from_edge: scipy.sparse.csr_matrix
 
     @classmethod
     def over(cls, field: HeightField, nodes: BoolArray, edge_points_mm: FloatArray) -> Plate:
@@ -67,7 +65,7 @@ class Plate:
         step = field.step_mm
         rows = [_differences(number, *stencil, scale=1 / step) for stencil in _CURVATURES]
         rows += [_differences(number, *stencil, scale=TENSION_PER_MM) for stencil in _SLOPES]
-        stencils = vstack(rows).tocsr()
+        stencils = scipy.sparse.vstack(rows).tocsr()
         read = _interpolation(field, number, edge_points_mm)
         weighted = _EDGE_WEIGHT * read.T
         energy = (stencils.T @ stencils + weighted @ read).tocsr()
@@ -85,8 +83,8 @@ class Plate:
         held = np.isinf(springs)
         free, held_at = np.flatnonzero(~held), np.flatnonzero(held)
         rows = self.energy[free]
-        inner = (rows[:, free] + diags_array(springs[free])).tocsr()
-        order = reverse_cuthill_mckee(inner, symmetric_mode=True)
+        inner = (rows[:, free] + scipy.sparse.diags_array(springs[free])).tocsr()
+        order = scipy.sparse.csgraph.reverse_cuthill_mckee(inner, symmetric_mode=True)
         free = free[order]
         return SprungPlate(
             self,
@@ -118,8 +116,8 @@ class SprungPlate:
     free: IntArray
     held: IntArray
     factor: FloatArray
-    from_held: csr_matrix
-    from_edge: csr_matrix
+    from_held: scipy.sparse.csr_matrix
+    from_edge: scipy.sparse.csr_matrix
     springs: FloatArray
 
     def solve(self, goal_mm: FloatArray, edge_mm: FloatArray) -> FloatArray:
@@ -141,7 +139,9 @@ class SprungPlate:
         pull = self.from_edge @ edge_mm - self.from_held @ heights[self.held]
         pull += self.springs * heights[self.free]
         if len(self.free):
-            heights[self.free] = cho_solve_banded((self.factor, True), pull, check_finite=False)
+            heights[self.free] = scipy.linalg.cho_solve_banded(
+                (self.factor, True), pull, check_finite=False
+            )
         return np.asarray(heights)
 
 
@@ -151,7 +151,7 @@ def _differences(
     weights: tuple[float, ...],
     *,
     scale: float,
-) -> csr_matrix:
+) -> scipy.sparse.csr_matrix:
     """Return a row for each place of a stencil whose nodes all belong to the plate."""
     ny, nx = number.shape
     (top, left), (bottom, right) = np.min(offsets, axis=0), np.max(offsets, axis=0)
@@ -163,7 +163,9 @@ def _differences(
     return _rows(corners, np.tile(scale * np.array(weights), (len(corners), 1)), number)
 
 
-def _interpolation(field: HeightField, number: IntArray, places: FloatArray) -> csr_matrix:
+def _interpolation(
+    field: HeightField, number: IntArray, places: FloatArray
+) -> scipy.sparse.csr_matrix:
     """Return the matrix of the bilinear interpolation at places (m, 2)."""
     at = (places - [field.x0_mm, field.y0_mm]) / field.step_mm
     (j, i), (u, v) = np.floor(at).astype(int).T, (at % 1.0).T
@@ -172,13 +174,15 @@ def _interpolation(field: HeightField, number: IntArray, places: FloatArray) -> 
     return _rows(corners, shares, number)
 
 
-def _rows(corners: IntArray, weights: FloatArray, number: IntArray) -> csr_matrix:
+def _rows(corners: IntArray, weights: FloatArray, number: IntArray) -> scipy.sparse.csr_matrix:
     count, width = corners.shape
     ends = np.arange(count + 1) * width
-    return csr_matrix((weights.ravel(), corners.ravel(), ends), (count, int(number.max()) + 1))
+    return scipy.sparse.csr_matrix(
+        (weights.ravel(), corners.ravel(), ends), (count, int(number.max()) + 1)
+    )
 
 
-def _cholesky(matrix: csr_matrix) -> FloatArray:
+def _cholesky(matrix: scipy.sparse.csr_matrix) -> FloatArray:
     """Return the lower Cholesky factor of a banded matrix, in LAPACK's band storage."""
     entries = matrix.tocoo()
     below = entries.row - entries.col
@@ -188,4 +192,6 @@ def _cholesky(matrix: csr_matrix) -> FloatArray:
     band[below[lower], entries.col[lower]] = entries.data[lower]
     if not matrix.shape[0]:
         return band
-    return np.asarray(cholesky_banded(band, overwrite_ab=True, lower=True, check_finite=False))
+    return np.asarray(
+        scipy.linalg.cholesky_banded(band, overwrite_ab=True, lower=True, check_finite=False)
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.blend_widths import BlendWidths
@@ -83,6 +83,6 @@ def _beside_creases(within_mm: FloatArray, contact: HeightField) -> FloatArray:
         at_border = creased & (np.abs(within_mm) < _BESIDE_CREASE_MM)
         if not at_border.any():
             break
-        away_mm = distance_transform_edt(~at_border, sampling=contact.step_mm)
+        away_mm = scipy.ndimage.distance_transform_edt(~at_border, sampling=contact.step_mm)
         within_mm = np.minimum(within_mm, away_mm - _BESIDE_CREASE_MM)
     return within_mm

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.interpolate import RectBivariateSpline
+import scipy
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
@@ -65,7 +65,9 @@ def form_heights(form: Form, frame: FormFrame, xy: FloatArray) -> FloatArray:
     Beyond its outermost stations a form goes on as high as there.
     """
     along, across = frame.shares(xy)
-    surface = RectBivariateSpline(form.along_shares, form.across_shares, form.heights_mm)
+    surface = scipy.interpolate.RectBivariateSpline(
+        form.along_shares, form.across_shares, form.heights_mm
+    )
     heights = surface.ev(
         np.clip(along, form.along_shares[0], form.along_shares[-1]),
         np.clip(across, form.across_shares[0], form.across_shares[-1]),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import map_coordinates
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.build import Insole
@@ -86,7 +86,9 @@ def _heights_at(field: HeightField, xy: FloatArray) -> FloatArray:
     """Interpolate a field by cubics at points (..., 2); beyond it goes on as high as its edge."""
     column = (xy[..., 0] - field.x0_mm) / field.step_mm
     row = (xy[..., 1] - field.y0_mm) / field.step_mm
-    return np.asarray(map_coordinates(field.heights_mm, [row, column], mode="nearest"))
+    return np.asarray(
+        scipy.ndimage.map_coordinates(field.heights_mm, [row, column], mode="nearest")
+    )
 
 
 def _within(shares: FloatArray, limits: tuple[float, float]) -> BoolArray:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.insole.outline.outline_curve import evenly_spread, way_round
@@ -148,4 +148,4 @@ def _projected(rows: FloatArray, direction: FloatArray) -> FloatArray:
 
 def _nearest(among: FloatArray, places: FloatArray) -> IntArray:
     """Return the index of the nearest point of `among` to each of `places`."""
-    return np.asarray(cKDTree(among).query(places)[1])
+    return np.asarray(scipy.spatial.cKDTree(among).query(places)[1])

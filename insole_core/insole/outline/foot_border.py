@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d, grey_closing
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
@@ -54,8 +54,8 @@ def _find(foot: Foot) -> Border:
     known = np.flatnonzero(np.isfinite(reach))
     reach = np.interp(np.arange(count), known, reach[known], period=count)
     gap = round(_GAP_MM / _CELL_MM) + 1
-    reach = grey_closing(reach, size=(gap,), mode="wrap")
-    reach = gaussian_filter1d(reach, _EVENING_MM / _CELL_MM, mode="wrap")
+    reach = scipy.ndimage.grey_closing(reach, size=(gap,), mode="wrap")
+    reach = scipy.ndimage.gaussian_filter1d(reach, _EVENING_MM / _CELL_MM, mode="wrap")
     base, outward = track.at((np.arange(count) + 0.5) / count * track.round_mm)
     return Border(base + reach[:, None] * outward, outward)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
@@ -115,7 +115,9 @@ def smoothed_along(curve: FloatArray, sigma_mm: float) -> FloatArray:
     (n, 2) float64, mm
     """
     step_mm = float(np.hypot(*(curve[1] - curve[0])))
-    return np.asarray(gaussian_filter1d(curve, sigma_mm / step_mm, axis=0, mode="wrap"))
+    return np.asarray(
+        scipy.ndimage.gaussian_filter1d(curve, sigma_mm / step_mm, axis=0, mode="wrap")
+    )
 
 
 def _cross(a: FloatArray, b: FloatArray) -> FloatArray:

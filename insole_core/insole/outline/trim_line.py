@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+import scipy
 
 from insole_core.errors import DesignError
 from insole_core.foot.landmarks import HEADS, Landmarks
@@ -50,7 +50,9 @@ class TrimLine:
 
     def __init__(self, points: FloatArray) -> None:
         self._points = points[::-1]
-        self._spline = CubicSpline(self._points[:, 0], self._points[:, 1], bc_type="natural")
+        self._spline = scipy.interpolate.CubicSpline(
+            self._points[:, 0], self._points[:, 1], bc_type="natural"
+        )
 
     def y_mm(self, x_mm: FloatArray) -> FloatArray:
         """Return the curve's y; beyond its ends it goes straight on."""

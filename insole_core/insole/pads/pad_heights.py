@@ -10,8 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter, map_coordinates
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.pads.pad_shapes import DOMED, is_seen_whole, local_outline, pad2insole
@@ -156,7 +155,7 @@ class _Depth:
     def at(self, local: FloatArray) -> FloatArray:
         """Interpolate the distance at points (..., 2) linearly; negative beyond the grid."""
         index = (local.reshape(-1, 2) - self.first_mm).T / self.step_mm
-        distance = map_coordinates(self.values, index, order=1, cval=-1.0)
+        distance = scipy.ndimage.map_coordinates(self.values, index, order=1, cval=-1.0)
         return np.asarray(distance.reshape(local.shape[:-1]))
 
 
@@ -169,10 +168,10 @@ def _depth(curve: FloatArray) -> _Depth:
     x, y = (np.arange(-n, n + 1) * step for n in half)
     places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
     points, inward = _dense(curve, _OUTLINE_PITCH * step)
-    _, nearest = cKDTree(points).query(places)
+    _, nearest = scipy.spatial.cKDTree(points).query(places)
     # Along the edge's normal the distance does not depend on where the edge was sampled.
     values = ((places - points[nearest]) * inward[nearest]).sum(axis=-1)
-    values = gaussian_filter(values, _ROUNDING * values.max() / step, mode="nearest")
+    values = scipy.ndimage.gaussian_filter(values, _ROUNDING * values.max() / step, mode="nearest")
     return _Depth(-half * step, step, values)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.prescription.design import BrushStroke
@@ -31,7 +31,9 @@ def stroke_weight(stroke: BrushStroke, x_mm: FloatArray, y_mm: FloatArray) -> Fl
     """
     way = _dense(np.array(stroke.points_mm, dtype=float), _PITCH * stroke.radius_mm)
     x, y = np.meshgrid(x_mm, y_mm)
-    distance, _ = cKDTree(way).query(np.stack([x, y], axis=-1), distance_upper_bound=10_000.0)
+    distance, _ = scipy.spatial.cKDTree(way).query(
+        np.stack([x, y], axis=-1), distance_upper_bound=10_000.0
+    )
     return gaussian_hill(np.asarray(distance) / stroke.radius_mm)
 
 

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
-from scipy.ndimage import convolve, distance_transform_edt, gaussian_filter
+import scipy
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
@@ -309,7 +309,7 @@ def _without_fringe(known: BoolArray, step_mm: float) -> BoolArray:
     They are fragments of the flank, where a scan ends; filling between them would make pits.
     """
     for _ in range(max(round(_FRINGE_MM / step_mm), 1)):
-        around = convolve(known.astype(np.int8), _NEIGHBOURS, mode="constant")
+        around = scipy.ndimage.convolve(known.astype(np.int8), _NEIGHBOURS, mode="constant")
         firm = known & (around >= _FIRM_NEIGHBOURS)
         if not firm.any():
             return known
@@ -322,8 +322,8 @@ def _with_even_rim(heights: FloatArray, known: BoolArray, step_mm: float) -> Flo
 
     Nodes farther inside keep their height to the bit.
     """
-    inside_mm = distance_transform_edt(known) * step_mm
-    even = gaussian_filter(heights, _RIM_SIGMA_MM / step_mm, mode="nearest")
+    inside_mm = scipy.ndimage.distance_transform_edt(known) * step_mm
+    even = scipy.ndimage.gaussian_filter(heights, _RIM_SIGMA_MM / step_mm, mode="nearest")
     share = np.clip(inside_mm / _RIM_MM, 0, 1)
     return np.where(share < 1, even + share * (heights - even), heights)
 

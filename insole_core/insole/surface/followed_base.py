@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.interpolate import RectBivariateSpline
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
@@ -63,5 +63,5 @@ def followed_base(
 
 def _refined(coarse: HeightField, field: HeightField) -> FloatArray:
     """Interpolate heights at the nodes (ny, nx) of another field, without creases."""
-    spline = RectBivariateSpline(coarse.y_mm, coarse.x_mm, coarse.heights_mm)
+    spline = scipy.interpolate.RectBivariateSpline(coarse.y_mm, coarse.x_mm, coarse.heights_mm)
     return np.asarray(spline(field.y_mm, field.x_mm))

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import binary_fill_holes, distance_transform_edt, gaussian_filter
-from scipy.spatial import KDTree
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
@@ -64,17 +63,22 @@ def rim_band(
 def _without_gaps(measured: BoolArray, step_mm: float) -> BoolArray:
     """Close gaps and fill holes: only what lies beside the whole sole can become a wall."""
     margin, radius_mm = round(_GAP_MM / step_mm), _GAP_MM / 2
-    grown = distance_transform_edt(~np.pad(measured, margin), sampling=step_mm) <= radius_mm
-    closed = distance_transform_edt(grown, sampling=step_mm) > radius_mm
+    grown = (
+        scipy.ndimage.distance_transform_edt(~np.pad(measured, margin), sampling=step_mm)
+        <= radius_mm
+    )
+    closed = scipy.ndimage.distance_transform_edt(grown, sampling=step_mm) > radius_mm
     inner = (slice(margin, -margin), slice(margin, -margin))
-    return np.asarray(binary_fill_holes(closed[inner]))
+    return np.asarray(scipy.ndimage.binary_fill_holes(closed[inner]))
 
 
 def _beside_mm(covered: BoolArray, step_mm: float) -> FloatArray:
     """Return the distance from what is covered, evened: its border runs in steps of the grid."""
-    outer, inner = (distance_transform_edt(a, sampling=step_mm) for a in (~covered, covered))
+    outer, inner = (
+        scipy.ndimage.distance_transform_edt(a, sampling=step_mm) for a in (~covered, covered)
+    )
     from_border = np.where(covered, step_mm - inner, outer)
-    even = gaussian_filter(from_border, _EVEN_MM / step_mm, mode="nearest")
+    even = scipy.ndimage.gaussian_filter(from_border, _EVEN_MM / step_mm, mode="nearest")
     return np.where(covered, 0.0, np.maximum(even, 0.0))
 
 
@@ -84,5 +88,5 @@ def _inside_mm(curve: FloatArray, places: FloatArray) -> FloatArray:
     points = evenly_spread(curve, int(length_mm / _PITCH_MM))
     along = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
     inward = along[:, ::-1] * [-1, 1] / np.linalg.norm(along, axis=1, keepdims=True)
-    _, nearest = KDTree(points).query(places)
+    _, nearest = scipy.spatial.KDTree(points).query(places)
     return np.asarray(((places - points[nearest]) * inward[nearest]).sum(axis=1))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.boundary_extension import Boundary
@@ -132,7 +132,7 @@ def _lies_before(
     touching = _touching(beyond, normals, _TOUCHING_MM, _TOUCHING_FACING)
     if len(touching) == 0:
         return np.zeros(len(normals), dtype=bool)
-    touched = cKDTree(mesh.vertices[beyond.vertex[touching]])
+    touched = scipy.spatial.cKDTree(mesh.vertices[beyond.vertex[touching]])
     away, _ = touched.query(mesh.vertices, distance_upper_bound=reach_mm)
     sight = rim.eye_mm - mesh.vertices
     towards = np.einsum("nc,nc->n", normals, sight) / np.linalg.norm(sight, axis=1)

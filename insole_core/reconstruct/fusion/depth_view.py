@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import product
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray
 from insole_core.geometry.transforms import inverse, transform
@@ -68,8 +68,8 @@ class DepthView:
         return self.points(self.raw)[self.known]
 
     @cached_property
-    def _tree(self) -> cKDTree:
-        return cKDTree(self.surface_points)
+    def _tree(self) -> scipy.spatial.cKDTree:
+        return scipy.spatial.cKDTree(self.surface_points)
 
     @property
     def cut_edges(self) -> tuple[str, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import binary_dilation
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -78,7 +78,7 @@ def _near_cells(points: FloatArray, origin: FloatArray, limits: FieldLimits) -> 
     block = np.floor((points - origin) / (_BLOCK_CELLS * limits.cell_mm)).astype(np.int64)
     occupied = np.zeros(block.max(0) + 3, dtype=bool)
     occupied[tuple(block.T)] = True
-    occupied = binary_dilation(occupied, np.ones((3, 3, 3), bool))
+    occupied = scipy.ndimage.binary_dilation(occupied, np.ones((3, 3, 3), bool))
     for axis in range(3):
         occupied = occupied.repeat(_BLOCK_CELLS, axis)
     return occupied

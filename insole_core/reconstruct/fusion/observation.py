@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import sparse
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -38,7 +38,7 @@ class Observations:
         Derivative of each reading by the view's offset and tilts.
     """
 
-    design: sparse.csr_array[np.float64]
+    design: scipy.sparse.csr_array[np.float64]
     residuals: FloatArray
     information: FloatArray
     terms: FloatArray
@@ -75,7 +75,7 @@ def observe(
     slope = reading.raw_per_mm(depth_mm[good])
     weights = hits.weights[good] * (slope / along[good])[:, None]
     count = len(good)
-    design = sparse.csr_array(
+    design = scipy.sparse.csr_array(
         (weights.ravel(), corners[good].ravel(), np.arange(0, 3 * count + 1, 3)),
         (count, len(mesh.vertices)),
     )

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import cv2
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, transform
@@ -112,8 +112,8 @@ class OccludingContour:
     outward: FloatArray
 
     @cached_property
-    def _tree(self) -> cKDTree:
-        return cKDTree(self.pixels)
+    def _tree(self) -> scipy.spatial.cKDTree:
+        return scipy.spatial.cKDTree(self.pixels)
 
     @property
     def eye_mm(self) -> FloatArray:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse.linalg import LinearOperator, SuperLU, cg, splu
+import scipy
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
@@ -144,16 +143,16 @@ class _Plate:
         Its part of the normal equations, plus a small diagonal that makes them regular.
     """
 
-    bending: sparse.csr_array[np.float64]
+    bending: scipy.sparse.csr_array[np.float64]
     bent_mm: FloatArray
-    normal: sparse.csr_array[np.float64]
+    normal: scipy.sparse.csr_array[np.float64]
 
     @staticmethod
     def of(mesh: TriangleMesh, normals: FloatArray, stiffness: float) -> _Plate:
         bending = mesh.links.laplacian
         bent_mm = np.einsum("nc,nc->n", np.asarray(bending @ mesh.vertices), normals)
-        tiny = 1e-6 * sparse.eye_array(len(bent_mm))
-        normal = sparse.csr_array(stiffness * (bending.T @ bending) + tiny)
+        tiny = 1e-6 * scipy.sparse.eye_array(len(bent_mm))
+        normal = scipy.sparse.csr_array(stiffness * (bending.T @ bending) + tiny)
         return _Plate(bending, bent_mm, normal)
 
 
@@ -161,7 +160,7 @@ class _Plate:
 class _System:
     """The equations of all views and the prior."""
 
-    design: sparse.csr_array[np.float64]
+    design: scipy.sparse.csr_array[np.float64]
     terms: FloatArray
     residuals: FloatArray
     information: FloatArray
@@ -171,7 +170,7 @@ class _System:
     @staticmethod
     def of(seen: list[Observations], plate: _Plate, limits: RefinementLimits) -> _System:
         return _System(
-            sparse.csr_array(sparse.vstack([part.design for part in seen])),
+            scipy.sparse.csr_array(scipy.sparse.vstack([part.design for part in seen])),
             _block_diagonal([part.terms for part in seen]),
             np.concatenate([part.residuals for part in seen]),
             np.concatenate([part.information for part in seen]),
@@ -202,9 +201,9 @@ class _System:
 
     def inverse(self, weights: FloatArray) -> _Inverse:
         """Factorise the normal equations with the Schur complement of the views."""
-        weighted = sparse.diags_array(weights) @ self.design
-        solver = splu(
-            sparse.csc_array(self.design.T @ weighted + self.plate.normal),
+        weighted = scipy.sparse.diags_array(weights) @ self.design
+        solver = scipy.sparse.linalg.splu(
+            scipy.sparse.csc_array(self.design.T @ weighted + self.plate.normal),
             permc_spec="MMD_AT_PLUS_A",
             diag_pivot_thresh=0.0,  # positive definite: no pivoting, which keeps the order
             panel_size=2,
@@ -225,10 +224,12 @@ class _System:
     def solved(self, weights: FloatArray, start: FloatArray, nearly: _Inverse) -> FloatArray:
         """Solve the normal equations by conjugate gradients, preconditioned by `nearly`."""
         shape = (self.size, self.size)
-        normal = LinearOperator(shape, lambda x: self._normal(weights, x), dtype=float)
-        inverse = LinearOperator(shape, nearly.applied, dtype=float)
+        normal = scipy.sparse.linalg.LinearOperator(
+            shape, lambda x: self._normal(weights, x), dtype=float
+        )
+        inverse = scipy.sparse.linalg.LinearOperator(shape, nearly.applied, dtype=float)
         # Weights change by a factor of some hundred at most, so a hundred steps are enough.
-        solution, missed = cg(
+        solution, missed = scipy.sparse.linalg.cg(
             normal, self.rhs(weights), start, rtol=_EXACT, M=inverse, maxiter=_MOST_STEPS
         )
         if missed or not np.isfinite(solution).all():
@@ -280,7 +281,7 @@ class _Inverse:
         Schur complement of the views.
     """
 
-    solver: SuperLU
+    solver: scipy.sparse.linalg.SuperLU
     coupling: FloatArray
     response: FloatArray
     schur: FloatArray
@@ -294,4 +295,4 @@ class _Inverse:
 
 
 def _block_diagonal(parts: list[FloatArray]) -> FloatArray:
-    return np.asarray(sparse.block_diag(parts).toarray())
+    return np.asarray(scipy.sparse.block_diag(parts).toarray())

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from scipy.ndimage import gaussian_filter
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray, IndexArray
 from insole_core.geometry.transforms import inverse, transform
@@ -167,7 +167,7 @@ def _likelihood(color: ByteArray, inside: BoolArray, around: BoolArray) -> Float
 
 def _histogram(index: IndexArray) -> FloatArray:
     count = np.bincount(index, minlength=_BINS**3).astype(float).reshape((_BINS,) * 3)
-    smooth = gaussian_filter(count, 1.0)
+    smooth = scipy.ndimage.gaussian_filter(count, 1.0)
     return np.asarray((smooth / smooth.sum()).ravel())
 
 

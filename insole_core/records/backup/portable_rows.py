@@ -16,6 +16,8 @@ from typing import Any, Final
 from sqlalchemy import Column, Connection, Date, MetaData, Select, Table, insert, select, update
 
 VERSION_TABLE: Final = "alembic_version"
+_DERIVED: Final = frozenset(["person_words"])
+"""Written by triggers of the database, from rows of other tables."""
 _ROWS_EXPECTED: Final = 512
 """Mean number of rows of a piece."""
 _MOST_BYTES: Final = 8 * 2**20
@@ -27,10 +29,14 @@ _ENCODER: Final = json.JSONEncoder(
 
 
 def tables_of(connection: Connection) -> list[Table]:
-    """Return the tables of a record as they are in its database, those referred to first."""
+    """Return the tables of a record as they are in its database, those referred to first.
+
+    Those that the database fills by itself are left out.
+    """
     metadata = MetaData()
     metadata.reflect(connection)
-    return [table for table in metadata.sorted_tables if table.name != VERSION_TABLE]
+    left_out = _DERIVED | {VERSION_TABLE}
+    return [table for table in metadata.sorted_tables if table.name not in left_out]
 
 
 def pieces_of(connection: Connection, table: Table) -> Iterator[tuple[bytes, int]]:

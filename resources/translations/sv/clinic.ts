@@ -624,6 +624,10 @@
             <translation>Lås upp</translation>
         </message>
         <message>
+            <source>Until then, what can be read is shown after signing in.</source>
+            <translation>Tills dess visas det som går att läsa efter inloggning.</translation>
+        </message>
+        <message>
             <source>Use this record</source>
             <translation>Använd den här journalen</translation>
         </message>

@@ -88,6 +88,10 @@
             <translation>En buktning som alla väggar delar tas för förvrängning; om de var en och samma vägg, kontrollera den med en riktskiva.</translation>
         </message>
         <message>
+            <source>A cast taken under weight shows tissue that is spread already, so no expansion is proposed; set one for a cast that was taken without weight.</source>
+            <translation>En avgjutning som tagits under belastning visar vävnad som redan är utbredd, så inget mjukdelstillägg föreslås; ange ett för en avgjutning som tagits utan belastning.</translation>
+        </message>
+        <message>
             <source>A chamfer of {chamfer_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are bevelled. Make the chamfer smaller.</source>
             <translation>En fas på {chamfer_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt fasas bara {half_mm:g} mm av kanten. Gör fasen mindre.</translation>
         </message>
@@ -150,6 +154,10 @@
         <message>
             <source>A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of {needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.</source>
             <translation>En hälskivning på {depth_mm:g} mm med {angle:g}° inversion kräver en hälskål på {needed_mm:g} mm, och skålen är {cup_mm:g} mm djup.</translation>
+        </message>
+        <message>
+            <source>A sole stands out of a plane: it is a foot scanned with what lay around it, or a foam box whose file is inside out; say which it is.</source>
+            <translation>En fotsula står ut ur ett plan: det är en fot som skannats med det som låg runt den, eller en skumlåda vars fil är ut och in; ange vilket det är.</translation>
         </message>
         <message>
             <source>A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres ({low_mm:g} to {high_mm:g}).</source>
@@ -222,6 +230,10 @@
         <message>
             <source>An edge radius of {radius_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are rounded. Make the radius smaller.</source>
             <translation>En kantradie på {radius_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt rundas bara {half_mm:g} mm av kanten. Gör radien mindre.</translation>
+        </message>
+        <message>
+            <source>An imprint, {depth_mm:.0f} mm deep, read as the sole that was pressed in.</source>
+            <translation>Ett avtryck, {depth_mm:.0f} mm djupt, läst som den fotsula som tryckts ner.</translation>
         </message>
         <message>
             <source>An order needs one version of one or both feet of its visit; choose them again.</source>
@@ -318,6 +330,10 @@
         <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
+        </message>
+        <message>
+            <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
+            <translation>Efter sin plats i lådan är detta {place} fot, efter sin form {told} fot; ange vilken fot det är.</translation>
         </message>
         <message>
             <source>Calibrating without {capture}</source>
@@ -1236,6 +1252,10 @@
             <translation>Kroppsvikterna för {name} måste gå från lätt till tung; ändra dem.</translation>
         </message>
         <message>
+            <source>The box around the imprint was left out: {percent:.0f} % of what was scanned.</source>
+            <translation>Lådan runt avtrycket har utelämnats: {percent:.0f} % av det som skannades.</translation>
+        </message>
+        <message>
             <source>The cameras are {baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and turned by {turn_deg:.2f}°, from {count} {source}.</source>
             <translation>Kamerorna är {baseline_mm:.1f} mm från varandra ({x:.1f}, {y:.1f}, {z:.1f}) och vridna {turn_deg:.2f}°, enligt {count} {source}.</translation>
         </message>
@@ -1400,6 +1420,10 @@
             <translation>Foten är klar</translation>
         </message>
         <message>
+            <source>The foot was pressed into foam, so its tissue is spread by weight already: no expansion is proposed.</source>
+            <translation>Foten har tryckts ner i skum, så dess vävnad är redan utbredd av belastningen: inget mjukdelstillägg föreslås.</translation>
+        </message>
+        <message>
             <source>The foot's shape is a {shape_side} one, but a {side} foot is to be simulated; give both the same side.</source>
             <translation>Fotens form är en {shape_side} fots, men en {side} fot ska simuleras; ge båda samma sida.</translation>
         </message>
@@ -1452,6 +1476,10 @@
             <translation>Hälen breddas med {expansion_mm:.1f} mm, och konturen ligger bara {beside_mm:.1f} mm bakom foten; bredda konturen vid hälen lika mycket.</translation>
         </message>
         <message>
+            <source>The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under weight the tissue is spread already; set the expansion to 0 unless it was taken without weight.</source>
+            <translation>Hälen breddas med {expansion_mm:.1f} mm, men i ett avtryck eller en avgjutning som tagits under belastning är vävnaden redan utbredd; sätt mjukdelstillägget till 0 om det inte togs utan belastning.</translation>
+        </message>
+        <message>
             <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
             <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
         </message>
@@ -1466,6 +1494,10 @@
         <message>
             <source>The identification is too long for its place; shorten it, so that its letters can be at least {least_mm:g} mm high.</source>
             <translation>Märkningen är för lång för sin plats; korta den, så att bokstäverna kan vara minst {least_mm:g} mm höga.</translation>
+        </message>
+        <message>
+            <source>The imprint is shallow: heel and ball are widest above its rim, so length and widths are smaller than those of the foot.</source>
+            <translation>Avtrycket är grunt: häl och framfot är bredast ovanför dess kant, så längd och bredder är mindre än fotens.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
@@ -1722,6 +1754,10 @@
         <message>
             <source>The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.</source>
             <translation>Formen ser ut som en {shape_side} fot ({reason}); tas ändå som en {side}.</translation>
+        </message>
+        <message>
+            <source>The shape of the imprint does not tell left from right; say which foot it is.</source>
+            <translation>Avtryckets form skiljer inte vänster från höger; ange vilken fot det är.</translation>
         </message>
         <message>
             <source>The solid is closed.</source>
@@ -4990,6 +5026,10 @@
         <message>
             <source>{place} refuses the user or the password of its address; check the address of the database.</source>
             <translation>{place} godtar inte användaren eller lösenordet i sin adress; kontrollera databasens adress.</translation>
+        </message>
+        <message>
+            <source>{place} takes no changes, as a server that stands by for another one; check the address of the database, or ask whoever looks after it.</source>
+            <translation>{place} tar inte emot några ändringar, som en server som står i beredskap för en annan; kontrollera databasens adress, eller fråga den som sköter den.</translation>
         </message>
         <message>
             <source>{place} was made by a newer Insole Studio (tables {found}; this program knows them up to {newest}); install the newest version.</source>

@@ -76,6 +76,10 @@
             <translation>Bättre, oförändrat, sämre; med ett par ord</translation>
         </message>
         <message>
+            <source>Both, one below the other</source>
+            <translation>Båda, under varandra</translation>
+        </message>
+        <message>
             <source>Bring to this state</source>
             <translation>Sätt i detta läge</translation>
         </message>
@@ -102,6 +106,10 @@
         <message>
             <source>Checked</source>
             <translation>Kontrollerad</translation>
+        </message>
+        <message>
+            <source>Choose between two versions of the patient's fields</source>
+            <translation>Välj mellan två versioner av patientens fält</translation>
         </message>
         <message>
             <source>Choose in the calendar (F4)</source>
@@ -212,6 +220,10 @@
             <translation>Behåll båda som varianter</translation>
         </message>
         <message>
+            <source>Keep theirs</source>
+            <translation>Behåll deras</translation>
+        </message>
+        <message>
             <source>Keep this version</source>
             <translation>Behåll denna version</translation>
         </message>
@@ -242,6 +254,10 @@
         <message>
             <source>Mine</source>
             <translation>Min</translation>
+        </message>
+        <message>
+            <source>My value</source>
+            <translation>Mitt värde</translation>
         </message>
         <message>
             <source>Name, birth date, personal number or order</source>
@@ -368,10 +384,6 @@
             <translation>Ordinera som vid förra besöket</translation>
         </message>
         <message>
-            <source>Read only: nothing can be changed.</source>
-            <translation>Skrivskyddad: inget kan ändras.</translation>
-        </message>
-        <message>
             <source>Reason</source>
             <translation>Orsak</translation>
         </message>
@@ -390,10 +402,6 @@
         <message>
             <source>Returned</source>
             <translation>Returnerad</translation>
-        </message>
-        <message>
-            <source>Running</source>
-            <translation>Pågår</translation>
         </message>
         <message>
             <source>Saved in the record</source>
@@ -444,8 +452,16 @@
             <translation>Någon annan har ändrat besökets högra fot medan du arbetade med den.</translation>
         </message>
         <message>
+            <source>Somebody else has changed the same fields while you worked on them. Choose which value counts; all others of your changes are stored.</source>
+            <translation>Någon annan har ändrat samma fält medan du arbetade med dem. Välj vilket värde som gäller; alla dina andra ändringar sparas.</translation>
+        </message>
+        <message>
             <source>State</source>
             <translation>Läge</translation>
+        </message>
+        <message>
+            <source>Store</source>
+            <translation>Spara</translation>
         </message>
         <message>
             <source>The capture is in the record.</source>
@@ -472,6 +488,10 @@
             <translation>Patienten samtycker till att uppgifterna sparas (i dag)</translation>
         </message>
         <message>
+            <source>Their value</source>
+            <translation>Deras värde</translation>
+        </message>
+        <message>
             <source>Theirs</source>
             <translation>Deras</translation>
         </message>
@@ -482,6 +502,10 @@
         <message>
             <source>Today's visits</source>
             <translation>Dagens besök</translation>
+        </message>
+        <message>
+            <source>Two versions of the same fields</source>
+            <translation>Två versioner av samma fält</translation>
         </message>
         <message>
             <source>Two versions of the same foot</source>
@@ -560,8 +584,8 @@
             <translation>{name} har redan detta personnummer.</translation>
         </message>
         <message>
-            <source>{name}: somebody else changed the same foot while the record did not answer. Theirs is the newest version; what was changed here is kept beside it, see “Versions…” on the patient's page.</source>
-            <translation>{name}: någon annan ändrade samma fot medan journalen inte svarade. Deras är den nyaste versionen; det som ändrades här finns kvar bredvid den, se ”Versioner…” på patientens sida.</translation>
+            <source>{name}: somebody else changed the same foot or field while the record did not answer. Theirs counts; what was changed here is kept beside it: feet under “Versions…” on the patient's page, fields in the notes of the visit.</source>
+            <translation>{name}: någon annan ändrade samma fot eller fält medan journalen inte svarade. Deras gäller; det som ändrades här finns kvar bredvid: fötter under ”Versioner…” på patientens sida, fält i besökets anteckningar.</translation>
         </message>
         <message>
             <source>{name}: what was not saved yet is now in the record.</source>

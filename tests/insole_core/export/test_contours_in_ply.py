@@ -10,8 +10,8 @@ import pytest
 import trimesh
 
 from insole_core.export.ply import write_ply
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.scans.mesh_file import read_mesh
 
 
 def test_touches_come_back_from_a_file(left_mesh, tmp_path: Path) -> None:

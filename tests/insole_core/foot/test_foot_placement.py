@@ -12,10 +12,10 @@ from scipy.spatial.transform import Rotation
 
 from insole_core.errors import InputError
 from insole_core.foot.foot_placement import SideMismatchError, place_foot
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import is_rotation, rigid, transform
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import vary_shape
 

@@ -14,10 +14,10 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measures import DEFINITIONS, doubts, measure
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, transform
+from insole_core.scans.mesh_file import read_mesh
 
 MOST = {"mm": 0.2, "degrees": 0.2, "": 0.01}
 SIZES = ("shoe_size_eu", "shoe_size_uk", "shoe_size_us", "mondopoint")  # rounded

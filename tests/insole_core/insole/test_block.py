@@ -13,12 +13,12 @@ import trimesh
 
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_core.insole.surface.block import block_solid
+from insole_core.scans.mesh_file import read_mesh
 
 
 def heights(mesh: TriangleMesh, xy: np.ndarray) -> np.ndarray:

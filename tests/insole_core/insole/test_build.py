@@ -12,7 +12,6 @@ from scipy.ndimage import binary_erosion, maximum_filter, minimum_filter
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import apply_pads, build_insole
@@ -20,6 +19,7 @@ from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_core.insole.surface.contact import base_key, contact_base
 from insole_core.progress import Cancelled, Progress
+from insole_core.scans.mesh_file import read_mesh
 
 PAD = Pelott(centre_mm=(12.3, 150.4), height_mm=6.0, turn_deg=10)
 

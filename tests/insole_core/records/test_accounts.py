@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from argon2 import PasswordHasher
 from sqlalchemy import select
 
 from insole_core.errors import InputError, NotAllowed, RecordsError
+from insole_core.messages import Message
 from insole_core.records import passwords, schema
 from insole_core.records.accounts import (
     FIRST_LOCK_S,
@@ -285,6 +287,56 @@ def test_an_administrator_unlocks(administered: Accounts, anna: Account) -> None
     refuse(administered, "anna", FREE_FAILURES)
     administered.unlock(anna.id)
     assert administered.sign_in("anna", BETTER).name == "anna"
+
+
+@pytest.fixture
+def read_only(database: Database, anna: Account) -> Iterator[Database]:
+    """The database of Anna's account, opened so that nothing of it changes."""
+    opened = Database(database.place, problem=Message("It may only be read."))
+    yield opened
+    opened.close()
+
+
+def test_accounts_sign_in_where_the_record_may_only_be_read(
+    read_only: Database, database: Database, clocks: Clocks
+) -> None:
+    before = actions(database)
+    accounts = accounts_of(read_only, clocks)
+    refuse(accounts, "nobody", 1)
+    refuse(accounts, "anna", FREE_FAILURES)
+    with pytest.raises(NotAllowed, match="wait 1 min"):
+        accounts.sign_in("anna", BETTER)
+    clocks.now += 86_400  # which the other clock does not believe
+    with pytest.raises(NotAllowed, match="wait 1 min"):
+        accounts.sign_in("anna", BETTER)
+    clocks.wait(FIRST_LOCK_S + 1)
+    refuse(accounts, "anna", 1)
+    with pytest.raises(NotAllowed, match="wait 2 min"):
+        accounts.sign_in("anna", BETTER)
+    clocks.wait(2 * FIRST_LOCK_S + 1)
+    assert accounts.sign_in("anna", BETTER) == Author("anna", "desk", Role.ORTHOPEDIST)
+    refuse(accounts, "anna", FREE_FAILURES - 1)  # the count began anew
+    assert accounts.sign_in("chef", GOOD).role is Role.ADMINISTRATOR
+    assert actions(database) == before
+
+
+def test_a_lock_of_the_record_holds_where_it_may_only_be_read(
+    read_only: Database, administered: Accounts, clocks: Clocks
+) -> None:
+    refuse(administered, "anna", FREE_FAILURES)
+    accounts = accounts_of(read_only, clocks)
+    with pytest.raises(NotAllowed, match="wait 1 min"):
+        accounts.sign_in("anna", BETTER)
+    clocks.wait(FIRST_LOCK_S + 1)
+    assert accounts.sign_in("anna", BETTER).name == "anna"
+
+
+def test_somebody_disabled_signs_in_nowhere(
+    read_only: Database, administered: Accounts, anna: Account, clocks: Clocks
+) -> None:
+    administered.change(replace(anna, is_disabled=True))
+    with pytest.raises(NotAllowed, match="name or the password is wrong"):
+        accounts_of(read_only, clocks).sign_in("anna", BETTER)
 
 
 def test_passwords_are_changed_by_their_owner(administered: Accounts, anna: Account) -> None:

@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-import threading
-import time
 from datetime import date
-from pathlib import Path
 
 import pytest
 from stations import ANNA, BEN, Stations
 
 from insole_core.records import presence as presence_module
-from insole_core.records.captures import MESH
-from insole_core.records.changes import POLL_S
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
-
-PATIENCE_S = 60.0
 
 
 def added_visit(records: Records) -> Visit:
@@ -38,38 +31,6 @@ def test_changes_are_told_in_their_order(stations: Stations) -> None:
     assert found.changes[1].subject_id == visit.id
     assert not found.has_more
     assert desk.changes_since(found.mark).changes == ()
-
-
-def test_a_finished_capture_wakes_who_waits(stations: Stations, tmp_path: Path) -> None:
-    desk, room = stations.open(ANNA), stations.open(BEN)
-    visit = added_visit(room)
-    scan = tmp_path / "scan.stl"
-    scan.write_bytes(b"solid")
-    mark = desk.mark()
-    seen: list[tuple[float, str]] = []
-
-    def wait() -> None:
-        changes = desk.wait_for_changes(mark, PATIENCE_S).changes
-        seen.extend((time.monotonic(), change.subject_kind) for change in changes)
-
-    waiting = threading.Thread(target=wait)
-    waiting.start()
-    time.sleep(0.3)
-    room.captures.add(visit.id, MESH, scan)
-    added = time.monotonic()
-    waiting.join()
-    assert [kind for _, kind in seen] == ["capture"]
-    # It is seen when it is there, in any case within a poll, and not when the waiting is over.
-    assert POLL_S < 2.0
-    assert seen[0][0] - added < PATIENCE_S / 2
-
-
-def test_waiting_ends_in_time(stations: Stations) -> None:
-    records = stations.open()
-    started = time.monotonic()
-    mark = records.mark()
-    assert records.wait_for_changes(mark, 0.2).changes == ()
-    assert 0.15 < time.monotonic() - started < 10
 
 
 def test_many_changes_are_told_in_part(stations: Stations, monkeypatch: pytest.MonkeyPatch) -> None:

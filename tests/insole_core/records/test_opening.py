@@ -18,9 +18,10 @@ from stations import ANNA, BEN, Stations
 from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.records import database as database_module
 from insole_core.records import migrate as migrate_module
+from insole_core.records.author import Role
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase, FullDatabase
-from insole_core.records.migrate import SCHEMA
+from insole_core.records.migrate import SCHEMA, schema_of
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
@@ -105,40 +106,70 @@ _KILLED_MIGRATION = """
 import os, signal, sys
 from pathlib import Path
 from alembic import command
+from insole_core.records import search_text
 from insole_core.records.author import Author
 from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
 
+def die(*_given):
+    os.kill(os.getpid(), signal.SIGKILL)
+
 upgrade = command.upgrade
 def killed(*given):
     upgrade(*given)
-    os.kill(os.getpid(), signal.SIGKILL)
-command.upgrade = killed
-place = RecordsPlace.local(Path(sys.argv[1]))
-if len(sys.argv) > 2:
-    place = RecordsPlace.of_url(sys.argv[2], Path(sys.argv[1]))
+    die()
+
+folder, moment, *url = sys.argv[1:]
+if moment == "end":
+    command.upgrade = killed
+else:  # as the words of a person are written, in a table that has just been made
+    search_text.search_text_of = die
+place = RecordsPlace.local(Path(folder))
+if url:
+    place = RecordsPlace.of_url(*url, Path(folder))
 open_records(place, Author("a", "b"))
 """
+
+
+def _killed_in_migration(place: RecordsPlace, moment: str, *url: str) -> int:
+    folder = str(place.contents.parent)
+    command = [sys.executable, "-c", _KILLED_MIGRATION, folder, moment, *url]
+    return subprocess.run(command, check=False, timeout=120).returncode
 
 
 @pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
 def test_an_interrupted_migration_is_made_anew(
     tmp_path: Path, request: pytest.FixtureRequest, kind: str
 ) -> None:
-    arguments = [str(tmp_path)]
-    place = RecordsPlace.local(tmp_path)
+    place, url = RecordsPlace.local(tmp_path), []
     if kind == "postgresql":
         server: PostgresServer = request.getfixturevalue("postgres")
-        server.execute("DROP DATABASE IF EXISTS interrupted")
-        server.execute("CREATE DATABASE interrupted")
-        arguments.append(server.url("interrupted"))
-        place = RecordsPlace.of_url(arguments[1], tmp_path)
-    done = subprocess.run(
-        [sys.executable, "-c", _KILLED_MIGRATION, *arguments], check=False, timeout=120
-    )
-    assert done.returncode == -9
+        server.execute("DROP DATABASE IF EXISTS sample")
+        server.execute("CREATE DATABASE sample")
+        url = [server.url("sample")]
+        place = RecordsPlace.of_url(*url, tmp_path / "contents")
+    assert _killed_in_migration(place, "end", *url) == -9
     records = open_records(place, ANNA)
     records.persons.add(Person("Anna"))
+    assert records.audit.verify().is_intact
+    records.close()
+
+
+@pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
+def test_a_migration_of_patients_that_is_interrupted_is_made_anew(
+    tmp_path: Path, request: pytest.FixtureRequest, kind: str
+) -> None:
+    place = _place_of_sample(SCHEMAS / f"0001.{kind}.sql", tmp_path, request)
+    url = [] if place.is_local else [place.url.render_as_string(hide_password=False)]
+    assert _killed_in_migration(place, "words", *url) == -9
+    database = Database(place)
+    with database.reading() as connection:
+        assert schema_of(connection) == "0001"
+        assert connection.execute(text("SELECT name FROM persons")).scalar() == "Anna Berg"
+    database.close()
+    records = open_records(place, ANNA)
+    for typed in ("anna", "1970-02-28", "9874"):
+        assert [p.name for p in records.persons.search(typed)] == ["Anna Berg"]
     assert records.audit.verify().is_intact
     records.close()
 
@@ -178,6 +209,22 @@ def test_a_damaged_record_is_opened_for_reading(local_place: RecordsPlace) -> No
     assert records.persons.open(person.id) == person
     with pytest.raises(RecordsError, match="for reading only"):
         records.persons.add(Person("Ben"))
+    records.close()
+
+
+def test_whoever_signs_in_notices_the_damage_and_may_read(local_place: RecordsPlace) -> None:
+    records = open_records(local_place, ANNA)
+    for number in range(200):
+        records.clinic.set(f"k{number}", "x" * 200)
+    records.accounts.switch_on("root", "Rut Root", "four words in a row")
+    records.close()
+    _damage(local_place.database_file, "audit")
+    records = open_records(local_place, ANNA)
+    assert not records.is_read_only
+    author = records.accounts.sign_in("root", "four words in a row")
+    assert records.is_read_only
+    assert author.role is Role.ADMINISTRATOR
+    assert records.accounts.sign_in("root", "four words in a row") == author
     records.close()
 
 
@@ -237,6 +284,25 @@ def test_a_record_that_may_only_be_read_says_so(
     assert local_place.database_file.read_bytes() == content
 
 
+def test_a_server_that_takes_no_changes_is_opened_for_reading(
+    server_place: RecordsPlace, postgres: PostgresServer
+) -> None:
+    records = open_records(server_place, ANNA)
+    person = records.persons.add(Person("Anna Berg"))
+    records.close()
+    database = f"ALTER DATABASE {server_place.url.database}"
+    postgres.execute(f"{database} SET default_transaction_read_only = on")
+    try:
+        records = open_records(server_place, ANNA)
+        assert "takes no changes" in str(records.problem)
+        assert records.persons.open(person.id) == person
+        with pytest.raises(RecordsError, match="for reading only"):
+            records.persons.add(Person("Ben"))
+        records.close()
+    finally:
+        postgres.execute(f"{database} RESET default_transaction_read_only")
+
+
 def test_a_record_that_is_locked_says_so(
     local_place: RecordsPlace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -276,7 +342,7 @@ def test_a_server_that_goes_away_is_told_and_comes_back(tmp_path: Path) -> None:
         with pytest.raises(Unreachable, match="does not answer"):
             records.persons.add(Person("Ben"))
         with pytest.raises(Unreachable, match="does not answer"):
-            records.wait_for_changes(0, 1.0)
+            records.changes_since(0)
         server.start()
         records.persons.add(Person("Carl"))
         assert {p.name for p in records.persons.recent()} >= {"Carl"}
@@ -321,7 +387,8 @@ def test_the_newest_migration_is_the_one_this_program_wants() -> None:
     assert max(path.stem[1:5] for path in versions.glob("v*.py")) == SCHEMA
 
 
-SAMPLES = sorted((Path(__file__).parent / "schemas").glob("*.sql"))
+SCHEMAS = Path(__file__).parent / "schemas"
+SAMPLES = sorted(SCHEMAS.glob("*.sql"))
 
 
 def test_every_schema_has_a_sample_in_both_databases() -> None:
@@ -357,4 +424,4 @@ def _place_of_sample(sample: Path, folder: Path, request: pytest.FixtureRequest)
     server.execute("DROP DATABASE IF EXISTS sample")
     server.execute("CREATE DATABASE sample")
     server.execute(script, database="sample")
-    return RecordsPlace.of_url(server.url("sample"), folder)
+    return RecordsPlace.of_url(server.url("sample"), folder / "contents")

@@ -44,6 +44,7 @@ def signed_in(stations: Stations, role: str) -> Records:
 Use = Callable[[Records, Visit], object]
 SEES: dict[str, Use] = {
     "search": lambda r, _: r.persons.search("anna"),
+    "duplicates": lambda r, _: r.persons.alike(),
     "person": lambda r, v: r.persons.open(v.person_id),
     "case": lambda r, v: r.visits.open_case(v.id),
     "orders": lambda r, _: r.orders.open(),

@@ -18,13 +18,13 @@ from insole_core.errors import DesignError, InputError, UsageError
 from insole_core.export.lettering import as_written, font_path, missing_letters
 from insole_core.export.paper import JobSheet
 from insole_core.foot.foot import Foot
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.resources import resource_path
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules

@@ -12,11 +12,11 @@ from benchmarks._witnesses import by_admesh, by_manifold, by_prusa_info, by_trim
 from insole_core.export.stl import write_stl
 from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.solids.solid import KINDS, make_solid
 
 pytestmark = pytest.mark.slow

@@ -17,7 +17,6 @@ from read_pdf import bytes_of_pdf, text_of_pdf
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
     ArchRaise,
@@ -27,6 +26,7 @@ from insole_core.insole.prescription.design import (
     Shell,
 )
 from insole_core.insole.prescription.prescription_lines import correction_lines, plain_number
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob
 from insole_core.solids.export_rules import ExportRules, read_rules

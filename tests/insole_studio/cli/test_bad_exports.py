@@ -13,9 +13,9 @@ import trimesh
 from insole_core.export import solid_file
 from insole_core.export.ply import write_ply
 from insole_core.export.solid_file import merged
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run
 

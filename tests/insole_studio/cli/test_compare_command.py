@@ -12,12 +12,12 @@ from simulated_view import simulate_view
 
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.recording.session import Manifest, Session
 from insole_core.recording.writer import write_session
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate import FootShape, build_foot
 from insole_core.simulate.scene import load_reference_system
 from insole_core.solids.solid import insole_solid

@@ -43,10 +43,10 @@ class ClinicAdministration(QObject):
         self._services = services
         self._clinic = services.clinic
         self._leave_case = leave_case
-        self.lock = SessionLock(services, keep_now)
+        self.lock = SessionLock(services, keep_now, self._hide_patients)
         self.backups = Backups(services)
         self.backups.settings_requested.connect(self.open_backup)
-        self.lock.patients_hidden.connect(self._hide_patients)
+        self.lock.restore_requested.connect(self.open_restore)
 
     def open_accounts(self) -> None:
         """Show the accounts, or switch them on."""
@@ -80,8 +80,11 @@ class ClinicAdministration(QObject):
         ).open()
 
     def open_restore(self) -> None:
-        """Show backups to restore; with accounts, to those who may set up the clinic."""
-        if self._clinic.has_accounts:
+        """Show backups to restore; with accounts, to those who may set up the clinic.
+
+        Nobody may be able to sign in to a damaged record: the passphrase of the backup is enough.
+        """
+        if self._clinic.has_accounts and not self._clinic.is_read_only:
             self._clinic.ask(
                 "clinic-restore",
                 _check_may_restore,
@@ -197,7 +200,15 @@ class ClinicAdministration(QObject):
             self.start_requested.emit()
 
     def _hide_patients(self) -> None:
-        self._leave_record(self._leave_visit)
+        """Leave the open visit at once; what the record has not taken waits in its journal.
+
+        Raises
+        ------
+        OutputError
+            When that cannot be written, so that the visit stays.
+        """
+        self._services.keeper.set_aside()
+        self._leave_visit()
         self.start_requested.emit()
 
 

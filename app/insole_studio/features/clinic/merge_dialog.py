@@ -219,7 +219,7 @@ def _read(records: Records) -> _Shown:
 
     with records.context.database.reading() as connection:
         require(connection, records.who, Right.MERGE)
-    return _Shown(find_duplicates(records.persons.everybody()), records.persons.latest_merges())
+    return _Shown(find_duplicates(records.persons.alike()), records.persons.latest_merges())
 
 
 def _named(person: PersonSummary) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from insole_core.errors import InsoleError
 from insole_core.records.author import Author, Role
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import KeepState
@@ -29,18 +30,26 @@ class SessionLock(QObject):
     ----------
     keep_now
         Writes the copy of the open case that is on this computer.
+    hide_patients
+        Leaves the open visit and shows the start page, for somebody who may not see patients.
     """
 
-    patients_hidden = Signal()
-    """Emitted when somebody has signed in who may not see the patient of the open case."""
     quit_requested = Signal()
     """Emitted when the program is to end though nobody has signed in; nothing is shown or asked."""
+    restore_requested = Signal()
+    """Emitted when a damaged record is to be restored before anybody has signed in."""
 
-    def __init__(self, services: AppServices, keep_now: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        services: AppServices,
+        keep_now: Callable[[], None],
+        hide_patients: Callable[[], None],
+    ) -> None:
         super().__init__(services.window)
         self._services = services
         self._clinic = services.clinic
         self._keep_now = keep_now
+        self._hide_patients = hide_patients
         self._cover = LockCover(self)
         self._idle = IdleWatch(self)
         self._idle.idle.connect(self.lock)
@@ -98,6 +107,7 @@ class SessionLock(QObject):
         self.dialog.setWindowModality(Qt.WindowModality.ApplicationModal)
         self.dialog.signed_in.connect(self._take)
         self.dialog.quit_requested.connect(self.quit_requested)
+        self.dialog.restore_requested.connect(self.restore_requested)
         self.dialog.finished.connect(self._forget_dialog)
         if is_lock:
             self._cover.put_over_all(but=self.dialog)
@@ -113,17 +123,27 @@ class SessionLock(QObject):
             keeper.leave(lambda: self._hand_over(author))
 
     def _hand_over(self, author: Author) -> None:
+        if author.role is Role.ADMINISTRATOR and not self._has_hidden_patients():
+            return
         self._author = author
         self._end_dialog()
         self._clinic.take_author(author)
-        if author.role is Role.ADMINISTRATOR:
-            self.patients_hidden.emit()
         self._clinic.ask(
             "clinic-lock-minutes",
             read_lock_minutes,
             self.set_lock_minutes,
             self._services.messages.show_error,
         )
+
+    def _has_hidden_patients(self) -> bool:
+        """Leave the open visit while the windows are still covered; tell if that cannot be done."""
+        try:
+            self._hide_patients()
+        except InsoleError as error:
+            if self.dialog is not None:
+                self.dialog.refuse(error)
+            return False
+        return True
 
     def _watch(self) -> None:
         self._idle.stop()

@@ -12,6 +12,7 @@ from insole_studio.features.clinic.password_fields import secret_line
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr
 from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.message_label import MessageLabel
 
 _WIDTH_PX = 420
 _MOST_NAME = 200
@@ -26,11 +27,15 @@ class SignInDialog(RecordDialog):
         Whose account it was before; empty at the start.
     is_lock
         Whether the window is locked: then the dialog stays until somebody has signed in.
+
+    A record that may only be read says why, and offers the restoring, which asks for the
+    passphrase of a backup and for no account.
     """
 
     signed_in = Signal(object)
     """Emitted with the `Author`."""
     quit_requested = Signal()
+    restore_requested = Signal()
 
     def __init__(
         self, clinic: ClinicRecord, name: str, *, is_lock: bool, parent: QWidget | None
@@ -47,7 +52,10 @@ class SignInDialog(RecordDialog):
         form.addRow(tr("Account"), self.name)
         form.addRow(tr("Password"), self.password)
         mark_labels(form)
+        self.problem = MessageLabel("warning")
+        self.content.addWidget(self.problem)
         self.content.addLayout(form)
+        self.restore = self.add_button(tr("Restore from a backup…"), self._ask_to_restore)
         self.sign_in = self.buttons.addButton(tr("Sign in"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.make_primary(self.sign_in)
         self.sign_in.setDefault(True)
@@ -58,6 +66,7 @@ class SignInDialog(RecordDialog):
             self.buttons.rejected.connect(self.quit_requested)
         else:
             self.close_button.setText(tr("Files only"))
+        self._show_problem()
         (self.password if name else self.name).setFocus()
 
     def reject(self) -> None:
@@ -73,8 +82,23 @@ class SignInDialog(RecordDialog):
     def refuse(self, error: Exception) -> None:
         """Tell why it was refused, and wait for another password."""
         super().refuse(error)
+        self._show_problem()
         self.password.clear()
         self.password.setFocus()
+
+    def _show_problem(self) -> None:
+        """Say why nothing can be changed, which may have turned out only now."""
+        problem = self.clinic.problem
+        if problem is None:
+            self.problem.say("")
+        else:
+            reading = tr("Until then, what can be read is shown after signing in.")
+            self.problem.say_all([problem, reading])
+        self.restore.setVisible(problem is not None and not self._is_lock)
+
+    def _ask_to_restore(self) -> None:
+        self.close()
+        self.restore_requested.emit()
 
     def _try(self) -> None:
         if not self.name.text().strip():

@@ -31,7 +31,6 @@ def capture_text(state: CaptureState) -> str:
     return {
         CaptureState.NONE: "",
         CaptureState.WANTED: tr("Waiting"),
-        CaptureState.RUNNING: tr("Running"),
         CaptureState.DONE: tr("Captured"),
     }[state]
 

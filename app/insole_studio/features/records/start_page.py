@@ -88,15 +88,15 @@ class StartPage(QWidget):
         self.today.show_rows(today)
         self.orders.show_rows(orders)
 
-    def show_message(self, sentence: str, remedies: Sequence[str] = ()) -> None:
-        """Say why the record is not there and what to do; empty where all is well.
+    def show_message(self, sentences: Sequence[str], remedies: Sequence[str] = ()) -> None:
+        """Say why the record is not there and what to do; nothing where all is well.
 
         Parameters
         ----------
         remedies
-            Actions that may help, each a button beside the sentence.
+            Actions that may help, each a button below the sentences.
         """
-        self.message.say(sentence)
+        self.message.say_all(sentences)
         for action, button in self.remedies.items():
             button.setVisible(action in remedies)
 

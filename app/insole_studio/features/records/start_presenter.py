@@ -13,7 +13,7 @@ from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.features.records.order_rows import order_rows
 from insole_studio.features.records.record_texts import person_rows, visit_rows
 from insole_studio.features.records.start_page import StartPage
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.records.order import OrderSummary
@@ -56,7 +56,7 @@ class StartPresenter:
         """Show whether the record can be asked."""
         state = self._clinic.state
         self._page.show_usable(state in (RecordState.OPEN, RecordState.AWAY))
-        self._page.show_message(self._sentence(state), _remedies(self._clinic))
+        self._page.show_message(self._sentences(state), _remedies(self._clinic))
         if state is RecordState.SIGNED_OUT:
             self._forget()
         if state is RecordState.OPEN:
@@ -64,20 +64,20 @@ class StartPresenter:
             if self._page.isVisible() and not self._page.search.hasFocus():
                 self._page.search.setFocus()
 
-    def _sentence(self, state: RecordState) -> str:
-        trouble = translate_core_message(self._clinic.trouble)
+    def _sentences(self, state: RecordState) -> list[str]:
+        """Return what is wrong with the record, and what is to be done."""
+        trouble = self._clinic.trouble
         if state is RecordState.REFUSED:
-            return f"{trouble} {tr('Cases in files can be opened as before.')}"
+            return [trouble, tr("Cases in files can be opened as before.")]
         if state is RecordState.AWAY:
-            return trouble
-        if state is RecordState.SIGNED_OUT:
-            return tr("Sign in to see the clinic's patients; files can be opened without.")
-        if state is RecordState.OPENING:
-            return ""
+            return [trouble]
         problem = self._clinic.problem
-        if problem is not None:
-            return translate_core_message(problem)
-        return tr("Read only: nothing can be changed.") if self._clinic.is_read_only else ""
+        sentences: list[str] = [] if problem is None else [problem]
+        if state is RecordState.SIGNED_OUT:
+            sentences.append(
+                tr("Sign in to see the clinic's patients; files can be opened without.")
+            )
+        return sentences
 
     def _search(self) -> None:
         typed = self._typed
@@ -110,16 +110,17 @@ class StartPresenter:
     def _show_failure(self, error: Exception) -> None:
         if isinstance(error, NotAllowed):
             self._forget()
-        self._page.show_message(translate_core_message(str(error)))
+        told = [*self._sentences(self._clinic.state), str(error)]
+        self._page.show_message(told, _remedies(self._clinic))
 
 
 def _remedies(clinic: ClinicRecord) -> tuple[str, ...]:
     """Return the actions that may help where the record cannot be used."""
     if clinic.state is RecordState.REFUSED:
         return ("retry_record", "restore_record", "record_place")
-    if clinic.state is RecordState.SIGNED_OUT:
-        return ("lock",)
-    return ("restore_record",) if clinic.is_open and clinic.is_read_only else ()
+    sign_in = ("lock",) if clinic.state is RecordState.SIGNED_OUT else ()
+    restore = ("restore_record",) if clinic.is_read_only else ()
+    return (*sign_in, *restore)
 
 
 def _lists(records: Records) -> _Lists:

@@ -1,55 +1,31 @@
-"""A window with an open record, and the dialogs of its administration."""
+"""The dialogs of the administration of the record."""
 
 from __future__ import annotations
 
+import sqlite3
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, Dialog, shown
+from argon2 import PasswordHasher
 from postgres_server import binaries, running_server
 from pytestqt.qtbot import QtBot
 
+from insole_core.records import passwords
 from insole_core.records.accounts import Accounts
 from insole_core.records.author import Author, Role
+from insole_core.records.place import DATABASE_FILE
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
 
 
-@pytest.fixture
-def clinic(app: Application, qtbot: QtBot) -> Application:
-    """The application on its start page, with a new record."""
-    record = app.services.clinic
-    app.window.resize(1366, 768)
-    app.features.records.show_start()
-    record.open()
-    qtbot.waitUntil(lambda: record.is_open, timeout=20_000)
-    return app
-
-
-@pytest.fixture
-def records(clinic: Application) -> Records:
-    """The record that the window has open, to look into it from outside."""
-    return clinic.services.clinic.ask_now(lambda found: found)
-
-
-@pytest.fixture
-def rest(qtbot: QtBot, clinic: Application) -> Callable[[], None]:
-    """Wait until the record and the window have nothing left to do."""
-
-    def is_at_rest() -> bool:
-        all_jobs = (
-            clinic.services.clinic.jobs,
-            clinic.jobs,
-            clinic.features.clinic.backups.jobs,
-        )
-        return not any(jobs.is_running() for jobs in all_jobs)
-
-    def wait() -> None:
-        qtbot.waitUntil(is_at_rest, timeout=30_000)
-
-    return wait
+@pytest.fixture(autouse=True)
+def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Hash passwords in less time than the product takes to."""
+    monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
 
 
 @pytest.fixture
@@ -91,3 +67,23 @@ def postgres_url() -> Iterator[str]:
     with running_server() as server:
         server.execute("CREATE DATABASE records")
         yield server.url("records")
+
+
+@pytest.fixture
+def damage(clinic: Application) -> Callable[[str], None]:
+    """Close the record, and overwrite the first page of one of its tables."""
+
+    def damage(table: str) -> None:
+        record = clinic.services.clinic
+        record.let_go()
+        file = clinic.services.paths.records_folder / DATABASE_FILE
+        with closing(sqlite3.connect(file)) as connection:
+            connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+            [size] = connection.execute("PRAGMA page_size").fetchone()
+            query = "SELECT rootpage FROM sqlite_master WHERE name = ?"
+            [page] = connection.execute(query, (table,)).fetchone()
+        content = bytearray(file.read_bytes())
+        content[(page - 1) * size : page * size] = b"\xff" * size
+        file.write_bytes(content)
+
+    return damage

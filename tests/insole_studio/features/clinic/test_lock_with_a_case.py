@@ -104,6 +104,41 @@ def test_an_administrator_who_takes_over_finds_no_case(
     assert eva.prescriptions.read(version.id).design.thickness_mm == 4.5
 
 
+def test_an_administrator_sees_no_case_that_waits_for_a_decision_and_nothing_of_it_is_lost(
+    opened: Application, records: Records, eva: Records, qtbot: QtBot, rest: Callable[[], None]
+) -> None:
+    """Somebody else has changed the same foot; the window is locked before anybody decides."""
+    assert opened.case.kept is not None
+    visit_id = opened.case.kept.visit.id
+    tom = records.for_author(Author("tom", "capture room", Role.TECHNICIAN))
+    root = records.for_author(Author("admin", "desk", Role.ADMINISTRATOR))
+    root.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
+    theirs = tom.visits.open_case(visit_id)
+    (foot,) = theirs.record.feet
+    changed = foot.with_design(replace(foot.design, thickness_mm=6.0))
+    tom.prescriptions.save(visit_id, changed, theirs.bases[Side.LEFT])
+    thicken(opened, 4.5)
+    keeper = opened.services.keeper
+    qtbot.waitUntil(lambda: keeper.state is KeepState.CONFLICT, timeout=10_000)
+    opened.window.actions_by_key["lock"].trigger()
+    seen: list[str] = []
+    opened.services.clinic.state_changed.connect(
+        lambda: seen.append(opened.case.record.patient.name)
+    )
+    take_over(opened, qtbot, "admin", PASSWORD)
+    rest()
+    assert seen
+    assert set(seen) == {""}
+    assert opened.case.is_empty
+    assert opened.window.page is opened.features.records.start
+    assert opened.services.messages.dialogs == []
+    opened.window.actions_by_key["lock"].trigger()
+    take_over(opened, qtbot, "eva", OTHER_PASSWORD)
+    rest()
+    kept = [eva.prescriptions.read(v.id) for v in eva.prescriptions.versions(visit_id, Side.LEFT)]
+    assert [foot.design.thickness_mm for foot in kept][:2] == [6.0, 4.5]
+
+
 def test_quitting_a_locked_window_shows_nothing_and_asks_nothing(
     opened: Application, qtbot: QtBot
 ) -> None:

@@ -11,12 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
-from insole_core.foot.mesh_content import check_text, read_binary_stl
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.thinning import thinned
 from insole_core.messages import Message
+from insole_core.scans.mesh_content import check_text, read_binary_stl
 
 if TYPE_CHECKING:
     import trimesh
@@ -42,6 +42,8 @@ _UNREADABLE = (
     NotImplementedError, MemoryError,
 )  # fmt: skip
 
+INSIDE_OUT = "The surface was inside out and has been turned."
+
 
 class UnitError(InputError):
     """The surface is as large as a foot in no unit, or not in the one that was given."""
@@ -56,13 +58,19 @@ class ReadMesh:
     mesh : mm, the file's own frame
     unit
         Of the file, as given or concluded from the size.
+    mm_per_unit
+        What the file's numbers were multiplied with, by their unit or by a known size.
     notes
         What was assumed or corrected, a sentence each.
+    was_turned
+        Whether the triangles face the other way in the file; `INSIDE_OUT` is one of the notes then.
     """
 
     mesh: TriangleMesh
     unit: Unit
+    mm_per_unit: float
     notes: tuple[str, ...]
+    was_turned: bool = False
 
 
 def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
@@ -111,10 +119,11 @@ def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
             )
         )
         mesh = thinned(mesh, pitch_mm)
-    if _outward_flux(mesh) < 0:
+    was_turned = _outward_flux(mesh) < 0
+    if was_turned:
         mesh = mesh.flipped()
-        notes.append("The surface was inside out and has been turned.")
-    return ReadMesh(mesh, unit, tuple(notes))
+        notes.append(INSIDE_OUT)
+    return ReadMesh(mesh, unit, _MM_PER_UNIT[unit], tuple(notes), was_turned)
 
 
 def _in_mm(mesh: TriangleMesh, mm_per_unit: float) -> TriangleMesh:
@@ -131,12 +140,12 @@ def _load(path: Path) -> TriangleMesh:
         raise InputError("{path} does not exist; check the name of the file.", path=path)
     if path.stat().st_size > _MOST_BYTES:
         raise InputError(_too_large(path))
-    import trimesh  # with all that it imports it would take a third of the start of the window
-
     if path.suffix.lower() == ".stl" and (solid := read_binary_stl(path)) is not None:
         if len(solid.triangles) > _MOST_TRIANGLES:
             raise InputError(_too_large(path))
         return _checked(solid, path)
+    import trimesh  # it takes 0.3 s and 40 MB, which most never need
+
     check_text(path)
     try:
         loaded = _loaded(path)

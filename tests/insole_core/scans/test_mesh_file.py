@@ -11,8 +11,8 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from insole_core.errors import InputError
-from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.scans.mesh_file import read_mesh
 
 
 def export(mesh: TriangleMesh, path: Path) -> Path:

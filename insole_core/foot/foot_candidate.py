@@ -1,0 +1,123 @@
+"""The ways in which a surface can be a foot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.even_surface import EvenSurface
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.messages import Message
+
+Point = tuple[float, float, float]
+
+CLEAR = 1.25
+"""Least ratio of the dissimilarities from both sides at which the shape determines the side."""
+
+
+@dataclass(frozen=True)
+class PoseClicks:
+    """Three points of a scan that a user has clicked, mm, source frame.
+
+    Parameters
+    ----------
+    heel
+        The rearmost end of the heel.
+    toe
+        The tip of a toe.
+    sole
+        Under the sole, as at the ball.
+    """
+
+    heel: Point
+    toe: Point
+    sole: Point
+
+
+@dataclass(frozen=True)
+class CutLeg:
+    """The lower leg that was cut off a foot.
+
+    Parameters
+    ----------
+    height_mm
+        Over the sole, of the cut on the leg's axis.
+    ankle_deg
+        Between the axis of the leg and the sole, seen from the side: 90 in standing, more where the
+        foot is pointed.
+    """
+
+    height_mm: float
+    ankle_deg: float
+
+
+@dataclass(frozen=True, eq=False)
+class FootCandidate:
+    """One way in which a surface can be a foot.
+
+    Parameters
+    ----------
+    side
+    source2insole : (4, 4) float64, mm
+    length_mm
+        Heel to the tip of the longest toe; an estimate where `covered` is less than 1.
+    dissimilarity
+        From the usual foot of that side; 0 is identical.
+    covered
+        Share of the foot's length, from the heel on, that the surface covers.
+    second_toe_found
+        Whether the tip of the 2nd toe defines the axis; otherwise its usual position does.
+    leg
+        What was cut off; None for nothing.
+    """
+
+    side: Side
+    source2insole: FloatArray
+    length_mm: float
+    dissimilarity: float
+    covered: float = 1.0
+    second_toe_found: bool = True
+    leg: CutLeg | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class FoundFoot:
+    """A foot in a scan, and how it may lie.
+
+    Parameters
+    ----------
+    mesh : mm, source frame
+        Facing outwards, without small pieces beside it; of an imprint the positive.
+    even : mm, source frame
+        Its evenly spread points.
+    candidates
+        The most likely first; at least one.
+    doubts
+        What is to be asked, a sentence each; none where the first candidate is sure.
+    notes
+        What was concluded or left out, a sentence each.
+    path
+        Its file, where the scan is a folder; None for the file that was examined.
+    """
+
+    mesh: TriangleMesh
+    even: EvenSurface
+    candidates: tuple[FootCandidate, ...]
+    doubts: tuple[Message, ...] = ()
+    notes: tuple[str, ...] = ()
+    path: Path | None = None
+
+    @property
+    def told_side(self) -> Side | None:
+        """The side that the shape tells; None where it does not tell left from right."""
+        nearest = self.candidates[0]
+        other = self.best(nearest.side.other)
+        if other is None or other.dissimilarity >= CLEAR * nearest.dissimilarity:
+            return nearest.side
+        return None
+
+    def best(self, side: Side) -> FootCandidate | None:
+        """Return the most likely candidate of a side; None when there is none."""
+        return next((one for one in self.candidates if one.side is side), None)

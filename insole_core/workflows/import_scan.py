@@ -1,0 +1,196 @@
+"""Open the scan of any scanner: see what it shows and how the foot may lie, then take a foot of it.
+
+`examine_scan` concludes what the user has not said (`ImportChoice`) and doubts what it cannot be
+sure of; `take_foot` makes the foot of what was decided. `open_scan` does both for those who cannot
+be asked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
+from insole_core.foot.foot_placement import find_foot, placed_foot
+from insole_core.foot.foot_proportions import check_length, check_proportions
+from insole_core.foot.pose import surface_points
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.imprints.form import Form
+from insole_core.progress import SILENT, Progress
+from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
+from insole_core.scans.scale import KnownSize
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
+from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
+
+
+@dataclass(frozen=True)
+class ImportChoice:
+    """What the user has said of a scan; None where it is to be concluded.
+
+    Parameters
+    ----------
+    side
+    unit
+        Of the coordinates in the file.
+    known_size
+        In place of a unit.
+    form
+    pose
+        Three clicked points, or one of the candidates of an earlier examination.
+    force
+        Go on although the shape looks like the other foot, or is none by its proportions.
+    """
+
+    side: Side | None = None
+    unit: Unit | None = None
+    known_size: KnownSize | None = None
+    form: Form | None = None
+    pose: PoseClicks | FootCandidate | None = None
+    force: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class ScanExamination:
+    """What a scan shows.
+
+    Parameters
+    ----------
+    path
+    surface : mm, source frame
+        All that was read.
+    unit
+        As given or concluded.
+    form
+        As given or concluded.
+    feet
+        At least one; two of a box or folder with both.
+    notes
+        What was assumed or corrected while reading, a sentence each.
+    left_out
+        What does not belong to a foot, a sentence each.
+    """
+
+    path: Path
+    surface: TriangleMesh
+    unit: Unit
+    form: Form
+    feet: tuple[FoundFoot, ...]
+    notes: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+
+
+def examine_scan(
+    path: Path, choice: ImportChoice = ImportChoice(), progress: Progress = SILENT
+) -> ScanExamination:
+    """Read a scan and find the feet in it.
+
+    Parameters
+    ----------
+    path
+        File of a mesh.
+    choice
+        What is known already.
+
+    Raises
+    ------
+    UnitError
+        When the surface is not of a foot's size.
+    InputError
+        When the file cannot be read, or shows no foot.
+    Cancelled
+    """
+    read = read_scan(path, choice, progress.part(0.0, 0.3))
+    return examine_surface(path, read, choice, progress.part(0.3, 1.0))
+
+
+def read_scan(
+    path: Path, choice: ImportChoice = ImportChoice(), progress: Progress = SILENT
+) -> ReadMesh:
+    """Read the surface of a scan; the first half of `examine_scan`, the same for every pose.
+
+    Parameters
+    ----------
+    path
+        File of a mesh.
+    choice
+        Of which only unit and size count.
+
+    Raises
+    ------
+    UnitError
+        When the surface is not of a foot's size.
+    InputError
+        When the file cannot be read.
+    Cancelled
+    """
+    progress.step(0.0, "Reading the scan")
+    return read_mesh(path, choice.unit)
+
+
+def examine_surface(
+    path: Path,
+    read: ReadMesh,
+    choice: ImportChoice = ImportChoice(),
+    progress: Progress = SILENT,
+) -> ScanExamination:
+    """Find the feet in a surface; the second half of `examine_scan`.
+
+    Parameters
+    ----------
+    path
+        Where the surface was read from.
+    read
+        As `read_scan` returns it.
+    choice
+        What is known already.
+
+    Raises
+    ------
+    InputError
+        When it shows no foot.
+    Cancelled
+    """
+    progress.step(0.0, "Finding the pose of the foot")
+    box = find_imprinted_feet(read, choice.form, choice.side)
+    if box is not None:
+        left_out = box.left_out
+        return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
+    found = find_foot(read.mesh)
+    return ScanExamination(path, read.mesh, read.unit, Form.FOOT, (found,), read.notes)
+
+
+def take_foot(
+    examination: ScanExamination,
+    found: FoundFoot,
+    candidate: FootCandidate,
+    choice: ImportChoice = ImportChoice(),
+) -> ScannedFoot:
+    """Make a foot of what was found in a scan.
+
+    Parameters
+    ----------
+    found
+        One of the feet of the examination.
+    candidate
+        One of its candidates.
+    choice
+        That of the examination.
+
+    Raises
+    ------
+    SideMismatchError
+        When the shape is clearly that of the other foot, unless forced.
+    ProportionsError
+        When the surface is no foot by its proportions, unless forced.
+    InputError
+        When no foot is as long.
+    """
+    foot = placed_foot(found, candidate, force=choice.force)
+    check_length(foot.length_mm)
+    if not choice.force:
+        check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
+    form = examination.form
+    notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
+    source = mesh_source(found.path or examination.path, form)
+    return ScannedFoot(replace(foot, notes=notes, form=form), source)
