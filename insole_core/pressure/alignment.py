@@ -10,8 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import fft, ndimage
-from scipy.optimize import least_squares
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
@@ -65,6 +63,8 @@ class Contact:
 
     def surroundings(self) -> tuple[FloatArray, FloatArray]:
         """Return centres (m, 2) and loads (m,) of the loaded cells and those around them."""
+        from scipy import ndimage
+
         padded = np.pad(self.load, _AROUND)
         near = ndimage.binary_dilation(padded > 0, iterations=_AROUND)
         centres = centres_mm((padded.shape[0], padded.shape[1]), self.pitch_mm)
@@ -99,6 +99,8 @@ def contact_of_map(laid: PressureMap) -> Contact:
 
 def without_specks(load: FloatArray) -> FloatArray:
     """Return a load without what presses on a few cells alone, such as noise."""
+    from scipy import ndimage
+
     groups, _ = ndimage.label(load > 0, structure=np.ones((3, 3)))
     sizes = np.bincount(groups.ravel())
     sizes[0] = 0
@@ -171,6 +173,8 @@ def _fit(print_: SolePrint, contact: Contact, mirrored: bool) -> Alignment:
 
 def _coarse(print_: SolePrint, contact: Contact, mirrored: bool) -> list[Placement]:
     """Correlate the contact with the print in all directions; return the best ones."""
+    from scipy import fft
+
     points, load = contact.points, contact.load[contact.load > 0]
     middle = np.average(points, axis=0, weights=load)
     away = float(np.linalg.norm(points - middle, axis=1).max())
@@ -205,6 +209,8 @@ def _apart(one: Placement, other: Placement) -> bool:
 
 def _template(print_: SolePrint) -> FloatArray:
     """Return how likely a cell presses, less what contact beside the sole costs."""
+    from scipy import ndimage
+
     presses = _presses(_DEEP_MM - print_.heights_mm, _PRINT_SOFT_MM)
     presses = ndimage.gaussian_filter(presses * ~print_.is_beside, _PRINT_BLUR_MM / CELL_MM)
     beside_mm = ndimage.distance_transform_edt(print_.is_beside) * CELL_MM
@@ -213,6 +219,9 @@ def _template(print_: SolePrint) -> FloatArray:
 
 def _refined(print_: SolePrint, contact: Contact, start: Placement) -> Alignment:
     """Refine a placement together with the plane of contact."""
+    from scipy import ndimage
+    from scipy.optimize import least_squares
+
     points, load = contact.surroundings()
     middle = points.mean(axis=0)
     weights = np.where(load > 0, 1.0, _UNLOADED)

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 import numpy.typing as npt
-from scipy.ndimage import map_coordinates
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.pressure.placement import Placement
@@ -54,6 +53,8 @@ class PressureMap:
 
         Between sensors they are interpolated; NaN beside the sensors.
         """
+        from scipy.ndimage import map_coordinates
+
         places = _pixels(self.placement.to_map(points), self.kpa.shape, self.pitch_mm)
         known = np.nan_to_num(self.kpa)
         kpa = map_coordinates(known, places, order=1, mode="constant")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import ndimage
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
@@ -51,6 +50,8 @@ class SolePrint:
 
 
 def _print_of(foot: Foot) -> SolePrint:
+    from scipy import ndimage
+
     even = foot.even
     facing = (even.normals[:, 2] < _FACING) & (even.points[:, 2] < AWAY_MM)
     points = even.points[facing if facing.any() else slice(None)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy import ndimage
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, find_landmarks
@@ -64,6 +63,8 @@ def _is_missing(foot: Foot, y: FloatArray, missing: str) -> FloatArray:
 
 
 def _averaged(kpa: FloatArray, print_: SolePrint, place: Placement, pitch_mm: float) -> FloatArray:
+    from scipy import ndimage
+
     centres = centres_mm(PLATE, (pitch_mm, pitch_mm)).reshape(-1, 2)
     offsets = (np.arange(3) - 1) / 3 * pitch_mm
     total = np.zeros(len(centres))

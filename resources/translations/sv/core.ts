@@ -1272,6 +1272,10 @@
             <translation>Fallet har ingen sådan fot; öppna eller avbilda en först.</translation>
         </message>
         <message>
+            <source>The case has no {side} foot, so the map has none to lie under; open its scan first.</source>
+            <translation>Den fot som bilden visar ({side}) finns inte i fallet, så bilden har ingen fot att ligga under; öppna först dess skanning.</translation>
+        </message>
+        <message>
             <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
             <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
