@@ -135,6 +135,8 @@ class MainController(QObject):
         administration, clinic = self._features.clinic, self._services.clinic
         administration.start_requested.connect(self._features.records.show_start)
         administration.lock.quit_requested.connect(self._quit_locked)
+        administration.backups.reminder_changed.connect(self._features.records.show_reminder)
+        self._features.records.reminder_put_off.connect(administration.backups.put_off_reminder)
         self._window.status.follow(administration.backups.jobs)
         clinic.state_changed.connect(self._show_accounts)
         self._show_accounts()
