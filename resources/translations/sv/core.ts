@@ -1104,6 +1104,10 @@
             <translation>Ingen fot kan göras av {session}, eftersom ingen av dess vyer kan användas ({reasons}).</translation>
         </message>
         <message>
+            <source>No footprint stands out on {file}; choose a picture with an even background, or lay it by hand.</source>
+            <translation>Inget fotavtryck framträder på {file}; välj en bild med jämn bakgrund, eller lägg den för hand.</translation>
+        </message>
+        <message>
             <source>No part of this foot faces the ground, so no contact surface can be made; check the pose of the scan.</source>
             <translation>Ingen del av foten vetter mot underlaget, så ingen kontaktyta kan göras; kontrollera skanningens läge.</translation>
         </message>
@@ -1684,6 +1688,10 @@
             <translation>Fallet har ingen sådan fot; öppna eller avbilda en först.</translation>
         </message>
         <message>
+            <source>The case has no {side} foot, so the map has none to lie under; open its scan first.</source>
+            <translation>Den fot som bilden visar ({side}) finns inte i fallet, så bilden har ingen fot att ligga under; öppna först dess skanning.</translation>
+        </message>
+        <message>
             <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
             <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
@@ -1710,6 +1718,14 @@
         <message>
             <source>The colour picture of view {view} is too dark; add light and capture this view again.</source>
             <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The contact does not look like the sole of this foot; check the patient and the distance of the sensors, or lay it by hand.</source>
+            <translation>Kontakten ser inte ut som sulan på den här foten; kontrollera patienten och sensorernas avstånd, eller lägg den för hand.</translation>
+        </message>
+        <message>
+            <source>The contact is {length:.0f} mm long on a foot of {foot:.0f} mm, too little to find its place; lay it by hand.</source>
+            <translation>Kontakten är {length:.0f} mm lång på en fot på {foot:.0f} mm, för lite för att hitta dess plats; lägg den för hand.</translation>
         </message>
         <message>
             <source>The copy {path} of unsaved work is damaged; it is kept as {kept}.</source>
@@ -1778,6 +1794,10 @@
         <message>
             <source>The file does not say how the foot lies: of all ways it could stand, the one that looks most like a foot was taken.</source>
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
+        </message>
+        <message>
+            <source>The file does not say the {what} of its numbers; state it.</source>
+            <translation>Filen anger inte sina tals {what}; ange det.</translation>
         </message>
         <message>
             <source>The file of colours {library} is not beside the scan or cannot be read; the scan has no colours.</source>
@@ -1854,6 +1874,14 @@
         <message>
             <source>The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.</source>
             <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; klinikens regel är {least_mm:g} till {most_mm:g} mm bakom den.</translation>
+        </message>
+        <message>
+            <source>The greatest pressure is {greatest:.0f} kPa, and a foot presses with more than 0 and at most {most:.0f} kPa; check the unit and the frame.</source>
+            <translation>Det största trycket är {greatest:.0f} kPa, och en fot trycker med mer än 0 och högst {most:.0f} kPa; kontrollera enheten och bilden i serien.</translation>
+        </message>
+        <message>
+            <source>The greatest pressure is {kpa:.0f} kPa, little for a foot that stands; check the unit.</source>
+            <translation>Det största trycket är {kpa:.0f} kPa, lite för en fot som står; kontrollera enheten.</translation>
         </message>
         <message>
             <source>The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm are usual.</source>
@@ -1934,6 +1962,10 @@
         <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
             <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
+        </message>
+        <message>
+            <source>The map does not show whether it is that of a left or a right foot; check that it is that of the {side} one.</source>
+            <translation>Tryckbilden visar inte om den är av en vänster eller höger fot; kontrollera att den är av den som är {side}.</translation>
         </message>
         <message>
             <source>The marker {marker} is seen {distances} from its place by {views} and does not count; see whether it was moved.</source>
@@ -2264,6 +2296,10 @@
             <translation>De två raderna är inte lika; skriv båda igen.</translation>
         </message>
         <message>
+            <source>The two points are too near to each other for a scale; click two that are far apart.</source>
+            <translation>De två punkterna ligger för nära varandra för en skala; klicka på två som ligger långt isär.</translation>
+        </message>
+        <message>
             <source>The two points of the known distance coincide; set them apart.</source>
             <translation>De två punkterna för det kända avståndet sammanfaller; sätt dem isär.</translation>
         </message>
@@ -2384,6 +2420,10 @@
             <translation>Uppgiften {what} tillhör {name}, {born}; namn eller födelsedatum skiljer sig.</translation>
         </message>
         <message>
+            <source>The {what} is {value:g} mm, and it must be {low:g} to {high:g} mm.</source>
+            <translation>Värdet {value:g} mm kan inte stämma ({what}); det måste vara {low:g} till {high:g} mm.</translation>
+        </message>
+        <message>
             <source>The {what} must be between {least:g} and {most:g}, not {value:g}.</source>
             <translation>{what} måste vara mellan {least:g} och {most:g}, inte {value:g}.</translation>
         </message>
@@ -2432,6 +2472,10 @@
             <translation>Mappen {folder} finns inte; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
+            <source>There is no frame {number}; choose one from 1 to {count}.</source>
+            <translation>Det finns ingen bild {number} i serien; välj en från 1 till {count}.</translation>
+        </message>
+        <message>
             <source>There is no kind of personal number {kind}; choose one.</source>
             <translation>Det finns inget slags personnummer {kind}; välj ett.</translation>
         </message>
@@ -2442,6 +2486,10 @@
         <message>
             <source>There is no order {number} in the record; check the number.</source>
             <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
+            <source>There is no step {number}; choose one from 1 to {count}.</source>
+            <translation>Det finns inget steg {number}; välj ett från 1 till {count}.</translation>
         </message>
         <message>
             <source>There is no such account any more; look at the list again.</source>
@@ -2494,6 +2542,10 @@
         <message>
             <source>This is the same person twice; choose another one to merge with.</source>
             <translation>Det är samma person två gånger; välj en annan att slå samman med.</translation>
+        </message>
+        <message>
+            <source>This looks like the map of a {other} foot, and it was laid under the {side} one; check the side, and whether it is seen from above or below.</source>
+            <translation>Detta ser ut som en annan fots tryckbild ({other}), och den lades under den här foten ({side}); kontrollera sidan, och om den är sedd uppifrån eller nerifrån.</translation>
         </message>
         <message>
             <source>This merge has been undone already; look at the persons again.</source>
@@ -3152,6 +3204,10 @@
             <translation>disparitet</translation>
         </message>
         <message>
+            <source>distance of the sensors</source>
+            <translation>sensorernas avstånd</translation>
+        </message>
+        <message>
             <source>distance of the sensors (mm)</source>
             <translation>sensorernas avstånd (mm)</translation>
         </message>
@@ -3392,6 +3448,10 @@
             <translation>har fler än {most} hörn</translation>
         </message>
         <message>
+            <source>has not the same number of sensors in each row</source>
+            <translation>har inte lika många sensorer i varje rad</translation>
+        </message>
+        <message>
             <source>has two feet of the same side</source>
             <translation>har två fötter av samma sida</translation>
         </message>
@@ -3488,6 +3548,10 @@
             <translation>innehåller inget material; lägg till ett</translation>
         </message>
         <message>
+            <source>holds no pressure</source>
+            <translation>innehåller inget tryck</translation>
+        </message>
+        <message>
             <source>holds the weight of a body or the points of a trim line, which belong to one foot; leave them out</source>
             <translation>innehåller en kroppsvikt eller punkterna på en klipplinje, som hör till en enda fot; utelämna dem</translation>
         </message>
@@ -3556,6 +3620,10 @@
             <translation>är ingen kontroll; kontrollerna är {check_names}</translation>
         </message>
         <message>
+            <source>is no distance of sensors</source>
+            <translation>är inget avstånd mellan sensorer</translation>
+        </message>
+        <message>
             <source>is no key of a device; check its spelling or leave it out ({known} are known)</source>
             <translation>är ingen nyckel för ett inlägg; kontrollera stavningen eller utelämna den ({known} är kända)</translation>
         </message>
@@ -3570,6 +3638,10 @@
         <message>
             <source>is no key of findings; check its spelling or leave it out</source>
             <translation>är ingen nyckel i en fil med fynd; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
+            <source>is no picture</source>
+            <translation>är ingen bild</translation>
         </message>
         <message>
             <source>is no rigid transform</source>
@@ -3754,6 +3826,10 @@
         <message>
             <source>length</source>
             <translation>längd</translation>
+        </message>
+        <message>
+            <source>length of the insole</source>
+            <translation>inläggets längd</translation>
         </message>
         <message>
             <source>length of the simulated foot (mm)</source>
@@ -4632,6 +4708,10 @@
             <translation>avståndet mellan kamerorna</translation>
         </message>
         <message>
+            <source>the distance of the sensors</source>
+            <translation>sensorernas avstånd</translation>
+        </message>
+        <message>
             <source>the distortion of the depth is corrected by what was measured on sensor {owner}, not on {serial}, so the depth may be wrong by several millimetres; give the session the calibration of its own sensor</source>
             <translation>djupets distorsion rättas med vad som mättes på sensor {owner}, inte på {serial}, så djupet kan vara flera millimeter fel; ge sessionen kalibreringen från dess egen sensor</translation>
         </message>
@@ -4682,6 +4762,10 @@
         <message>
             <source>the leg was not scanned, or the scan does not stand upright</source>
             <translation>benet skannades inte, eller skanningen står inte upprätt</translation>
+        </message>
+        <message>
+            <source>the length of the insole</source>
+            <translation>inläggets längd</translation>
         </message>
         <message>
             <source>the maker</source>
@@ -4754,6 +4838,10 @@
         <message>
             <source>the surface is too coarse there: {places}</source>
             <translation>ytan är för grov där: {places}</translation>
+        </message>
+        <message>
+            <source>the unit of its numbers</source>
+            <translation>talens enhet</translation>
         </message>
         <message>
             <source>the {count} markers that were pointed at cannot be seen at these places from anywhere; check which marker is which</source>
@@ -4856,6 +4944,10 @@
             <translation>underskärning</translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation>enhet</translation>
+        </message>
+        <message>
             <source>unmerged</source>
             <translation>åter isär</translation>
         </message>
@@ -4906,6 +4998,14 @@
         <message>
             <source>weight in kg</source>
             <translation>Vikten i kg</translation>
+        </message>
+        <message>
+            <source>whether it is seen from above or below</source>
+            <translation>om den är sedd uppifrån eller nerifrån</translation>
+        </message>
+        <message>
+            <source>which foot it is</source>
+            <translation>vilken fot det är</translation>
         </message>
         <message>
             <source>width</source>
@@ -5108,8 +5208,20 @@
             <translation>{days:.0f} dagar gammal</translation>
         </message>
         <message>
+            <source>{dpi:g} dots per inch are none of a scanner; they must be {low:g} to {high:g}.</source>
+            <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
+        </message>
+        <message>
             <source>{fault} ({reason})</source>
             <translation>{fault} ({reason})</translation>
+        </message>
+        <message>
+            <source>{file} does not say how many dots per inch it has; state them, or click two points whose distance is known.</source>
+            <translation>{file} anger inte hur många punkter per tum den har; ange dem, eller klicka på två punkter vars avstånd är känt.</translation>
+        </message>
+        <message>
+            <source>{file} does not say {what}; state it.</source>
+            <translation>{file} anger inte {what}; ange det.</translation>
         </message>
         <message>
             <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
@@ -5132,12 +5244,20 @@
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
         </message>
         <message>
+            <source>{file} is the map of a {side} foot, and the foot is a {foot_side} one; choose the other foot, or the other map.</source>
+            <translation>{file} är en annan fots tryckbild ({side}) än den öppna foten ({foot_side}); välj den andra foten, eller den andra tryckbilden.</translation>
+        </message>
+        <message>
             <source>{file} may only be read by you; ask for the right to write to it.</source>
             <translation>Du får bara läsa {file}; be om rätten att skriva till den.</translation>
         </message>
         <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
             <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
+        </message>
+        <message>
+            <source>{file} would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to {high:.0f} mm; check the dots per inch or the distance.</source>
+            <translation>{file} skulle bli {longest:.0f} mm lång, och en bild av en fot är {low:.0f} till {high:.0f} mm; kontrollera punkterna per tum eller avståndet.</translation>
         </message>
         <message>
             <source>{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore the file from a backup.</source>
@@ -5532,12 +5652,20 @@
             <translation>{path} finns inte; ange en mapp som innehåller en sensor.json.</translation>
         </message>
         <message>
+            <source>{path} does not say how many sensels there are and how large they are; export it again.</source>
+            <translation>{path} anger inte hur många sensorer det finns och hur stora de är; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} has a triangle with the corner 0, but an OBJ counts from 1; export it again.</source>
             <translation>{path} har en triangel med hörnet 0, men en OBJ räknar från 1; exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} has lost its {file}; restore the file from a backup.</source>
             <translation>{path} har förlorat {file}; återställ filen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path} has more than {most} million pixels; scan it with fewer dots per inch.</source>
+            <translation>{path} har mer än {most} miljoner bildpunkter; skanna med färre punkter per tum.</translation>
         </message>
         <message>
             <source>{path} has more than {most} rows; divide it.</source>
@@ -5560,8 +5688,16 @@
             <translation>{path} innehåller koordinater som inte är tal; den är skadad, så exportera den igen.</translation>
         </message>
         <message>
+            <source>{path} holds more sensors or frames than a plate has; export one step only.</source>
+            <translation>{path} innehåller fler sensorer eller bilder än en tryckplatta har; exportera bara ett steg.</translation>
+        </message>
+        <message>
             <source>{path} holds more than {count} files; choose the folder of one visit.</source>
             <translation>{path} innehåller mer än {count} filer; välj mappen för ett besök.</translation>
+        </message>
+        <message>
+            <source>{path} holds no frame of pressures; export it again.</source>
+            <translation>{path} innehåller ingen tryckbild; exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} holds no manifest.json, so it is not a recorded session; choose the folder or zip archive of a session.</source>
@@ -5572,6 +5708,10 @@
             <translation>{path} innehåller ingen ordination än; välj ett fall med en design.</translation>
         </message>
         <message>
+            <source>{path} holds no pressure above 0; export it again.</source>
+            <translation>{path} innehåller inget tryck över 0; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} holds no raw 11-bit depth of 640×480; record it with depth format 11 bit.</source>
             <translation>{path} innehåller inget rått 11-bitars djup på 640×480; spela in med djupformatet 11 bitar.</translation>
         </message>
@@ -5580,8 +5720,16 @@
             <translation>{path} innehåller ingen skanning; ange en fil i något av formaten {suffixes}, eller en mapp eller ett zip-arkiv med en persons skanningar.</translation>
         </message>
         <message>
+            <source>{path} holds no sensor; export it again.</source>
+            <translation>{path} innehåller ingen sensor; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} holds no surface that can be read, as if it were cut off or held a few points only; export it again as a triangle mesh.</source>
             <translation>{path} innehåller ingen yta som kan läsas, som om den vore avklippt eller bara innehöll några få punkter; exportera den igen som ett triangelnät.</translation>
+        </message>
+        <message>
+            <source>{path} holds no table of pressures: at least {rows} rows of {columns} numbers; choose the export of a pressure plate.</source>
+            <translation>{path} innehåller ingen tabell med tryck: minst {rows} rader med {columns} tal; välj exporten från en tryckplatta.</translation>
         </message>
         <message>
             <source>{path} holds no {file}, so it is no case; choose an .insole file.</source>
@@ -5590,6 +5738,10 @@
         <message>
             <source>{path} holds only triangles without area; export it again.</source>
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds pressures below 0; export it again, calibrated.</source>
+            <translation>{path} innehåller tryck under 0; exportera den på nytt, kalibrerad.</translation>
         </message>
         <message>
             <source>{path} holds two scans of the {side} foot by their names ({first}, {second}); open the one that is meant.</source>
@@ -5620,6 +5772,10 @@
             <translation>{path} är komprimerad med {method}, vilket inte kan läsas; exportera den igen utan komprimering.</translation>
         </message>
         <message>
+            <source>{path} is cut off; export it again.</source>
+            <translation>{path} är avkortad; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
@@ -5644,6 +5800,10 @@
             <translation>{path} är större än {limit_mb} MB, vilket ingen sådan fil är; välj en annan fil.</translation>
         </message>
         <message>
+            <source>{path} is longer than five minutes; export a part of the walk.</source>
+            <translation>{path} är längre än fem minuter; exportera en del av gången.</translation>
+        </message>
+        <message>
             <source>{path} is named for two results; give each of them a name of its own.</source>
             <translation>{path} anges för två resultat; ge vart och ett ett eget namn.</translation>
         </message>
@@ -5664,6 +5824,10 @@
             <translation>{path} är ingen rå djupbild (16 bitar grått, tal till 2047); spela in sensorns råa tal.</translation>
         </message>
         <message>
+            <source>{path} is no readable PNG, JPEG or TIFF; save the picture again.</source>
+            <translation>{path} är ingen läsbar PNG, JPEG eller TIFF; spara bilden på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is no readable case file; it may be damaged or cut off, so restore it from a backup.</source>
             <translation>{path} är ingen läsbar fallfil; den kan vara skadad eller avskuren, så återställ den från en säkerhetskopia.</translation>
         </message>
@@ -5676,12 +5840,20 @@
             <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
         </message>
         <message>
+            <source>{path} is no readable text; export it again.</source>
+            <translation>{path} är ingen läsbar text; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.</source>
             <translation>{path} är ingen skanning som kan läsas; ange en fil i något av formaten {suffixes}.</translation>
         </message>
         <message>
             <source>{path} is no table of text; save it again as CSV UTF-8.</source>
             <translation>{path} är ingen tabell med text; spara den igen som CSV UTF-8.</translation>
+        </message>
+        <message>
+            <source>{path} is no text; export the pressure map as text, or save the table as CSV.</source>
+            <translation>{path} är ingen text; exportera tryckbilden som text, eller spara tabellen som CSV.</translation>
         </message>
         <message>
             <source>{path} is no valid JSON: {reason}; export the design again.</source>
@@ -5760,6 +5932,10 @@
             <translation>{path} anger inget format som {what} skrivs i; välj {formats}.</translation>
         </message>
         <message>
+            <source>{path} says that its sensors are {pitch:g} mm apart, and they are {low:g} to {high:g} mm apart; export it again.</source>
+            <translation>{path} anger att dess sensorer ligger {pitch:g} mm isär, och de ligger {low:g} till {high:g} mm isär; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} was changed by another program since it was opened here.</source>
             <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
         </message>
@@ -5770,6 +5946,30 @@
         <message>
             <source>{path} was changed while it was being stored; try again.</source>
             <translation>{path} ändrades medan den sparades; försök igen.</translation>
+        </message>
+        <message>
+            <source>{path}: "{text}" is no distance of sensors; write such as 5 or 5 x 7.</source>
+            <translation>{path}: ”{text}” är inget avstånd mellan sensorer; skriv till exempel 5 eller 5 x 7.</translation>
+        </message>
+        <message>
+            <source>{path}: line {line} holds "{text}" in place of a pressure; export it again.</source>
+            <translation>{path}: rad {line} innehåller ”{text}” i stället för ett tryck; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the frames differ in the number of their rows or columns; export it again.</source>
+            <translation>{path}: bilderna har olika antal rader eller kolumner; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the pressures of a frame do not make up the force that it states; the file is damaged, so export it again.</source>
+            <translation>{path}: trycken i en bild ger inte den kraft som den anger; filen är skadad, så exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the rows of the table differ in length; export it again.</source>
+            <translation>{path}: tabellens rader är olika långa; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the unit "{unit}" is none of pressure; calibrate the recording and export it in kPa.</source>
+            <translation>{path}: enheten ”{unit}” är ingen enhet för tryck; kalibrera mätningen och exportera den i kPa.</translation>
         </message>
         <message>
             <source>{path}: {entries} cannot be understood, so the defaults are used for them; the file is kept as {kept}.</source>
