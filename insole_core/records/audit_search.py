@@ -15,6 +15,7 @@ from insole_core.errors import RecordsError
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLine, AuditLog, AuditReport
 from insole_core.records.context import RecordsContext
+from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require
 from insole_core.records.schema import (
     accounts,
@@ -164,9 +165,7 @@ def _all_of(person_id: str) -> Select[Any]:
     """Return the query of the ids of a person and of all that hangs on them."""
     of_visits = select(visits.c.id).where(visits.c.person_id == person_id)
     parts: CompoundSelect[Any] = union_all(
-        select(persons.c.id).where(
-            (persons.c.id == person_id) | (persons.c.merged_into == person_id)
-        ),
+        ids_of_joined(person_id),
         of_visits,
         *(
             select(table.c.id).where(table.c.visit_id.in_(of_visits))

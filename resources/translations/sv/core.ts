@@ -104,12 +104,24 @@
             <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
         </message>
         <message>
+            <source>A distance of {distance_mm:g} mm between the two points is asked for; give one of {least:.0f} to {most:.0f} mm.</source>
+            <translation>Ett avstånd på {distance_mm:g} mm mellan de två punkterna begärs; ange ett på {least:.0f} till {most:.0f} mm.</translation>
+        </message>
+        <message>
             <source>A dome or a bar; trials disagree where a dome works best.</source>
             <translation>En pelott eller en stav; studier är oense om var en pelott verkar bäst.</translation>
         </message>
         <message>
             <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
             <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
+        </message>
+        <message>
+            <source>A flat sheet of {area_cm2:.0f} cm² (floor, table or glass) was cut off.</source>
+            <translation>En plan yta på {area_cm2:.0f} cm² (golv, bord eller glas) har skurits bort.</translation>
+        </message>
+        <message>
+            <source>A foot of {length_mm:.0f} mm is asked for, but feet are {least:.0f} to {most:.0f} mm long; correct the length or the shoe size.</source>
+            <translation>En fot på {length_mm:.0f} mm begärs, men fötter är {least:.0f} till {most:.0f} mm långa; rätta längden eller skostorleken.</translation>
         </message>
         <message>
             <source>A material needs a name; type one.</source>
@@ -122,6 +134,10 @@
         <message>
             <source>A newer Insole Studio has changed {place} meanwhile; install the newest version on this computer, too.</source>
             <translation>Ett nyare Insole Studio har under tiden ändrat {place}; installera den nyaste versionen även på den här datorn.</translation>
+        </message>
+        <message>
+            <source>A piece of {area_cm2:.0f} cm² was left out: {kind}.</source>
+            <translation>En del på {area_cm2:.0f} cm² har utelämnats: {kind}.</translation>
         </message>
         <message>
             <source>A plane</source>
@@ -168,6 +184,10 @@
             <translation>Ett styvt skal; valvet lägre än vanligt.</translation>
         </message>
         <message>
+            <source>A surface was laid through {points} points.</source>
+            <translation>En yta har lagts genom {points} punkter.</translation>
+        </message>
+        <message>
             <source>A taper over {taper_mm:g} mm is too long for an insole of {length_mm:.0f} mm; it tapers over half of its length. Shorten the taper.</source>
             <translation>En avsmalning över {taper_mm:g} mm är för lång för ett inlägg på {length_mm:.0f} mm; det smalnar av över halva sin längd. Förkorta avsmalningen.</translation>
         </message>
@@ -210,6 +230,14 @@
         <message>
             <source>Adding persons</source>
             <translation>Lägger till personer</translation>
+        </message>
+        <message>
+            <source>Address of the maker</source>
+            <translation>Tillverkarens adress</translation>
+        </message>
+        <message>
+            <source>Agreed on</source>
+            <translation>Samtycke</translation>
         </message>
         <message>
             <source>Ahead of the toes</source>
@@ -262,6 +290,14 @@
         <message>
             <source>Arch fill</source>
             <translation>Valvfyllnad</translation>
+        </message>
+        <message>
+            <source>Arch raise</source>
+            <translation>Valvhöjning</translation>
+        </message>
+        <message>
+            <source>Arch support</source>
+            <translation>Valvstöd</translation>
         </message>
         <message>
             <source>Around the heel</source>
@@ -328,16 +364,44 @@
             <translation>Övergång vid hälen</translation>
         </message>
         <message>
+            <source>Block</source>
+            <translation>Block</translation>
+        </message>
+        <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
+        </message>
+        <message>
+            <source>Born</source>
+            <translation>Född</translation>
+        </message>
+        <message>
+            <source>Both feet in the scan look like a {side} one; say which foot is which.</source>
+            <translation>Båda fötterna i skanningen ser ut som en {side}; ange vilken fot som är vilken.</translation>
+        </message>
+        <message>
+            <source>Bottom</source>
+            <translation>Undersida</translation>
+        </message>
+        <message>
+            <source>Brush</source>
+            <translation>Pensel</translation>
         </message>
         <message>
             <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
             <translation>Efter sin plats i lådan är detta {place} fot, efter sin form {told} fot; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>Calibrated</source>
+            <translation>Kalibrerad</translation>
+        </message>
+        <message>
             <source>Calibrating without {capture}</source>
             <translation>Kalibrerar utan {capture}</translation>
+        </message>
+        <message>
+            <source>Capture</source>
+            <translation>Avbildning</translation>
         </message>
         <message>
             <source>Capture the wall at about these distances: {distances} mm.</source>
@@ -380,6 +444,10 @@
             <translation>Kontrollerar: {check}</translation>
         </message>
         <message>
+            <source>Clinic</source>
+            <translation>Klinik</translation>
+        </message>
+        <message>
             <source>Closing the {kind}</source>
             <translation>Sluter {kind}</translation>
         </message>
@@ -396,6 +464,10 @@
             <translation>Färglägger ytan</translation>
         </message>
         <message>
+            <source>Contact</source>
+            <translation>Kontakt</translation>
+        </message>
+        <message>
             <source>Continuing the surface to the edges</source>
             <translation>Fortsätter ytan till kanterna</translation>
         </message>
@@ -404,8 +476,16 @@
             <translation>Kork och EVA</translation>
         </message>
         <message>
+            <source>Corrections</source>
+            <translation>Korrigeringar</translation>
+        </message>
+        <message>
             <source>Cover</source>
             <translation>Överdrag</translation>
+        </message>
+        <message>
+            <source>Cover / middle layer / base</source>
+            <translation>Överdrag / mellanskikt / bas</translation>
         </message>
         <message>
             <source>Cover glued on later</source>
@@ -414,6 +494,14 @@
         <message>
             <source>Cover to the toes.</source>
             <translation>Överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Cover, glued on later</source>
+            <translation>Överdrag, limmas på senare</translation>
+        </message>
+        <message>
+            <source>Cuboid raise</source>
+            <translation>Kuboidstöd</translation>
         </message>
         <message>
             <source>Cup 10 to 14, rim 4 to 8, fill 0, flat underside, at least 3 under the heel: the usual values of clinics that mill EVA; flange and forefoot: Insole Studio's own choice</source>
@@ -444,8 +532,28 @@
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
         <message>
+            <source>Cut-out</source>
+            <translation>Urtag</translation>
+        </message>
+        <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
+        </message>
+        <message>
+            <source>Dancer's pad</source>
+            <translation>Dansarpelott</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Datum</translation>
+        </message>
+        <message>
+            <source>Designed by</source>
+            <translation>Utformad av</translation>
+        </message>
+        <message>
+            <source>Deviation of the triangles</source>
+            <translation>Trianglarnas avvikelse</translation>
         </message>
         <message>
             <source>Device</source>
@@ -462,6 +570,10 @@
         <message>
             <source>Draft and chamfer of the walls are those of the prescription's shell; those of the order are not used.</source>
             <translation>Väggarnas släppning och fas är de som ordinationens skal anger; beställningens används inte.</translation>
+        </message>
+        <message>
+            <source>Draft of the walls</source>
+            <translation>Väggarnas släppning</translation>
         </message>
         <message>
             <source>Drawing the difference</source>
@@ -508,6 +620,10 @@
             <translation>Kantradie</translation>
         </message>
         <message>
+            <source>End taper</source>
+            <translation>Ändarnas avfasning</translation>
+        </message>
+        <message>
             <source>English sizes of 8.47 mm, with 15 mm before the toes</source>
             <translation>engelska storlekar om 8,47 mm, med 15 mm framför tårna</translation>
         </message>
@@ -536,8 +652,36 @@
             <translation>Färre än två punkter på föremålet mättes; märk dem igen.</translation>
         </message>
         <message>
+            <source>File</source>
+            <translation>Fil</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Filer</translation>
+        </message>
+        <message>
             <source>Fill these parts of the picture with the wall: {regions}.</source>
             <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
+        </message>
+        <message>
+            <source>Filler for the 1st toe</source>
+            <translation>Utfyllnad för första tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 2nd toe</source>
+            <translation>Utfyllnad för andra tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 3rd toe</source>
+            <translation>Utfyllnad för tredje tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 4th toe</source>
+            <translation>Utfyllnad för fjärde tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 5th toe</source>
+            <translation>Utfyllnad för femte tån</translation>
         </message>
         <message>
             <source>Finding heel and toes</source>
@@ -558,6 +702,10 @@
         <message>
             <source>Finding the wall in {capture}</source>
             <translation>Söker väggen i {capture}</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Fynd</translation>
         </message>
         <message>
             <source>Finishing rim and toe zone</source>
@@ -592,8 +740,16 @@
             <translation>Plan</translation>
         </message>
         <message>
+            <source>Flat pad</source>
+            <translation>Plan pelott</translation>
+        </message>
+        <message>
             <source>Flatfoot of a child</source>
             <translation>Plattfot hos barn</translation>
+        </message>
+        <message>
+            <source>Follow-up</source>
+            <translation>Uppföljning</translation>
         </message>
         <message>
             <source>Foot ready</source>
@@ -604,8 +760,20 @@
             <translation>För {weight_kg:g} kg kroppsvikt är {material} vanligen {usual_mm:g} mm tjockt, och det här inlägget är {thickness_mm:g} mm.</translation>
         </message>
         <message>
+            <source>Forefoot filler</source>
+            <translation>Framfotsutfyllnad</translation>
+        </message>
+        <message>
             <source>Forefoot post</source>
             <translation>Framfotskil</translation>
+        </message>
+        <message>
+            <source>Forefoot twist</source>
+            <translation>Framfotsvridning</translation>
+        </message>
+        <message>
+            <source>Free-hand pad</source>
+            <translation>Frihandspelott</translation>
         </message>
         <message>
             <source>Functional hallux limitus</source>
@@ -644,16 +812,44 @@
             <translation>Hälskål</translation>
         </message>
         <message>
+            <source>Heel lift</source>
+            <translation>Hälhöjning</translation>
+        </message>
+        <message>
+            <source>Heel or toes were pressed in by {depth_mm:.0f} mm only: the length is some millimetres smaller than that of the foot.</source>
+            <translation>Häl eller tår trycktes ner bara {depth_mm:.0f} mm: längden är några millimeter mindre än fotens.</translation>
+        </message>
+        <message>
             <source>Heel pitch</source>
             <translation>Hälfall</translation>
+        </message>
+        <message>
+            <source>Heel skive</source>
+            <translation>Hälskivning</translation>
         </message>
         <message>
             <source>Heel, 1st and 5th head lie on one line; put them in place.</source>
             <translation>Häl, 1:a och 5:e huvudet ligger på en linje; sätt dem på plats.</translation>
         </message>
         <message>
+            <source>Heel-spur recess</source>
+            <translation>Hälsporreurtag</translation>
+        </message>
+        <message>
+            <source>Heights of sole and insole in mm, seen from above</source>
+            <translation>Höjder av fotsula och inlägg i mm, sedda uppifrån</translation>
+        </message>
+        <message>
             <source>Hold the board in these parts of the picture: {regions}.</source>
             <translation>Håll brädet i dessa delar av bilden: {regions}.</translation>
+        </message>
+        <message>
+            <source>Identification</source>
+            <translation>Identifiering</translation>
+        </message>
+        <message>
+            <source>Identification on it</source>
+            <translation>Märkning på inlägget</translation>
         </message>
         <message>
             <source>In the view {view} nothing of {least_mm:g} to {most_mm:g} mm stands out from its background; lay the mould or insole alone on a flat table under the sensor, and record it again.</source>
@@ -678,6 +874,10 @@
         <message>
             <source>It is the same as {name}.</source>
             <translation>Det är detsamma som {name}.</translation>
+        </message>
+        <message>
+            <source>It is {name}, {born}.</source>
+            <translation>Det är {name}, {born}.</translation>
         </message>
         <message>
             <source>It names nobody whom the record knows; type the patient's name.</source>
@@ -732,6 +932,10 @@
             <translation>Lägger rutnätet över fotsulan</translation>
         </message>
         <message>
+            <source>Least thickness</source>
+            <translation>Minsta tjocklek</translation>
+        </message>
+        <message>
             <source>Least thickness of the material</source>
             <translation>Materialets minsta tjocklek</translation>
         </message>
@@ -744,12 +948,20 @@
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
         </message>
         <message>
+            <source>Left insole</source>
+            <translation>Vänster inlägg</translation>
+        </message>
+        <message>
             <source>Leg length discrepancy</source>
             <translation>Benlängdsskillnad</translation>
         </message>
         <message>
             <source>Length of the taper</source>
             <translation>Avsmalningens längd</translation>
+        </message>
+        <message>
+            <source>Length × width × height</source>
+            <translation>Längd × bredd × höjd</translation>
         </message>
         <message>
             <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
@@ -788,6 +1000,10 @@
             <translation>Söker brädet på {capture}</translation>
         </message>
         <message>
+            <source>Maker</source>
+            <translation>Tillverkare</translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation>Marginal</translation>
         </message>
@@ -796,8 +1012,24 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Material and make</source>
+            <translation>Material och utförande</translation>
+        </message>
+        <message>
+            <source>Material of the shell</source>
+            <translation>Skalets material</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Mått</translation>
+        </message>
+        <message>
             <source>Measure the bar and the plate at one position at least.</source>
             <translation>Mät staven och plattan i minst ett läge.</translation>
+        </message>
+        <message>
+            <source>Measures</source>
+            <translation>Mått</translation>
         </message>
         <message>
             <source>Measuring the difference</source>
@@ -820,6 +1052,10 @@
             <translation>Medial kant, från häl till tår</translation>
         </message>
         <message>
+            <source>Metatarsal bar</source>
+            <translation>Tvärbalk</translation>
+        </message>
+        <message>
             <source>Metatarsalgia</source>
             <translation>Metatarsalgi</translation>
         </message>
@@ -838,6 +1074,10 @@
         <message>
             <source>Moved or reshaped: {correction}</source>
             <translation>Flyttat eller omformat: {correction}</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Namn</translation>
         </message>
         <message>
             <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
@@ -904,8 +1144,16 @@
             <translation>Noridian A5513: basen i inlägg för diabetiker minst 4,8</translation>
         </message>
         <message>
+            <source>Not exported</source>
+            <translation>Inte exporterat</translation>
+        </message>
+        <message>
             <source>Not measured: {regions}; no view that is used shows it.</source>
             <translation>Inte mätt: {regions}; ingen vy som används visar det.</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Anteckningar</translation>
         </message>
         <message>
             <source>Nothing is known of the material “{material}”: the insole is made at least {least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.</source>
@@ -922,6 +1170,10 @@
         <message>
             <source>One column holds the whole name, and another a part of it; choose either the whole name, or given name and family name.</source>
             <translation>En kolumn innehåller hela namnet och en annan en del av det; välj antingen hela namnet eller förnamn och efternamn.</translation>
+        </message>
+        <message>
+            <source>One end of the imprint is only {depth_mm:.0f} mm deep: heel or toes were hardly pressed in, so that side and length are uncertain; say which foot it is, and compare its length.</source>
+            <translation>Ena änden av avtrycket är bara {depth_mm:.0f} mm djup: häl eller tår trycktes knappt ner, så sida och längd är osäkra; ange vilken fot det är och jämför dess längd.</translation>
         </message>
         <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
@@ -956,8 +1208,16 @@
             <translation>Beställning {number}: {count} filer som kan nämna patienten</translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation>Beställningar</translation>
+        </message>
+        <message>
             <source>Outline</source>
             <translation>Kontur</translation>
+        </message>
+        <message>
+            <source>Oval pad</source>
+            <translation>Oval pelott</translation>
         </message>
         <message>
             <source>PA12, printed</source>
@@ -976,6 +1236,26 @@
             <translation>parispunkter om 6,67 mm, med 15 mm framför tårna</translation>
         </message>
         <message>
+            <source>Pelott</source>
+            <translation>Pelott</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>Person</translation>
+        </message>
+        <message>
+            <source>Personal number</source>
+            <translation>Personnummer</translation>
+        </message>
+        <message>
+            <source>Piece</source>
+            <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Place, date, signature</source>
+            <translation>Ort, datum, underskrift</translation>
+        </message>
+        <message>
             <source>Placing the view {view}</source>
             <translation>Placerar vyn {view}</translation>
         </message>
@@ -992,6 +1272,22 @@
             <translation>Punkt {number} på klipplinjen, räknad från medialsidan, ligger bredvid inlägget; flytta in den på inlägget.</translation>
         </message>
         <message>
+            <source>Posting</source>
+            <translation>Kilning</translation>
+        </message>
+        <message>
+            <source>Prescriber</source>
+            <translation>Ordinatör</translation>
+        </message>
+        <message>
+            <source>Prescriber and maker</source>
+            <translation>Ordinatör och tillverkare</translation>
+        </message>
+        <message>
+            <source>Prescription of a custom-made insole</source>
+            <translation>Ordination av ett specialanpassat inlägg</translation>
+        </message>
+        <message>
             <source>ProLab, pediatric</source>
             <translation>ProLab, barn</translation>
         </message>
@@ -1002,6 +1298,14 @@
         <message>
             <source>ProLab, tibialis posterior; footankle.com, flat foot</source>
             <translation>ProLab, tibialis posterior; footankle.com, plattfot</translation>
+        </message>
+        <message>
+            <source>Pseudonym</source>
+            <translation>Pseudonym</translation>
+        </message>
+        <message>
+            <source>Pseudonym or order number</source>
+            <translation>Pseudonym eller beställningsnummer</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {views}</source>
@@ -1036,6 +1340,18 @@
             <translation>Bakfotskil</translation>
         </message>
         <message>
+            <source>Reason</source>
+            <translation>Orsak</translation>
+        </message>
+        <message>
+            <source>Record of a patient</source>
+            <translation>Utdrag ur en patients journal</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Avbildad</translation>
+        </message>
+        <message>
             <source>Reducing the triangles</source>
             <translation>Minskar trianglarna</translation>
         </message>
@@ -1044,8 +1360,56 @@
             <translation>Förfinar ytan</translation>
         </message>
         <message>
+            <source>Relief at the base of the 5th metatarsal</source>
+            <translation>Avlastning vid femte metatarsalbenets bas</translation>
+        </message>
+        <message>
+            <source>Relief under the 1st head</source>
+            <translation>Avlastning under första huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 1st toe</source>
+            <translation>Avlastning under första tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 2nd head</source>
+            <translation>Avlastning under andra huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 2nd toe</source>
+            <translation>Avlastning under andra tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 3rd head</source>
+            <translation>Avlastning under tredje huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 3rd toe</source>
+            <translation>Avlastning under tredje tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 4th head</source>
+            <translation>Avlastning under fjärde huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 4th toe</source>
+            <translation>Avlastning under fjärde tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 5th head</source>
+            <translation>Avlastning under femte huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 5th toe</source>
+            <translation>Avlastning under femte tån</translation>
+        </message>
+        <message>
             <source>Removed: {correction}</source>
             <translation>Borttaget: {correction}</translation>
+        </message>
+        <message>
+            <source>Residuals of the calibration</source>
+            <translation>Kalibreringens restfel</translation>
         </message>
         <message>
             <source>Restoring files ({done} of {all})</source>
@@ -1056,8 +1420,36 @@
             <translation>Återställer tabellen {table}</translation>
         </message>
         <message>
+            <source>Reverse Morton's extension</source>
+            <translation>Omvänd Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>Right insole</source>
+            <translation>Höger inlägg</translation>
+        </message>
+        <message>
+            <source>Rocker</source>
+            <translation>Rullsula</translation>
+        </message>
+        <message>
             <source>Root</source>
             <translation>Root</translation>
+        </message>
+        <message>
+            <source>SHA-256 of the foot</source>
+            <translation>Fotens SHA-256</translation>
+        </message>
+        <message>
+            <source>SHA-256 of the scan</source>
+            <translation>Skanningens SHA-256</translation>
+        </message>
+        <message>
+            <source>Scaled by the size that is known: the surface is {length_mm:.0f} mm long.</source>
+            <translation>Skalad efter den kända storleken: ytan är {length_mm:.0f} mm lång.</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>Skanning</translation>
         </message>
         <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
@@ -1076,6 +1468,10 @@
             <translation>Sensor {serial} lutar {roll_deg:.0f}° åt sidan, vilket dess motor inte kan rätta; räta upp den för hand och ställ den vågrätt igen.</translation>
         </message>
         <message>
+            <source>Sensors</source>
+            <translation>Sensorer</translation>
+        </message>
+        <message>
             <source>Sesamoiditis</source>
             <translation>Sesamoidit</translation>
         </message>
@@ -1086,6 +1482,22 @@
         <message>
             <source>Shoe size</source>
             <translation>Skostorlek</translation>
+        </message>
+        <message>
+            <source>Shoe size (EU)</source>
+            <translation>Skostorlek (EU)</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Sida</translation>
+        </message>
+        <message>
+            <source>Signature</source>
+            <translation>Signatur</translation>
+        </message>
+        <message>
+            <source>Signed by</source>
+            <translation>Signerad av</translation>
         </message>
         <message>
             <source>Simulating view {name}</source>
@@ -1130,6 +1542,10 @@
         <message>
             <source>Sport, full length</source>
             <translation>Sport, hel längd</translation>
+        </message>
+        <message>
+            <source>Statement for a custom-made device (Regulation (EU) 2017/745, Annex XIII)</source>
+            <translation>Försäkran om en specialanpassad produkt (förordning (EU) 2017/745, bilaga XIII)</translation>
         </message>
         <message>
             <source>SureFit; orthoscan</source>
@@ -1364,6 +1780,10 @@
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
         </message>
         <message>
+            <source>The file of colours {library} is not beside the scan or cannot be read; the scan has no colours.</source>
+            <translation>Färgfilen {library} ligger inte bredvid skanningen eller kan inte läsas; skanningen har inga färger.</translation>
+        </message>
+        <message>
             <source>The file {name} of the record is missing in {folder}; restore it from a backup.</source>
             <translation>Registrets fil {name} saknas i {folder}; återställ den från en säkerhetskopia.</translation>
         </message>
@@ -1472,8 +1892,8 @@
             <translation>Märkningen är för lång för sin plats; korta den, så att bokstäverna kan vara minst {least_mm:g} mm höga.</translation>
         </message>
         <message>
-            <source>The imprint is shallow: heel and ball are widest above its rim, so length and widths are smaller than those of the foot.</source>
-            <translation>Avtrycket är grunt: häl och framfot är bredast ovanför dess kant, så längd och bredder är mindre än fotens.</translation>
+            <source>The imprint in the foam, {depth_mm:.0f} mm deep, does not look like a foot; see that heel, ball and toes are pressed in, and take it again.</source>
+            <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
@@ -1614,6 +2034,10 @@
         <message>
             <source>The points of a sphere lie on no sphere; select the sphere alone.</source>
             <translation>Punkterna på en kula ligger inte på någon kula; välj bara kulan.</translation>
+        </message>
+        <message>
+            <source>The points of {path} give no surface ({reason}); export it as a triangle mesh.</source>
+            <translation>Punkterna i {path} ger ingen yta ({reason}); exportera den som ett triangelnät.</translation>
         </message>
         <message>
             <source>The points that should place one frame in another lie on one line; at least one beside it is needed.</source>
@@ -1796,6 +2220,10 @@
             <translation>Tabellen behöver minst ett material; lägg till ett.</translation>
         </message>
         <message>
+            <source>The texture {picture} is not beside the scan or cannot be read; the scan has no colours there.</source>
+            <translation>Texturen {picture} ligger inte bredvid skanningen eller kan inte läsas; skanningen har inga färger där.</translation>
+        </message>
+        <message>
             <source>The tip of the 2nd toe does not stand out; the foot axis runs to its usual place.</source>
             <translation>2:a tåns spets framträder inte; fotaxeln går till dess vanliga plats.</translation>
         </message>
@@ -1834,6 +2262,10 @@
         <message>
             <source>The two lines are not the same; type both again.</source>
             <translation>De två raderna är inte lika; skriv båda igen.</translation>
+        </message>
+        <message>
+            <source>The two points of the known distance coincide; set them apart.</source>
+            <translation>De två punkterna för det kända avståndet sammanfaller; sätt dem isär.</translation>
         </message>
         <message>
             <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
@@ -2045,7 +2477,7 @@
         </message>
         <message>
             <source>This capture is no longer in the record; open the visit again.</source>
-            <translation>Den här upptagningen finns inte längre i journalen; öppna besöket igen.</translation>
+            <translation>Den här avbildningen finns inte längre i journalen; öppna besöket igen.</translation>
         </message>
         <message>
             <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
@@ -2116,6 +2548,10 @@
             <translation>Tåzon</translation>
         </message>
         <message>
+            <source>Tolerance</source>
+            <translation>Tolerans</translation>
+        </message>
+        <message>
             <source>Too little of the solid is seen from above to check its {what}.</source>
             <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
         </message>
@@ -2126,6 +2562,10 @@
         <message>
             <source>Total contact, cup 8 to 12, low rounded rim without a hard edge, fill 0, base of at least 4.8, Shore A 35 (Noridian A5513), reliefs for each head (SureFit)</source>
             <translation>Helkontakt, hälskål 8 till 12, låg rundad kant utan hårda kanter, fyllnad 0, bas på minst 4,8, Shore A 35 (Noridian A5513), avlastning för varje metatarsalhuvud (SureFit)</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Trianglar</translation>
         </message>
         <message>
             <source>Trim line</source>
@@ -2184,6 +2624,10 @@
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>
         <message>
+            <source>Value</source>
+            <translation>Värde</translation>
+        </message>
+        <message>
             <source>Verifying the audit log</source>
             <translation>Kontrollerar loggen</translation>
         </message>
@@ -2194,6 +2638,10 @@
         <message>
             <source>Verifying {count} signatures</source>
             <translation>Kontrollerar {count} signaturer</translation>
+        </message>
+        <message>
+            <source>Version</source>
+            <translation>Version</translation>
         </message>
         <message>
             <source>View {views} is on the disk</source>
@@ -2216,6 +2664,18 @@
             <translation>Vyn {view}: {warning}</translation>
         </message>
         <message>
+            <source>Visit</source>
+            <translation>Besök</translation>
+        </message>
+        <message>
+            <source>Visit on {day}</source>
+            <translation>Besök {day}</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>Volym</translation>
+        </message>
+        <message>
             <source>Waiting for steady depth of view {views}</source>
             <translation>Väntar på stadigt djup i vy {views}</translation>
         </message>
@@ -2224,8 +2684,16 @@
             <translation>Väntar tills säkerhetskopieringen har stannat</translation>
         </message>
         <message>
+            <source>Weight in kg</source>
+            <translation>Vikt i kg</translation>
+        </message>
+        <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Bredd</translation>
         </message>
         <message>
             <source>Writing the file</source>
@@ -2250,6 +2718,10 @@
         <message>
             <source>Writing view {view}</source>
             <translation>Skriver vyn {view}</translation>
+        </message>
+        <message>
+            <source>Written by</source>
+            <translation>Skrivet av</translation>
         </message>
         <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
@@ -2282,6 +2754,14 @@
         <message>
             <source>account</source>
             <translation>konto</translation>
+        </message>
+        <message>
+            <source>achilles angle deg</source>
+            <translation>akillesvinkel, °</translation>
+        </message>
+        <message>
+            <source>achilles lean deg</source>
+            <translation>akillesaxelns lutning, °</translation>
         </message>
         <message>
             <source>add captures</source>
@@ -2320,6 +2800,10 @@
             <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
         </message>
         <message>
+            <source>angle</source>
+            <translation>vinkel</translation>
+        </message>
+        <message>
             <source>angle of the sole sensors (degrees)</source>
             <translation>fotsulesensorernas vinkel (grader)</translation>
         </message>
@@ -2332,6 +2816,10 @@
             <translation>ett annat program har den öppen; stäng den där, eller välj ett annat namn</translation>
         </message>
         <message>
+            <source>apex</source>
+            <translation>topp</translation>
+        </message>
+        <message>
             <source>arch</source>
             <translation>valv</translation>
         </message>
@@ -2340,8 +2828,24 @@
             <translation>valvets topp över planet genom häl, 1:a och 5:e huvudet</translation>
         </message>
         <message>
+            <source>arch fill</source>
+            <translation>valvfyllnad</translation>
+        </message>
+        <message>
+            <source>arch height</source>
+            <translation>valvhöjd</translation>
+        </message>
+        <message>
+            <source>arch height index</source>
+            <translation>valvhöjdsindex</translation>
+        </message>
+        <message>
             <source>arch height of the simulated foot (mm)</source>
             <translation>den simulerade fotens valvhöjd (mm)</translation>
+        </message>
+        <message>
+            <source>arch index</source>
+            <translation>valvindex</translation>
         </message>
         <message>
             <source>arch raise</source>
@@ -2372,8 +2876,36 @@
             <translation>säkerhetskopierad</translation>
         </message>
         <message>
+            <source>ball girth</source>
+            <translation>trampdynans omfång</translation>
+        </message>
+        <message>
+            <source>ball length</source>
+            <translation>längd till trampdynan</translation>
+        </message>
+        <message>
+            <source>ball width</source>
+            <translation>trampdynans bredd</translation>
+        </message>
+        <message>
+            <source>ball width across</source>
+            <translation>trampdynans bredd tvärs</translation>
+        </message>
+        <message>
             <source>ball width of the simulated foot (mm)</source>
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
+        </message>
+        <message>
+            <source>bar</source>
+            <translation>balk</translation>
+        </message>
+        <message>
+            <source>base form</source>
+            <translation>basform</translation>
+        </message>
+        <message>
+            <source>behind heads</source>
+            <translation>bakom huvudena</translation>
         </message>
         <message>
             <source>big toe</source>
@@ -2396,12 +2928,44 @@
             <translation>ämne</translation>
         </message>
         <message>
+            <source>blend</source>
+            <translation>övergång</translation>
+        </message>
+        <message>
+            <source>blend end</source>
+            <translation>övergångens slut</translation>
+        </message>
+        <message>
+            <source>blend start</source>
+            <translation>övergångens början</translation>
+        </message>
+        <message>
             <source>block</source>
             <translation>block</translation>
         </message>
         <message>
+            <source>body weight</source>
+            <translation>kroppsvikt</translation>
+        </message>
+        <message>
+            <source>border</source>
+            <translation>kant</translation>
+        </message>
+        <message>
             <source>born {day}</source>
             <translation>född {day}</translation>
+        </message>
+        <message>
+            <source>bottom</source>
+            <translation>undersida</translation>
+        </message>
+        <message>
+            <source>calibrated on</source>
+            <translation>kalibrerade</translation>
+        </message>
+        <message>
+            <source>camera</source>
+            <translation>färgkamera</translation>
         </message>
         <message>
             <source>capture</source>
@@ -2414,6 +2978,14 @@
         <message>
             <source>centimetres</source>
             <translation>centimeter</translation>
+        </message>
+        <message>
+            <source>centre</source>
+            <translation>mitt</translation>
+        </message>
+        <message>
+            <source>chamfer</source>
+            <translation>fas</translation>
         </message>
         <message>
             <source>change patients, visits and prescriptions</source>
@@ -2488,8 +3060,16 @@
             <translation>överdrag</translation>
         </message>
         <message>
+            <source>cover / middle layer / base</source>
+            <translation>överdrag / mellanskikt / bas</translation>
+        </message>
+        <message>
+            <source>cover, glued on later</source>
+            <translation>överdrag, limmas på senare</translation>
+        </message>
+        <message>
             <source>crest</source>
-            <translation>tåkam</translation>
+            <translation>kam</translation>
         </message>
         <message>
             <source>cuboid raise</source>
@@ -2498,6 +3078,10 @@
         <message>
             <source>cupped</source>
             <translation>skålad</translation>
+        </message>
+        <message>
+            <source>cut out</source>
+            <translation>urtag</translation>
         </message>
         <message>
             <source>cut-out</source>
@@ -2552,16 +3136,36 @@
             <translation>levererad</translation>
         </message>
         <message>
+            <source>depth</source>
+            <translation>djup</translation>
+        </message>
+        <message>
+            <source>depth camera</source>
+            <translation>djupkamera</translation>
+        </message>
+        <message>
             <source>designed</source>
-            <translation>konstruerad</translation>
+            <translation>utformad</translation>
+        </message>
+        <message>
+            <source>device</source>
+            <translation>inläggstyp</translation>
         </message>
         <message>
             <source>diabetes</source>
             <translation>diabetes</translation>
         </message>
         <message>
+            <source>disparity</source>
+            <translation>disparitet</translation>
+        </message>
+        <message>
             <source>distance of the sensors (mm)</source>
             <translation>sensorernas avstånd (mm)</translation>
+        </message>
+        <message>
+            <source>distortion</source>
+            <translation>distorsion</translation>
         </message>
         <message>
             <source>does not belong here: a device fits both feet; leave it out</source>
@@ -2576,6 +3180,10 @@
             <translation>nedåt</translation>
         </message>
         <message>
+            <source>draft of the walls</source>
+            <translation>väggarnas släppning</translation>
+        </message>
+        <message>
             <source>drawn</source>
             <translation>ritad</translation>
         </message>
@@ -2584,8 +3192,28 @@
             <translation>droppe</translation>
         </message>
         <message>
+            <source>due {day}</source>
+            <translation>klar {day}</translation>
+        </message>
+        <message>
+            <source>edge radius</source>
+            <translation>kantradie</translation>
+        </message>
+        <message>
             <source>edge {value}</source>
             <translation>kant {value}</translation>
+        </message>
+        <message>
+            <source>egg</source>
+            <translation>ägg</translation>
+        </message>
+        <message>
+            <source>egg ratio</source>
+            <translation>äggform, förhållande</translation>
+        </message>
+        <message>
+            <source>end taper</source>
+            <translation>ändarnas avfasning</translation>
         </message>
         <message>
             <source>erase patients</source>
@@ -2596,12 +3224,28 @@
             <translation>raderad</translation>
         </message>
         <message>
+            <source>expansion</source>
+            <translation>utvidgning</translation>
+        </message>
+        <message>
             <source>export patients</source>
             <translation>exportera patienter</translation>
         </message>
         <message>
             <source>exported</source>
             <translation>exporterad</translation>
+        </message>
+        <message>
+            <source>extrinsic</source>
+            <translation>extern</translation>
+        </message>
+        <message>
+            <source>fade end</source>
+            <translation>uttoningens slut</translation>
+        </message>
+        <message>
+            <source>fade start</source>
+            <translation>uttoningens början</translation>
         </message>
         <message>
             <source>family name</source>
@@ -2656,6 +3300,10 @@
             <translation>plan</translation>
         </message>
         <message>
+            <source>flat outline</source>
+            <translation>plan kontur</translation>
+        </message>
+        <message>
             <source>flat pad</source>
             <translation>plan pelott</translation>
         </message>
@@ -2668,6 +3316,22 @@
             <translation>uppföljning</translation>
         </message>
         <message>
+            <source>following</source>
+            <translation>följsam</translation>
+        </message>
+        <message>
+            <source>following the foot</source>
+            <translation>följer foten</translation>
+        </message>
+        <message>
+            <source>foot</source>
+            <translation>fot</translation>
+        </message>
+        <message>
+            <source>foot length</source>
+            <translation>fotlängd</translation>
+        </message>
+        <message>
             <source>foot length, rounded up to 5 mm</source>
             <translation>fotlängden, avrundad uppåt till 5 mm</translation>
         </message>
@@ -2676,12 +3340,20 @@
             <translation>framfot</translation>
         </message>
         <message>
+            <source>forefoot angle deg</source>
+            <translation>framfotsvinkel, °</translation>
+        </message>
+        <message>
             <source>forefoot filler</source>
             <translation>framfotsutfyllnad</translation>
         </message>
         <message>
             <source>forefoot pain</source>
             <translation>framfotssmärta</translation>
+        </message>
+        <message>
+            <source>forefoot post</source>
+            <translation>framfotskil</translation>
         </message>
         <message>
             <source>forefoot twist</source>
@@ -2700,8 +3372,16 @@
             <translation>från foten</translation>
         </message>
         <message>
+            <source>from the scan {name}</source>
+            <translation>från skanningen {name}</translation>
+        </message>
+        <message>
             <source>from the shoe size</source>
             <translation>från skostorleken</translation>
+        </message>
+        <message>
+            <source>full</source>
+            <translation>hel</translation>
         </message>
         <message>
             <source>full length</source>
@@ -2768,8 +3448,16 @@
             <translation>hälsmärta</translation>
         </message>
         <message>
+            <source>heel pitch</source>
+            <translation>klackhöjd</translation>
+        </message>
+        <message>
             <source>heel skive</source>
             <translation>hälskivning</translation>
+        </message>
+        <message>
+            <source>heel width</source>
+            <translation>hälbredd</translation>
         </message>
         <message>
             <source>heel width of the simulated foot (mm)</source>
@@ -2778,6 +3466,10 @@
         <message>
             <source>heel-spur recess</source>
             <translation>hälsporreurtag</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>höjd</translation>
         </message>
         <message>
             <source>heights_mm of form must have {rows} rows of {columns} heights, one for each station.</source>
@@ -2840,8 +3532,16 @@
             <translation>inlägget</translation>
         </message>
         <message>
+            <source>instep height</source>
+            <translation>vristhöjd</translation>
+        </message>
+        <message>
             <source>instep height / length from heel to 1st head</source>
             <translation>vristhöjd / längd från häl till 1:a huvudet</translation>
+        </message>
+        <message>
+            <source>intrinsic</source>
+            <translation>intern</translation>
         </message>
         <message>
             <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
@@ -2924,8 +3624,20 @@
             <translation>det är ett rör eller en enhet, ingen fil</translation>
         </message>
         <message>
+            <source>it is a rod, as a leg of a table</source>
+            <translation>den är en stång, som ett bordsben</translation>
+        </message>
+        <message>
+            <source>it is far from the foot</source>
+            <translation>den ligger långt från foten</translation>
+        </message>
+        <message>
             <source>it is far larger than such a file is</source>
             <translation>den är mycket större än en sådan fil är</translation>
+        </message>
+        <message>
+            <source>it is flat, as a sheet, a card or a wall</source>
+            <translation>den är plan, som en skiva, ett kort eller en vägg</translation>
         </message>
         <message>
             <source>it is longer than {limit_mb} MB; check what was put there.</source>
@@ -2934,6 +3646,10 @@
         <message>
             <source>it is not flat, or something stood before it</source>
             <translation>den är inte plan, eller något stod framför den</translation>
+        </message>
+        <message>
+            <source>it lies within the surface, as the inner side of a shell</source>
+            <translation>den ligger innanför ytan, som insidan av ett skal</translation>
         </message>
         <message>
             <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
@@ -3032,8 +3748,24 @@
             <translation>vänster</translation>
         </message>
         <message>
+            <source>left and right</source>
+            <translation>vänster och höger</translation>
+        </message>
+        <message>
+            <source>left insole</source>
+            <translation>vänster inlägg</translation>
+        </message>
+        <message>
+            <source>left sole</source>
+            <translation>vänster fotsula</translation>
+        </message>
+        <message>
             <source>leg length</source>
             <translation>benlängd</translation>
+        </message>
+        <message>
+            <source>length</source>
+            <translation>längd</translation>
         </message>
         <message>
             <source>length of the simulated foot (mm)</source>
@@ -3068,6 +3800,10 @@
             <translation>nere till höger</translation>
         </message>
         <message>
+            <source>made with Insole Studio {version}</source>
+            <translation>gjord med Insole Studio {version}</translation>
+        </message>
+        <message>
             <source>make backups</source>
             <translation>göra säkerhetskopior</translation>
         </message>
@@ -3076,8 +3812,20 @@
             <translation>hantera konton</translation>
         </message>
         <message>
+            <source>material of the shell</source>
+            <translation>skalets material</translation>
+        </message>
+        <message>
             <source>medial</source>
             <translation>medial</translation>
+        </message>
+        <message>
+            <source>medial flange</source>
+            <translation>medial fläns</translation>
+        </message>
+        <message>
+            <source>medial {medial}°, lateral {lateral}°</source>
+            <translation>medialt {medial}°, lateralt {lateral}°</translation>
         </message>
         <message>
             <source>medially</source>
@@ -3102,6 +3850,10 @@
         <message>
             <source>metatarsale tibiale to metatarsale fibulare, seen from below</source>
             <translation>metatarsale tibiale till metatarsale fibulare, sett underifrån</translation>
+        </message>
+        <message>
+            <source>method</source>
+            <translation>metod</translation>
         </message>
         <message>
             <source>metres</source>
@@ -3152,8 +3904,24 @@
             <translation>mm osäkert vid foten</translation>
         </message>
         <message>
+            <source>mode</source>
+            <translation>läge</translation>
+        </message>
+        <message>
+            <source>mondopoint</source>
+            <translation>mondopoint</translation>
+        </message>
+        <message>
+            <source>mortons extension</source>
+            <translation>Mortons förlängning</translation>
+        </message>
+        <message>
             <source>most</source>
             <translation>största</translation>
+        </message>
+        <message>
+            <source>mould</source>
+            <translation>gjutform</translation>
         </message>
         <message>
             <source>moved</source>
@@ -3272,6 +4040,10 @@
             <translation>smal</translation>
         </message>
         <message>
+            <source>navicular height</source>
+            <translation>navikularhöjd</translation>
+        </message>
+        <message>
             <source>navicular, where it is marked, over the ground</source>
             <translation>naviculare, där det är märkt, över underlaget</translation>
         </message>
@@ -3302,6 +4074,10 @@
         <message>
             <source>none</source>
             <translation>–</translation>
+        </message>
+        <message>
+            <source>not recorded</source>
+            <translation>inte antecknat</translation>
         </message>
         <message>
             <source>notes</source>
@@ -3368,6 +4144,10 @@
             <translation>Resultatet</translation>
         </message>
         <message>
+            <source>outline</source>
+            <translation>kontur</translation>
+        </message>
+        <message>
             <source>outline_mm{where} belongs to the shapes "outline" and "flat_outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
             <translation>outline_mm{where} hör till formerna ”outline” och ”flat_outline” och ingen annan; rita en kontur, eller välj en annan form och utelämna den.</translation>
         </message>
@@ -3380,8 +4160,16 @@
             <translation>outline_mm{where} går inte runt pelottens mitt; lägg toppen innanför konturen.</translation>
         </message>
         <message>
+            <source>oval</source>
+            <translation>oval</translation>
+        </message>
+        <message>
             <source>oval pad</source>
             <translation>oval pelott</translation>
+        </message>
+        <message>
+            <source>page</source>
+            <translation>sida</translation>
         </message>
         <message>
             <source>pediatric</source>
@@ -3440,6 +4228,10 @@
             <translation>platta</translation>
         </message>
         <message>
+            <source>points</source>
+            <translation>punkter</translation>
+        </message>
+        <message>
             <source>points_mm of outline has {count} places, and a drawn outline needs at least {least}; draw it again.</source>
             <translation>points_mm i outline har {count} platser, och en ritad kontur behöver minst {least}; rita den igen.</translation>
         </message>
@@ -3460,6 +4252,10 @@
             <translation>posts i shell har två för samma område; behåll en av dem.</translation>
         </message>
         <message>
+            <source>prescribed thickness</source>
+            <translation>ordinerad tjocklek</translation>
+        </message>
+        <message>
             <source>prescription</source>
             <translation>ordination</translation>
         </message>
@@ -3477,23 +4273,39 @@
         </message>
         <message>
             <source>pull</source>
-            <translation>sänk</translation>
+            <translation>dra ner</translation>
         </message>
         <message>
             <source>push</source>
-            <translation>höj</translation>
+            <translation>tryck upp</translation>
         </message>
         <message>
             <source>px apart in the colour image</source>
             <translation>px isär i färgbilden</translation>
         </message>
         <message>
+            <source>radius</source>
+            <translation>radie</translation>
+        </message>
+        <message>
             <source>read the audit log</source>
             <translation>läsa loggen</translation>
         </message>
         <message>
+            <source>rearfoot</source>
+            <translation>bakfot</translation>
+        </message>
+        <message>
+            <source>rearfoot angle deg</source>
+            <translation>bakfotsvinkel, °</translation>
+        </message>
+        <message>
             <source>rearfoot eversion of the simulated foot (degrees)</source>
             <translation>den simulerade fotens bakfotseversion (grader)</translation>
+        </message>
+        <message>
+            <source>rearfoot post</source>
+            <translation>bakfotskil</translation>
         </message>
         <message>
             <source>rearmost point</source>
@@ -3592,6 +4404,14 @@
             <translation>höger</translation>
         </message>
         <message>
+            <source>right insole</source>
+            <translation>höger inlägg</translation>
+        </message>
+        <message>
+            <source>right sole</source>
+            <translation>höger fotsula</translation>
+        </message>
+        <message>
             <source>rigid</source>
             <translation>styv</translation>
         </message>
@@ -3628,6 +4448,10 @@
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
         </message>
         <message>
+            <source>sensors</source>
+            <translation>sensorer</translation>
+        </message>
+        <message>
             <source>sent</source>
             <translation>skickad</translation>
         </message>
@@ -3644,6 +4468,10 @@
             <translation>avgjord</translation>
         </message>
         <message>
+            <source>shape</source>
+            <translation>form</translation>
+        </message>
+        <message>
             <source>shell</source>
             <translation>skal</translation>
         </message>
@@ -3653,7 +4481,19 @@
         </message>
         <message>
             <source>shoe size</source>
-            <translation>Skostorleken</translation>
+            <translation>skostorlek</translation>
+        </message>
+        <message>
+            <source>shoe size eu</source>
+            <translation>skostorlek EU</translation>
+        </message>
+        <message>
+            <source>shoe size uk</source>
+            <translation>skostorlek UK</translation>
+        </message>
+        <message>
+            <source>shoe size us</source>
+            <translation>skostorlek US</translation>
         </message>
         <message>
             <source>shoe_size_eu of outline is missing; put in the size of the shoe.</source>
@@ -3668,12 +4508,24 @@
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
         </message>
         <message>
+            <source>sigma</source>
+            <translation>sigma</translation>
+        </message>
+        <message>
             <source>sign prescriptions</source>
             <translation>signera ordinationer</translation>
         </message>
         <message>
+            <source>signature {signature}</source>
+            <translation>signatur {signature}</translation>
+        </message>
+        <message>
             <source>signed</source>
             <translation>signerad</translation>
+        </message>
+        <message>
+            <source>signed by {name} on {day}</source>
+            <translation>signerad av {name} {day}</translation>
         </message>
         <message>
             <source>signed in</source>
@@ -3682,6 +4534,10 @@
         <message>
             <source>slim shoe</source>
             <translation>smal sko</translation>
+        </message>
+        <message>
+            <source>slope</source>
+            <translation>lutning</translation>
         </message>
         <message>
             <source>smaller</source>
@@ -3724,6 +4580,14 @@
             <translation>steg</translation>
         </message>
         <message>
+            <source>stereo</source>
+            <translation>färg mot djup</translation>
+        </message>
+        <message>
+            <source>strength</source>
+            <translation>styrka</translation>
+        </message>
+        <message>
             <source>strength{where} is {strength:g}, and for smoothing must be 0 to 1; 1 evens out all it can.</source>
             <translation>strength{where} är {strength:g}, och måste för utjämning vara 0 till 1; 1 jämnar ut allt den kan.</translation>
         </message>
@@ -3754,6 +4618,10 @@
         <message>
             <source>tape round the foot through the two points of the ball</source>
             <translation>måttband runt foten genom trampdynans två punkter</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>mål</translation>
         </message>
         <message>
             <source>technician</source>
@@ -3952,8 +4820,16 @@
             <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
+            <source>three quarter</source>
+            <translation>trekvarts</translation>
+        </message>
+        <message>
             <source>three-quarter</source>
             <translation>trekvarts</translation>
+        </message>
+        <message>
+            <source>through {count} points</source>
+            <translation>genom {count} punkter</translation>
         </message>
         <message>
             <source>to the left</source>
@@ -3962,6 +4838,10 @@
         <message>
             <source>to the right</source>
             <translation>åt höger</translation>
+        </message>
+        <message>
+            <source>toe zone</source>
+            <translation>tåzon</translation>
         </message>
         <message>
             <source>toes</source>
@@ -3974,6 +4854,14 @@
         <message>
             <source>total contact</source>
             <translation>helkontakt</translation>
+        </message>
+        <message>
+            <source>trim line</source>
+            <translation>klipplinje</translation>
+        </message>
+        <message>
+            <source>turn</source>
+            <translation>vridning</translation>
         </message>
         <message>
             <source>turned by {turn_deg:.0f}°, it looks like itself within {apart_mm:.1f} mm; move some markers by a few studs so that it is less regular</source>
@@ -4032,8 +4920,20 @@
             <translation>uppåt</translation>
         </message>
         <message>
+            <source>usual</source>
+            <translation>vanlig</translation>
+        </message>
+        <message>
+            <source>variant {name}</source>
+            <translation>variant {name}</translation>
+        </message>
+        <message>
             <source>version must be {known}, and is {version}.</source>
             <translation>version måste vara {known}, och är {version}.</translation>
+        </message>
+        <message>
+            <source>version {number} of {day} by {author}</source>
+            <translation>version {number} {day} av {author}</translation>
         </message>
         <message>
             <source>view {view}: {reason}</source>
@@ -4050,6 +4950,10 @@
         <message>
             <source>weight in kg</source>
             <translation>Vikten i kg</translation>
+        </message>
+        <message>
+            <source>width</source>
+            <translation>bredd</translation>
         </message>
         <message>
             <source>worst: {markers}</source>
@@ -4078,6 +4982,18 @@
         <message>
             <source>{angle} medial</source>
             <translation>{angle} medialt</translation>
+        </message>
+        <message>
+            <source>{angle}, length {length}, edge {edge}</source>
+            <translation>{angle}, längd {length}, kant {edge}</translation>
+        </message>
+        <message>
+            <source>{angle}° lateral</source>
+            <translation>{angle}° lateralt</translation>
+        </message>
+        <message>
+            <source>{angle}° medial</source>
+            <translation>{angle}° medialt</translation>
         </message>
         <message>
             <source>{archive} holds the path "{file}", which leads out of the archive; do not use this file.</source>
@@ -4196,6 +5112,14 @@
             <translation>{count} av {taken} bilder ({kind}) användes; ett hörn träffas inom {rms_px:.2f} px.</translation>
         </message>
         <message>
+            <source>{count} points far from all others were left out.</source>
+            <translation>{count} punkter långt från alla andra har utelämnats.</translation>
+        </message>
+        <message>
+            <source>{count} points stuck out of the surface as spikes and were drawn back.</source>
+            <translation>{count} punkter stack ut ur ytan som taggar och har dragits tillbaka.</translation>
+        </message>
+        <message>
             <source>{count} rows of {table} refer to something that is not there; restore the record from a backup.</source>
             <translation>{count} rader i {table} hänvisar till något som inte finns; återställ registret från en säkerhetskopia.</translation>
         </message>
@@ -4301,7 +5225,7 @@
         </message>
         <message>
             <source>{folder} does not hold the files of this record; connect the disk or the share that holds them, then try again.</source>
-            <translation>{folder} innehåller inte filerna till detta register; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
+            <translation>{folder} innehåller inte filerna till den här journalen; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
         </message>
         <message>
             <source>{folder} does not keep what is written to it; use another disk for backups.</source>
@@ -4353,7 +5277,7 @@
         </message>
         <message>
             <source>{folder} holds the backups of another record, or of this one under another passphrase; choose another folder.</source>
-            <translation>{folder} innehåller säkerhetskopior av ett annat register, eller av detta med en annan lösenfras; välj en annan mapp.</translation>
+            <translation>{folder} innehåller säkerhetskopior av en annan journal, eller av den här med en annan lösenfras; välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
@@ -4370,6 +5294,10 @@
         <message>
             <source>{folder} was not left by a capture; choose the folder it named.</source>
             <translation>{folder} lämnades inte av en avbildning; välj mappen som den angav.</translation>
+        </message>
+        <message>
+            <source>{form}, {share} % of the foot</source>
+            <translation>{form}, {share} % av foten</translation>
         </message>
         <message>
             <source>{frame} is missing, but later frames are there; restore it or renumber.</source>
@@ -4390,6 +5318,10 @@
         <message>
             <source>{heights} mm over the toes</source>
             <translation>{heights} mm över tårna</translation>
+        </message>
+        <message>
+            <source>{height} over {length}</source>
+            <translation>{height} över {length}</translation>
         </message>
         <message>
             <source>{key} of form has {count} stations, and must have {least} to {most}; add or remove some.</source>
@@ -4413,7 +5345,7 @@
         </message>
         <message>
             <source>{kind} is no kind of a capture; use session or mesh.</source>
-            <translation>{kind} är inget slags upptagning; använd session eller mesh.</translation>
+            <translation>{kind} är inget slags avbildning; använd session eller mesh.</translation>
         </message>
         <message>
             <source>{least:g} to {most:g}</source>
@@ -4430,6 +5362,10 @@
         <message>
             <source>{list}[{number}]</source>
             <translation>{list}[{number}]</translation>
+        </message>
+        <message>
+            <source>{maker}, {maker address}, states: this device is intended for the exclusive use of the patient identified above. It was made to the prescription set out here, which {prescriber} made out. It conforms to the general safety and performance requirements of Annex I; requirements that are not fully met, if any, are listed with the reasons: none. This statement and the documentation of the device are kept available to the competent authorities for at least ten years after the device was placed on the market.</source>
+            <translation>{maker}, {maker address}, försäkrar: denna produkt är uteslutande avsedd för den patient som identifieras ovan. Den har tillverkats efter den ordination som återges här och som {prescriber} har utfärdat. Den uppfyller de allmänna kraven på säkerhet och prestanda i bilaga I; krav som eventuellt inte är helt uppfyllda anges med skälen: inga. Denna försäkran och produktens dokumentation hålls tillgängliga för de behöriga myndigheterna i minst tio år efter att produkten släpptes ut på marknaden.</translation>
         </message>
         <message>
             <source>{markers} excluded</source>
@@ -4488,6 +5424,10 @@
             <translation>{name} saknas, men sensor.json anger den som disparity_correction; återställ den från inspelningen.</translation>
         </message>
         <message>
+            <source>{name} is named as a {side} foot, but looks like a {told} one; say which foot it is.</source>
+            <translation>{name} heter som en {side} fot men ser ut som en {told}; ange vilken fot det är.</translation>
+        </message>
+        <message>
             <source>{name} is no number a design can hold; put in a usual one.</source>
             <translation>{name} är inget tal som en design kan ha; ange ett vanligt.</translation>
         </message>
@@ -4510,6 +5450,14 @@
         <message>
             <source>{name} is {value} (usual: {low} to {high})</source>
             <translation>{name} är {value} (vanligt: {low} till {high})</translation>
+        </message>
+        <message>
+            <source>{name} {count} points</source>
+            <translation>{name} {count} punkter</translation>
+        </message>
+        <message>
+            <source>{name} {share} % of the length</source>
+            <translation>{name} {share} % av längden</translation>
         </message>
         <message>
             <source>{name}: "{key}" must hold {what}; calibrate the sensor again.</source>
@@ -4564,12 +5512,16 @@
             <translation>{path} kan inte läsas efter rad {line}: ett citattecken är inte avslutat eller en text är för lång; rätta det eller exportera filen igen.</translation>
         </message>
         <message>
-            <source>{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, so export it again.</source>
-            <translation>{path} kan inte läsas som en ytmodell i formatet {format} ({reason}); den kan vara skadad eller avskuren, så exportera den igen.</translation>
+            <source>{path} cannot be read as a {format} file ({reason}); it may be damaged or cut off, so export it again.</source>
+            <translation>{path} kan inte läsas som en {format}-fil ({reason}); den kan vara skadad eller avklippt, så exportera den igen.</translation>
         </message>
         <message>
             <source>{path} cannot be read: {reason}; check the name of the file.</source>
             <translation>{path} kan inte läsas: {reason}; kontrollera filens namn.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be read: {reason}; check the name of the folder.</source>
+            <translation>{path} kan inte läsas: {reason}; kontrollera mappens namn.</translation>
         </message>
         <message>
             <source>{path} cannot be read: {reason}; export it again.</source>
@@ -4598,6 +5550,10 @@
         <message>
             <source>{path} cannot be written; choose another place.</source>
             <translation>{path} kan inte skrivas; välj en annan plats.</translation>
+        </message>
+        <message>
+            <source>{path} declares entities in its model, which no scan does; do not use it.</source>
+            <translation>{path} deklarerar entiteter i sin modell, vilket ingen skanning gör; använd den inte.</translation>
         </message>
         <message>
             <source>{path} declares something twice or without a number in its header; export it again.</source>
@@ -4648,8 +5604,16 @@
             <translation>{path} har trianglar på sammanlagt {area_m2:.0f} m², långt mer än ett ben och en fot; deras hörn är förväxlade, så exportera den på nytt.</translation>
         </message>
         <message>
+            <source>{path} holds a {format}, although its name ends in {suffix}; choose another file, or give it its right name.</source>
+            <translation>{path} innehåller {format}, fast namnet slutar på {suffix}; välj en annan fil eller ge den dess rätta namn.</translation>
+        </message>
+        <message>
             <source>{path} holds coordinates that are not numbers; it is damaged, so export it again.</source>
             <translation>{path} innehåller koordinater som inte är tal; den är skadad, så exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds more than {count} files; choose the folder of one visit.</source>
+            <translation>{path} innehåller mer än {count} filer; välj mappen för ett besök.</translation>
         </message>
         <message>
             <source>{path} holds no manifest.json, so it is not a recorded session; choose the folder or zip archive of a session.</source>
@@ -4664,8 +5628,12 @@
             <translation>{path} innehåller inget rått 11-bitars djup på 640×480; spela in med djupformatet 11 bitar.</translation>
         </message>
         <message>
-            <source>{path} holds no surface that can be read, as if it were cut off or held points only; export it again as a triangle mesh.</source>
-            <translation>{path} innehåller ingen yta som kan läsas, som om den vore avskuren eller bara höll punkter; exportera den igen som triangelnät.</translation>
+            <source>{path} holds no scan; hand in a file of one of the formats {suffixes}, or a folder or zip archive with the scans of one person.</source>
+            <translation>{path} innehåller ingen skanning; ange en fil i något av formaten {suffixes}, eller en mapp eller ett zip-arkiv med en persons skanningar.</translation>
+        </message>
+        <message>
+            <source>{path} holds no surface that can be read, as if it were cut off or held a few points only; export it again as a triangle mesh.</source>
+            <translation>{path} innehåller ingen yta som kan läsas, som om den vore avklippt eller bara innehöll några få punkter; exportera den igen som ett triangelnät.</translation>
         </message>
         <message>
             <source>{path} holds no {file}, so it is no case; choose an .insole file.</source>
@@ -4676,8 +5644,16 @@
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
         </message>
         <message>
+            <source>{path} holds two scans of the {side} foot by their names ({first}, {second}); open the one that is meant.</source>
+            <translation>{path} innehåller enligt namnen två skanningar av {side} fot ({first}, {second}); öppna den som avses.</translation>
+        </message>
+        <message>
             <source>{path} holds {count_a} points of a and {count_b} of b; pick each point on both.</source>
             <translation>{path} innehåller {count_a} punkter av a och {count_b} av b; välj varje punkt på båda.</translation>
+        </message>
+        <message>
+            <source>{path} holds {count} scans ({names} …), and one foot or both are expected; open the one that is meant.</source>
+            <translation>{path} innehåller {count} skanningar ({names} …), men en fot eller båda väntas; öppna den som avses.</translation>
         </message>
         <message>
             <source>{path} is a mesh, which does not say which foot it is; add --side.</source>
@@ -4688,12 +5664,24 @@
             <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
         </message>
         <message>
+            <source>{path} is a session, which says how the foot lies; leave out form and points.</source>
+            <translation>{path} är en session, som säger hur foten ligger; utelämna form och punkter.</translation>
+        </message>
+        <message>
+            <source>{path} is compressed with {method}, which is not read; export it again without compression.</source>
+            <translation>{path} är komprimerad med {method}, vilket inte kan läsas; exportera den igen utan komprimering.</translation>
+        </message>
+        <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
         <message>
             <source>{path} is empty; choose a table with one row for a person.</source>
             <translation>{path} är tom; välj en tabell med en rad för varje person.</translation>
+        </message>
+        <message>
+            <source>{path} is empty; export it again.</source>
+            <translation>{path} är tom; exportera den igen.</translation>
         </message>
         <message>
             <source>{path} is flat, which is no surface of a foot; export it again.</source>
@@ -4720,10 +5708,6 @@
             <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
         </message>
         <message>
-            <source>{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file.</source>
-            <translation>{path} är ingen ytmodell som kan läsas; ange en .ply-, .stl- eller .obj-fil.</translation>
-        </message>
-        <message>
             <source>{path} is no name of a report; let it end in {suffixes}.</source>
             <translation>{path} är inget namn på en rapport; låt det sluta på {suffixes}.</translation>
         </message>
@@ -4742,6 +5726,10 @@
         <message>
             <source>{path} is no readable picture; restore it or take it out of the folder.</source>
             <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
+        </message>
+        <message>
+            <source>{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.</source>
+            <translation>{path} är ingen skanning som kan läsas; ange en fil i något av formaten {suffixes}.</translation>
         </message>
         <message>
             <source>{path} is no table of text; save it again as CSV UTF-8.</source>
@@ -4780,8 +5768,16 @@
             <translation>{path} är mappen som du arbetar i, eller innehåller den; ange en mapp inuti den.</translation>
         </message>
         <message>
-            <source>{path} is too large for a foot (more than {millions} million triangles or 600 MB); reduce it in the program that made it.</source>
-            <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
+            <source>{path} is too large for a foot (more than {millions} million triangles or {points} million points); reduce it in the program that made it.</source>
+            <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller {points} miljoner punkter); minska den i programmet som gjorde den.</translation>
+        </message>
+        <message>
+            <source>{path} is too large for a foot (more than {most_mb} MB); reduce it in the program that made it.</source>
+            <translation>{path} är för stor för en fot (mer än {most_mb} MB); minska den i programmet som gjorde den.</translation>
+        </message>
+        <message>
+            <source>{path} is {length_mm:.0f} mm long by the size that is given, which is no foot; check the size.</source>
+            <translation>{path} är {length_mm:.0f} mm lång enligt den angivna storleken, vilket inte är någon fot; kontrollera storleken.</translation>
         </message>
         <message>
             <source>{path} is {length_mm:.0f} mm long if it is read in {unit}, which is no foot; choose another unit.</source>
@@ -4876,12 +5872,20 @@
             <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
         </message>
         <message>
+            <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
             <source>{place} holds a record that cannot be read.</source>
             <translation>{place} innehåller en journal som inte går att läsa.</translation>
         </message>
         <message>
             <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}).</source>
             <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}).</translation>
+        </message>
+        <message>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} holds a record with {count} entries fewer in its audit log than the backup.</source>
@@ -4938,6 +5942,10 @@
         <message>
             <source>{region} {percent:.0f} %</source>
             <translation>{region} {percent:.0f} %</translation>
+        </message>
+        <message>
+            <source>{serial}: {step} {value:.2f} {unit}</source>
+            <translation>{serial}: {step} {value:.2f} {unit}</translation>
         </message>
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
@@ -5086,6 +6094,10 @@
         <message>
             <source>{where} must be two numbers in [ ].</source>
             <translation>{where} måste vara två tal i [ ].</translation>
+        </message>
+        <message>
+            <source>{width} from the bisection of the 1st metatarsal</source>
+            <translation>{width} från första metatarsalbenets mittlinje</translation>
         </message>
         <message>
             <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>

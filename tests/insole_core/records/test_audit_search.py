@@ -40,6 +40,14 @@ def test_lines_about_a_person_are_those_about_their_visits_too(records: Records)
         search_audit(records.context, AuditFilter(pseudonym="P-NOBODY"))
 
 
+def test_lines_about_those_merged_through_others_are_found(records: Records) -> None:
+    anna, berit, carin = (records.persons.add(Person(n)) for n in ("Anna", "Berit", "Carin"))
+    records.persons.merge(berit.id, carin.id)
+    records.persons.merge(anna.id, berit.id)
+    found = actions(records, pseudonym=anna.pseudonym)
+    assert sorted(found) == [("added", "person")] * 3 + [("merged", "person")] * 2
+
+
 def test_lines_are_found_by_author_and_day(stations: Stations) -> None:
     records, other = stations.open(), stations.open(BEN)
     anna = records.persons.add(Person("Anna"))

@@ -236,7 +236,8 @@ class ImportPresenter(QObject):
         dialog, chosen = self._dialog, self._candidate
         mesh = self._shown_mesh()
         dialog.show_surface(mesh, anew=anew)
-        dialog.show_side(None if chosen is None else chosen.side, mesh)
+        side = None if chosen is None else chosen.side
+        dialog.show_side(side, mesh, can_be_chosen=self._foot is not None)
         rows = [foot_text(*pair) for pair in zip(self._found.feet, self._chosen, strict=True)]
         dialog.show_feet(rows, self._shown)
         ways = self._ways
@@ -255,7 +256,7 @@ class ImportPresenter(QObject):
             for number, candidate in enumerate(self._chosen)
             if self._dialog.is_marked(number)
         ]
-        text = tr("Open anyway") if self._force else tr("Open")
+        text = tr("Open anyway") if self._force and marked else tr("Open")
         self._dialog.show_opening(text, is_enabled=bool(marked) and None not in marked)
 
     def _show_clicks(self, *, is_on: bool | None = None) -> None:

@@ -17,6 +17,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.simulate.foam_box import DOUBLE_MM, FoamBox, press_feet, pressing
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
@@ -176,3 +177,22 @@ def test_two_scans_opened_one_after_the_other_show_the_newer(
     settle()
     dialogs = [dialog for dialog in app.window.findChildren(ImportDialog) if dialog.isVisible()]
     assert [dialog.windowTitle() for dialog in dialogs] == ["Open the scan second.ply"]
+
+
+@pytest.mark.slow
+def test_both_feet_of_a_foam_box_are_opened_at_once(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    left_foot = build_foot(FootShape(side=Side.LEFT), np.random.default_rng(2), cell_mm=4.0).mesh
+    pressed = [
+        foot.transformed(pressing(28.0, (x_mm, 0.0)))
+        for foot, x_mm in ((left_foot, -80.0), (right_foot, 80.0))
+    ]
+    dialog = open_scan(press_feet(pressed, FoamBox(DOUBLE_MM), np.random.default_rng(1)))
+    assert dialog is not None
+    assert dialog.feet.count() == 2
+    QTest.keyClick(dialog.feet, Qt.Key.Key_Down)
+    assert "right foot" in dialog.finding.text()
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert [foot.side for foot in app.case.record.feet] == [Side.LEFT, Side.RIGHT]
