@@ -5184,6 +5184,10 @@
             <translation>{count:g} punkter</translation>
         </message>
         <message>
+            <source>{count} added ({outcomes})</source>
+            <translation>{count} tillagda ({outcomes})</translation>
+        </message>
+        <message>
             <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
             <translation>{count} svarta prickar hittades på {name} och fyra behövs; välj punkterna i stället.</translation>
         </message>

@@ -94,6 +94,8 @@ def test_the_summary_alone_tells_years_later_how_the_devices_came_about(export, 
         "version 1 of ",
         ": Öberg wants it so",
         f"Capture: {capture.file_name}",
+        f"– SHA-256 {capture.content_sha256}",
+        f"captures/{_capture_name(export)}, SHA-256 {capture.content_sha256}",
         f"calibrated on: {NOT_RECORDED}",
         f"orders/26-7KQ4M/26-7KQ4M-left.stl, SHA-256 {hashlib.sha256(b'of the shop').hexdigest()}",
         "Written by",
@@ -260,6 +262,11 @@ def test_the_audit_log_tells_the_export_without_a_name(export, clinic):
     details = [line.details for line in lines if line.action == "exported"]
     assert len(export.files) in [json.loads(text)["files"] for text in details]
     assert not any("berg" in text for text in details)
+
+
+def _capture_name(export):
+    (name,) = (Path(name).name for name in export.files if "/captures/" in name)
+    return name
 
 
 def _all_bytes(path):
