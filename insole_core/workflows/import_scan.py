@@ -157,13 +157,16 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
-    box = find_imprinted_feet(read, choice.form, choice.side)
-    if box is not None:
-        left_out = box.left_out
-        return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
-    read, left_out, feet = find_scanned_feet(read, choice.known_size, choice.form is Form.FOOT)
+    form, known_size = choice.form, choice.known_size
+    box = find_imprinted_feet(read, form, choice.side, known_size)
+    if box is None:
+        is_foot = form in (Form.FOOT, Form.CAST)
+        read, left_out, feet = find_scanned_feet(read, known_size, is_foot)
+        form = form or Form.FOOT
+    else:
+        read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
     notes = read.notes if read.second is None else ()
-    return ScanExamination(path, read.mesh, read.unit, Form.FOOT, feet, notes, left_out)
+    return ScanExamination(path, read.mesh, read.unit, form, feet, notes, left_out)
 
 
 def take_foot(

@@ -18,6 +18,7 @@ from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.imprints.form import Form
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.finish_warnings import finish_warnings
+from insole_core.scans.scale import KnownFootLength
 from insole_core.workflows.clinic_devices import clinic_devices, find_device
 from insole_core.workflows.clinic_materials import ClinicMaterials
 from insole_core.workflows.import_scan import ImportChoice, ScanExamination, examine_scan, take_foot
@@ -144,3 +145,34 @@ def test_an_end_that_was_hardly_pressed_in_is_told(left_mesh, written, lifted_de
     (found,) = examine_scan(written(single_box(standing, 16.0, cell_mm=1.5))).feet
 
     assert any("hardly pressed in" in doubt for doubt in found.doubts)
+
+
+def test_a_known_length_gives_the_scale_of_a_box(left_mesh, written):
+    box = single_box(left_mesh, cell_mm=1.5)
+    path = written(replace(box, vertices=box.vertices * 0.0137))
+
+    examination = examine_scan(path, ImportChoice(known_size=KnownFootLength(246.0)))
+
+    (found,) = examination.feet
+    assert examination.form is Form.IMPRINT
+    assert found.candidates[0].length_mm == pytest.approx(246, abs=1.5)
+
+
+def test_boxes_in_a_folder_are_both_feet(left_mesh, right_mesh, written, tmp_path):
+    for name, foot in (("left", left_mesh), ("right", right_mesh)):
+        written(single_box(foot, cell_mm=1.5)).rename(tmp_path / f"{name}.ply")
+
+    examination = examine_scan(tmp_path)
+
+    assert examination.form is Form.IMPRINT
+    assert [found.candidates[0].side for found in examination.feet] == [Side.LEFT, Side.RIGHT]
+
+
+def test_a_cast_is_what_the_user_says(left_mesh, written):
+    (found,) = examine_scan(written(left_mesh)).feet
+    examination = examine_scan(written(left_mesh), ImportChoice(form=Form.CAST))
+
+    scanned = first_taken(examination)
+    assert scanned.foot.form is Form.CAST
+    assert scanned.foot.length_mm == pytest.approx(found.candidates[0].length_mm, abs=0.5)
+    assert any("cast taken under weight" in note for note in scanned.foot.notes)
