@@ -20,7 +20,7 @@ from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
-from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
 from insole_core.workflows.scanned_feet import find_scanned_feet
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
@@ -160,8 +160,9 @@ def examine_surface(
     form, known_size = choice.form, choice.known_size
     box = find_imprinted_feet(read, form, choice.side, known_size)
     if box is None:
-        is_foot = form in (Form.FOOT, Form.CAST)
-        read, left_out, feet = find_scanned_feet(read, known_size, is_foot)
+        read, left_out, feet = find_scanned_feet(read, known_size, form is Form.FOOT)
+        if form is None and len(feet) == 1:
+            feet = (with_rimless_doubt(read, feet[0]),)
         form = form or Form.FOOT
     else:
         read, form, feet, left_out = box.read, box.form, box.feet, box.left_out

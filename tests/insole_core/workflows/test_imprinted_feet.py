@@ -15,6 +15,7 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.imprints.foam_box import find_imprints
 from insole_core.imprints.form import Form
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.finish_warnings import finish_warnings
@@ -25,7 +26,7 @@ from insole_core.workflows.import_scan import ImportChoice, ScanExamination, exa
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.starting_design import StartingDevice
-from tests.insole_core.imprints.boxes import double_box, pressed, single_box
+from tests.insole_core.imprints.boxes import double_box, flat_cast, pressed, single_box
 
 TURN = rigid(rotation_about(np.array([1.0, -0.4, 2.0]), 100.0), np.array([50.0, 400.0, -90.0]))
 
@@ -176,3 +177,25 @@ def test_a_cast_is_what_the_user_says(left_mesh, written):
     assert scanned.foot.form is Form.CAST
     assert scanned.foot.length_mm == pytest.approx(found.candidates[0].length_mm, abs=0.5)
     assert any("cast taken under weight" in note for note in scanned.foot.notes)
+
+
+def test_an_imprint_without_its_rim_is_asked_for_its_form(left_mesh, written):
+    scan = find_imprints(single_box(left_mesh, cell_mm=1.5))
+    assert scan is not None
+    (imprint,) = scan.imprints
+
+    as_scanned = examine_scan(written(imprint.mesh.flipped())).feet[0]
+    as_foot = examine_scan(written(imprint.mesh)).feet[0]
+
+    assert any("rim was cut off" in doubt for doubt in as_scanned.doubts)
+    assert not any("rim was cut off" in doubt for doubt in as_foot.doubts)
+    assert as_scanned.told_side is as_foot.told_side is Side.LEFT
+
+
+def test_a_low_cast_with_a_flat_top_lies_as_a_foot_does(left_mesh, written):
+    path = written(flat_cast(left_mesh, 42.0).transformed(TURN))
+
+    (found,) = examine_scan(path, ImportChoice(form=Form.CAST)).feet
+
+    assert found.told_side is Side.LEFT
+    assert found.candidates[0].length_mm == pytest.approx(245, abs=3)
