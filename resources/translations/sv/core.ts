@@ -2204,6 +2204,10 @@
             <translation>Ytan kunde inte passas in i vyerna; kontrollera om någon vy är förstörd och uteslut den.</translation>
         </message>
         <message>
+            <source>The surface faces into the foot: it is an imprint whose rim was cut off, or a file that is inside out; say whether it is a foam box or a foot.</source>
+            <translation>Ytan vetter in mot foten: det är ett avtryck vars kant har skurits bort, eller en fil som är ut och in; ange om det är en skumlåda eller en fot.</translation>
+        </message>
+        <message>
             <source>The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole foot or its sole, and nothing else.</source>
             <translation>Ytan har inte en fots proportioner: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {heel_mm:.0f} mm över hälen; kontrollera att filen innehåller en hel fot eller dess sula, och inget annat.</translation>
         </message>
