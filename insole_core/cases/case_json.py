@@ -22,6 +22,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import is_rotation
+from insole_core.imprints.form import Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
 from insole_core.insole.prescription.template import Template, template_from_json, template_to_json
@@ -80,7 +81,7 @@ def foot_to_json(record: FootRecord) -> dict[str, Any]:
         "length_mm": foot.length_mm,
         "source2insole": foot.source2insole.tolist(),
         "notes": list(foot.notes),
-        "source": vars(record.source).copy(),
+        "source": _source_to_json(record.source),
         "annotations": _annotations_to_json(record.annotations),
         "variants": [
             {"name": variant.name, "design": design_to_json(variant.design)}
@@ -146,6 +147,7 @@ def _foot(foot: JsonObject, side: Side, mesh_of: Callable[[Side], TriangleMesh])
         source2insole=matrix,
         length_mm=foot.number("length_mm", 50, 500),
         notes=tuple(foot.texts("notes")),
+        form=_form(foot.object("source")),
     )
 
 
@@ -206,4 +208,15 @@ def _annotations(annotations: JsonObject) -> Annotations:
 def _source(source: JsonObject) -> ScanSource:
     recorded_at = source.text("recorded_at", empty=True)
     kind = source.choice("kind", ["session", "mesh"])
-    return ScanSource(kind, source.text("path"), source.text("sha256"), recorded_at)
+    return ScanSource(kind, source.text("path"), source.text("sha256"), recorded_at, _form(source))
+
+
+def _source_to_json(source: ScanSource) -> dict[str, Any]:
+    content = vars(source).copy()
+    if source.form is Form.FOOT:
+        del content["form"]
+    return content
+
+
+def _form(source: JsonObject) -> Form:
+    return source.choice("form", list(Form)) if source.has("form") else Form.FOOT

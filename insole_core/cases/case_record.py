@@ -16,6 +16,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rotation_about
+from insole_core.imprints.form import Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.template import Template
 
@@ -105,12 +106,15 @@ class ScanSource:
         Of the manifest of a session, or of the file of a mesh or an archive.
     recorded_at
         ISO 8601, UTC; empty where unknown.
+    form
+        What was scanned; a session shows a foot.
     """
 
     kind: str
     path: str
     sha256: str
     recorded_at: str = ""
+    form: Form = Form.FOOT
 
 
 @dataclass(frozen=True)

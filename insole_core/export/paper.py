@@ -44,6 +44,7 @@ from insole_core.export.lettering import as_written, font_path, with_known_lette
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
+from insole_core.messages import Translate
 from insole_core.resources import resource_path
 
 rl_config.useA85 = 0  # streams as text cost a fifth of the file, and most of the time of pictures
@@ -220,6 +221,7 @@ def write_prescription(
     path: Path,
     *,
     responsible: Facts,
+    translate: Translate = str,
 ) -> None:
     """Write the prescription for the patient and the record, with the statement of Annex XIII.
 
@@ -234,6 +236,8 @@ def write_prescription(
     responsible
         Prescriber, clinic, maker and the maker's address. The text of the statement may name
         them, and every other fact here, in braces: ``{maker}``.
+    translate
+        Into the language of the paper; lines and facts come translated, names of facts do not.
 
     Raises
     ------
@@ -242,13 +246,13 @@ def write_prescription(
     InputError
         When the texts cannot be read.
     """
-    texts = paper_texts("prescription")
+    texts = paper_texts("prescription", translate)
     story = [paragraph(texts["title"], TITLE)]
-    story += _facts(texts["identification"], identification)
+    story += _facts(texts["identification"], identification, translate)
     given = {key: value for key, value in responsible.items() if value}
-    story += _facts(texts["responsible"], given)
+    story += _facts(texts["responsible"], given, translate)
     story += _list(texts["corrections"], corrections or ("–",))
-    story += _facts(texts["make"], make)
+    story += _facts(texts["make"], make, translate)
     statement = _filled(texts["statement"], {**identification, **responsible})
     story += _list(texts["statement_title"], (statement,))
     story += [Spacer(1, 20 * mm), paragraph("_" * 40)]
@@ -343,8 +347,13 @@ def _register_font() -> None:
     pdfmetrics.registerFontFamily(_FONT, **faces)
 
 
-def paper_texts(name: str) -> dict[str, str]:
+def paper_texts(name: str, translate: Translate = str) -> dict[str, str]:
     """Return the texts of a paper, which a clinic can edit.
+
+    Parameters
+    ----------
+    translate
+        Into the language of the paper; what a clinic has edited stays as it is.
 
     Raises
     ------
@@ -356,13 +365,13 @@ def paper_texts(name: str) -> dict[str, str]:
         content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     except ValueError as error:
         raise InputError("{path} is no valid JSON; correct the texts.", path=path) from error
-    return {key: str(value) for key, value in content.items()}
+    return {key: translate(str(value)) for key, value in content.items()}
 
 
-def _facts(title: str, facts: Facts) -> list[Flowable]:
+def _facts(title: str, facts: Facts, translate: Translate = str) -> list[Flowable]:
     if not facts:
         return []
-    words = paper_texts("words")
+    words = paper_texts("words", translate)
     rows = [[paragraph(words.get(text, text)) for text in fact] for fact in facts.items()]
     table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
     table.setStyle(

@@ -10,6 +10,7 @@ from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse
+from insole_core.imprints.form import Form
 from insole_core.memo import Memo
 
 DISPLAY = "display"
@@ -37,6 +38,8 @@ class Foot:
         Heel to the tip of the longest toe, along the foot axis.
     notes
         How pose and side were decided, a sentence each.
+    form
+        What was scanned: the foot itself, or what was pressed by it or cast of it under load.
     derived
         Cache of recent results for this foot: landmarks, border, outline, sole, display.
     """
@@ -46,6 +49,7 @@ class Foot:
     source2insole: FloatArray
     length_mm: float
     notes: tuple[str, ...] = ()
+    form: Form = Form.FOOT
     derived: Memo = field(default_factory=_cache, init=False, repr=False)
 
     @property

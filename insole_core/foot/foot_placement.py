@@ -119,6 +119,30 @@ def find_foot(mesh: TriangleMesh) -> FoundFoot:
     return _found(mesh, points, poses, notes)
 
 
+def find_pressed_foot(mesh: TriangleMesh, dorsal: FloatArray) -> FoundFoot:
+    """Find how the sole of an imprint can be a left or a right foot.
+
+    Parameters
+    ----------
+    mesh : mm, any frame
+        Its triangles face out of the foot.
+    dorsal : (3,) float64
+        Unit vector out of the foam, towards the back of the foot.
+
+    Returns
+    -------
+    FoundFoot
+        With a candidate of either side.
+
+    Raises
+    ------
+    InputError
+        When the surface does not look like a foot either way.
+    """
+    points = surface_points(mesh)
+    return _found(mesh, points, _foot_poses(mesh, points, dorsal))
+
+
 def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = False) -> Foot:
     """Bring a found foot to the insole frame as one of its candidates.
 
@@ -197,9 +221,11 @@ def _found(
     return FoundFoot(mesh, even, (nearest, other), notes=notes)
 
 
-def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+def _foot_poses(
+    mesh: TriangleMesh, points: FloatArray, dorsal: FloatArray | None = None
+) -> list[Pose]:
     """Find the possible poses, the most likely first, which must look like a foot."""
-    poses = find_poses(mesh, points)
+    poses = find_poses(mesh, points, dorsal)
     if poses[0].side_dissimilarity > _NO_FOOT:
         raise InputError(
             "The surface looks like no foot, whichever way it is turned;"

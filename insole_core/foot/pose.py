@@ -51,7 +51,9 @@ class Pose:
     covered: float
 
 
-def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+def find_poses(
+    mesh: TriangleMesh, points: FloatArray, dorsal: FloatArray | None = None
+) -> list[Pose]:
     """Find the possible poses of a surface, the most similar to a foot first.
 
     Parameters
@@ -59,6 +61,8 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     mesh : mm, source frame
     points : (n, 3) float64, mm, source frame
         Its `surface_points`.
+    dorsal : (3,) float64, optional
+        Unit vector towards the back of the foot, where it is known.
 
     Returns
     -------
@@ -70,9 +74,10 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     InputError
         When the surface is flat.
     """
+    ups = _up_directions(mesh, points) if dorsal is None else [dorsal]
     poses = [
         pose
-        for up in _up_directions(mesh, points)
+        for up in ups
         for rotation in _both_ways(points, up)
         for pose in _turned(points, rotation)
     ]

@@ -145,8 +145,8 @@ def _count(connection: Connection, visit_id: str) -> int:
 
 
 def _end_work(connection: Connection, visit_id: str) -> None:
-    waiting = (CaptureState.WANTED, CaptureState.RUNNING)
-    row = update(visits).where(visits.c.id == visit_id, visits.c.capture_state.in_(waiting))
+    is_wanted = visits.c.capture_state == CaptureState.WANTED
+    row = update(visits).where(visits.c.id == visit_id, is_wanted)
     connection.execute(
         row.values(
             capture_state=CaptureState.DONE, changed_at=utc_now(), revision=visits.c.revision + 1

@@ -1,10 +1,7 @@
-"""What other stations have changed, noticed within two seconds."""
+"""What other stations have changed; a window asks once a second."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Final
 
@@ -13,10 +10,6 @@ from sqlalchemy import select
 from insole_core.records.context import RecordsContext
 from insole_core.records.schema import audit, audit_head
 
-CHANNEL: Final = "insole_studio_records"
-"""Where PostgreSQL tells of every new line of the audit log (a trigger of the migrations)."""
-POLL_S: Final = 0.5
-"""How often a local database is asked whether it has changed."""
 _MOST: Final = 1000
 _LOOKED_AT: Final = "seen"
 
@@ -58,7 +51,7 @@ class Changes:
 
 
 class ChangeFeed:
-    """Reads what has changed, and waits for it."""
+    """Reads what has changed."""
 
     def __init__(self, context: RecordsContext) -> None:
         self._context = context
@@ -93,34 +86,3 @@ class ChangeFeed:
             if row.action != _LOOKED_AT
         )
         return Changes(head, changes, has_more=len(rows) == _MOST)
-
-    def wait(self, mark: int, timeout_s: float) -> Changes:
-        """Do the same as `since`, but wait until there is something or the time is over.
-
-        It is for a thread of its own. A server tells at once, a local database is asked every
-        `POLL_S`.
-
-        Raises
-        ------
-        Unreachable
-            When the database does not answer.
-        """
-        until = time.monotonic() + timeout_s
-        with self._listening() as listener:
-            while True:
-                changes = self.since(mark)
-                left = until - time.monotonic()
-                if changes.changes or left <= 0:
-                    return changes
-                mark = changes.mark
-                listener(left)
-
-    @contextmanager
-    def _listening(self) -> Iterator[Callable[[float], object]]:
-        """Yield a function that waits for a sign of a change, at most so many seconds."""
-        database = self._context.database
-        if database.is_sqlite:
-            yield lambda left: time.sleep(min(left, POLL_S))
-            return
-        with database.listening(CHANNEL) as wait:
-            yield wait

@@ -5,11 +5,10 @@ from __future__ import annotations
 import os
 import sqlite3
 import threading
-from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager
-from functools import partial
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 from sqlalchemy import Connection, column, create_engine, event, func, select, table
 from sqlalchemy.engine import Engine
@@ -21,9 +20,6 @@ from insole_core.errors import RecordsError
 from insole_core.messages import Message
 from insole_core.records.database_errors import DamagedDatabase, away, described
 from insole_core.records.place import RecordsPlace
-
-if TYPE_CHECKING:
-    import psycopg
 
 BUSY_S: Final = 10.0
 """How long to wait for another writer."""
@@ -59,6 +55,7 @@ class Database:
         self.problem = problem
         self.schema: str | None = None
         """Revision of the schema that this program writes; None does not check it."""
+        self._is_closed = False
         self._snapshots = threading.local()
         self.engine = _engine(place, self.is_read_only)
 
@@ -129,34 +126,9 @@ class Database:
             self._check_schema(connection)
             yield connection
 
-    @contextmanager
-    def listening(self, channel: str) -> Iterator[Callable[[float], None]]:
-        """Listen to a channel of PostgreSQL; yield a function that waits for a notice.
-
-        The function takes how many seconds it waits at most.
-
-        Raises
-        ------
-        Unreachable
-            When the server does not answer.
-        """
-        import psycopg
-
-        try:
-            pooled = self.engine.raw_connection()
-            listener = pooled.driver_connection
-            pooled.detach()  # it listens, so nobody else may get it
-            if not isinstance(listener, psycopg.Connection):
-                raise TypeError("only a PostgreSQL database tells of changes")
-            with closing(listener):
-                listener.autocommit = True
-                listener.execute(f"LISTEN {channel}")
-                yield partial(_wait_for_notice, listener)
-        except psycopg.OperationalError as error:
-            raise away(self.place, str(error)) from error
-
     def close(self) -> None:
-        """Close all connections."""
+        """Close all connections; one that is in use is closed after its transaction."""
+        self._is_closed = True
         self.engine.dispose()
 
     def _check_schema(self, connection: Connection) -> None:
@@ -178,8 +150,12 @@ class Database:
         try:
             with self.engine.connect() as connection:
                 connection.execution_options(**options)
-                with connection.begin():
-                    yield connection
+                try:
+                    with connection.begin():
+                        yield connection
+                finally:
+                    if self._is_closed:
+                        connection.detach()  # its pool, which is gone, would keep it open
         except DBAPIError as error:
             raise self._noted(described(self.place, error)) from error
         except PoolTimeoutError as error:
@@ -190,11 +166,6 @@ class Database:
         if isinstance(error, DamagedDatabase):
             self.problem = error.message
         return error
-
-
-def _wait_for_notice(listener: psycopg.Connection[Any], most_s: float) -> None:
-    for _ in listener.notifies(timeout=most_s, stop_after=1):
-        return
 
 
 def _engine(place: RecordsPlace, read_only: bool) -> Engine:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from sqlalchemy import Table, select, text
+from sqlalchemy import Table, func, or_, select
 
 from insole_core.errors import RecordsError
 from insole_core.export.atomic import make_output_folder
@@ -33,8 +33,11 @@ from insole_core.records.schema import (
 
 _NEEDED: Final = (persons, visits, prescription_versions, clinic)
 """Without these there is nothing to read."""
-_IS_READ_ONLY: Final = (
-    "SELECT pg_is_in_recovery() OR current_setting('default_transaction_read_only')::boolean"
+_IS_READ_ONLY: Final = select(
+    or_(
+        func.pg_is_in_recovery(),
+        func.current_setting("default_transaction_read_only") == "on",
+    )
 )
 
 
@@ -100,7 +103,7 @@ def _why_read_only(place: RecordsPlace) -> Message | None:
 def _why_server_read_only(database: Database) -> Message | None:
     """Ask a server whether it takes changes: one that stands by for another one does not."""
     with database.reading() as connection:
-        is_read_only = connection.execute(text(_IS_READ_ONLY)).scalar_one()
+        is_read_only = connection.execute(_IS_READ_ONLY).scalar_one()
     if not is_read_only:
         return None
     return Message(

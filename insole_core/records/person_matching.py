@@ -102,7 +102,7 @@ def _identified(person: Person, known: PersonSummary, what: str) -> Match:
             "The {what} is that of {name}, {born}; name or birth date differ.",
             what=what,
             name=known.name,
-            born=_born(known),
+            born=born_text(known),
         ),
     )
 
@@ -113,7 +113,7 @@ def _namesake(person: Person, known: PersonSummary) -> Match | None:
         reason = Message(
             "There is somebody of this name, {born}, and a birth date is missing to tell whether "
             "it is the same person.",
-            born=_born(known),
+            born=born_text(known),
         )
         return Match(known, is_certain=False, reason=reason)
     if person.birth_date != known.birth_date:
@@ -127,7 +127,8 @@ def _namesake(person: Person, known: PersonSummary) -> Match | None:
     return Match(known, is_certain=False, reason=reason)
 
 
-def _born(person: PersonSummary) -> Message:
+def born_text(person: PersonSummary) -> Message:
+    """Return when somebody was born, in words."""
     if person.birth_date is None:
         return Message("birth date unknown")
     return Message("born {day}", day=person.birth_date.isoformat())

@@ -8,7 +8,6 @@ from datetime import date
 from typing import Any, Final
 
 from sqlalchemy import (
-    Column,
     ColumnElement,
     Connection,
     ScalarSelect,
@@ -50,8 +49,10 @@ from insole_core.records.times import utc_now
 
 _LAST_CHARACTER: Final = "\U0010ffff"
 _MOST_VALUES: Final = 500
+_FEW: Final = 500
+"""If more have each of the words, many names that begin with the first are likely to fit."""
 _MANY: Final = 2000
-"""So many are looked at one by one in a few milliseconds."""
+"""Less are looked at one by one in some ten milliseconds; of more, many are likely to fit."""
 _SUMMARY: Final = (
     persons.c.id,
     persons.c.name,
@@ -100,10 +101,12 @@ class Persons:
         with self._context.reading() as connection:
             counts = {word: _count(connection, word) for word in words}
             rarest = min(words, key=counts.__getitem__)
-            if counts[rarest] < _MANY:
-                return _found(connection, _by_word(rarest, words, limit))
-            found = _found(connection, _by_name(words).limit(limit))
-            if len(found) < limit:
+            found = []
+            if counts[rarest] >= _FEW:
+                found = _found(connection, _by_name(words).limit(limit))
+            if counts[rarest] < _MANY and len(found) < limit:
+                found = _found(connection, _by_word(rarest, words, limit))
+            elif len(found) < limit:
                 found += _found(connection, _by_rest(words).limit(limit - len(found)))
         return found
 
@@ -116,19 +119,15 @@ class Persons:
         return self._summaries(_listed())
 
     def alike(self) -> list[PersonSummary]:
-        """Return those who share a personal number, or name and birth date, with somebody."""
+        """Return those who may be here twice: by personal number, or by name and birth date."""
         number, name_key, born = persons.c.personal_number, persons.c.name_key, persons.c.birth_date
-        numbers = select(number).where(*_CAN_BE_FOUND, number != "").group_by(number)
-        named = select(name_key, born).where(*_CAN_BE_FOUND, name_key != "", born.is_not(None))
         several = func.count() > 1
+        numbers = select(number).where(number != "").group_by(number).having(several)
+        named = select(name_key, born).where(name_key != "", born.is_not(None))
+        names = named.group_by(name_key, born).having(several)
         with self._context.reading() as connection:
-            same_number = _found(connection, _listed().where(number.in_(numbers.having(several))))
-            same_name = _found(
-                connection,
-                _listed().where(
-                    tuple_(name_key, born).in_(named.group_by(name_key, born).having(several))
-                ),
-            )
+            same_number = _found(connection, _listed().where(number.in_(numbers)))
+            same_name = _found(connection, _listed().where(tuple_(name_key, born).in_(names)))
         return list(dict.fromkeys([*same_number, *same_name]))
 
     def with_number(self, personal_number: str) -> list[PersonSummary]:
@@ -305,16 +304,23 @@ def _count(connection: Connection, word: str) -> int:
 
 
 def _by_word(rarest: str, words: list[str], limit: int) -> Select[Any]:
-    """Return the query that looks at those only who have one of the words, which few have."""
-    of_word = select(person_words.c.person_id).where(_begins(person_words.c.word, rarest))
-    rest = (_holds(word) for word in words if word != rarest)
-    order = (case((_begins(persons.c.sort_key, words[0]), 0), else_=1), persons.c.sort_key)
-    found = select(*_SUMMARY, *(by.label(f"by{number}") for number, by in enumerate(order)))
-    found = found.where(*_CAN_BE_FOUND, persons.c.id.in_(of_word), *rest)
-    # The days of the last visits are looked up for those alone who are listed.
-    listed = found.order_by(*order).limit(limit).subquery()
-    columns = [listed.c[column.name] for column in _SUMMARY]
-    return select(*columns, _last_visit(listed.c.id)).order_by(listed.c.by0, listed.c.by1)
+    """Return the query that looks at those only who have one of the words, less than `_MANY`."""
+    begun = select(person_words.c.person_id).where(_begins(person_words.c.word, rarest))
+    of_word = begun.distinct().subquery()
+
+    def looked_up(value: ColumnElement[Any]) -> ScalarSelect[Any]:
+        """Return a value of one person: where they are joined, databases read all persons."""
+        return select(value).where(persons.c.id == of_word.c.person_id).scalar_subquery()
+
+    wanted = and_(*_CAN_BE_FOUND, *(_holds(word) for word in words if word != rarest))
+    found = select(of_word.c.person_id, looked_up(persons.c.sort_key).label("sort_key"))
+    found_ones = found.where(looked_up(wanted)).limit(_MANY).subquery()
+    begins_name = case((_begins(found_ones.c.sort_key, words[0]), 0), else_=1)
+    listed = select(found_ones, begins_name.label("rank"))
+    listed_ones = listed.order_by("rank", found_ones.c.sort_key).limit(limit).subquery()
+    query = select(*_SUMMARY, _last_visit(persons.c.id))
+    query = query.join(listed_ones, listed_ones.c.person_id == persons.c.id)
+    return query.order_by(listed_ones.c.rank, listed_ones.c.sort_key)
 
 
 def _by_name(words: list[str]) -> Select[Any]:
@@ -329,7 +335,7 @@ def _by_rest(words: list[str]) -> Select[Any]:
     return _listed().where(*others).order_by(persons.c.sort_key)
 
 
-def _begins(column: Column[str], word: str) -> ColumnElement[bool]:
+def _begins(column: ColumnElement[str], word: str) -> ColumnElement[bool]:
     return and_(column >= word, column < f"{word}{_LAST_CHARACTER}")
 
 

@@ -97,18 +97,6 @@ class Records:
         """Return what any station has changed since a mark."""
         return self._changes.since(mark)
 
-    def wait_for_changes(self, mark: int, timeout_s: float) -> Changes:
-        """Do the same as `changes_since`, but wait until there is something or the time is over.
-
-        It is for a thread of its own.
-
-        Raises
-        ------
-        Unreachable
-            When the database does not answer.
-        """
-        return self._changes.wait(mark, timeout_s)
-
     def close(self) -> None:
         """Close all connections; the record cannot be used any more."""
         self._database.close()

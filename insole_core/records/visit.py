@@ -19,7 +19,6 @@ class CaptureState(StrEnum):
 
     NONE = "none"
     WANTED = "wanted"
-    RUNNING = "running"
     DONE = "done"
 
 

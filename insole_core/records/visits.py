@@ -33,7 +33,6 @@ _EDITED: Final = (
     "measures",
     "capture_state",
 )
-_WAITING: Final = (CaptureState.WANTED, CaptureState.RUNNING)
 
 
 class Visits:
@@ -67,7 +66,7 @@ class Visits:
 
     def work_list(self) -> list[VisitSummary]:
         """Return the visits for which the capture room has something to do, oldest first."""
-        return self._summaries(_listed().where(visits.c.capture_state.in_(_WAITING)))
+        return self._summaries(_listed().where(visits.c.capture_state == CaptureState.WANTED))
 
     def add(self, visit: Visit) -> Visit:
         """Add a visit; return it as it is stored.

@@ -42,6 +42,8 @@ _UNREADABLE = (
     NotImplementedError, MemoryError,
 )  # fmt: skip
 
+INSIDE_OUT = "The surface was inside out and has been turned."
+
 
 class UnitError(InputError):
     """The surface is as large as a foot in no unit, or not in the one that was given."""
@@ -60,12 +62,15 @@ class ReadMesh:
         What the file's numbers were multiplied with, by their unit or by a known size.
     notes
         What was assumed or corrected, a sentence each.
+    was_turned
+        Whether the triangles face the other way in the file; `INSIDE_OUT` is one of the notes then.
     """
 
     mesh: TriangleMesh
     unit: Unit
     mm_per_unit: float
     notes: tuple[str, ...]
+    was_turned: bool = False
 
 
 def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
@@ -114,10 +119,11 @@ def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
             )
         )
         mesh = thinned(mesh, pitch_mm)
-    if _outward_flux(mesh) < 0:
+    was_turned = _outward_flux(mesh) < 0
+    if was_turned:
         mesh = mesh.flipped()
-        notes.append("The surface was inside out and has been turned.")
-    return ReadMesh(mesh, unit, _MM_PER_UNIT[unit], tuple(notes))
+        notes.append(INSIDE_OUT)
+    return ReadMesh(mesh, unit, _MM_PER_UNIT[unit], tuple(notes), was_turned)
 
 
 def _in_mm(mesh: TriangleMesh, mm_per_unit: float) -> TriangleMesh:

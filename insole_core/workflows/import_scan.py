@@ -20,6 +20,7 @@ from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -47,6 +48,10 @@ class ImportChoice:
     form: Form | None = None
     pose: PoseClicks | FootCandidate | None = None
     force: bool = False
+
+
+NOTHING_SAID = ImportChoice()
+"""All is to be concluded."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +85,7 @@ class ScanExamination:
 
 
 def examine_scan(
-    path: Path, choice: ImportChoice = ImportChoice(), progress: Progress = SILENT
+    path: Path, choice: ImportChoice = NOTHING_SAID, progress: Progress = SILENT
 ) -> ScanExamination:
     """Read a scan and find the feet in it.
 
@@ -104,7 +109,7 @@ def examine_scan(
 
 
 def read_scan(
-    path: Path, choice: ImportChoice = ImportChoice(), progress: Progress = SILENT
+    path: Path, choice: ImportChoice = NOTHING_SAID, progress: Progress = SILENT
 ) -> ReadMesh:
     """Read the surface of a scan; the first half of `examine_scan`, the same for every pose.
 
@@ -130,7 +135,7 @@ def read_scan(
 def examine_surface(
     path: Path,
     read: ReadMesh,
-    choice: ImportChoice = ImportChoice(),
+    choice: ImportChoice = NOTHING_SAID,
     progress: Progress = SILENT,
 ) -> ScanExamination:
     """Find the feet in a surface; the second half of `examine_scan`.
@@ -151,6 +156,10 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
+    box = find_imprinted_feet(read, choice.form, choice.side)
+    if box is not None:
+        left_out = box.left_out
+        return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
     found = find_foot(read.mesh)
     return ScanExamination(path, read.mesh, read.unit, Form.FOOT, (found,), read.notes)
 
@@ -159,7 +168,7 @@ def take_foot(
     examination: ScanExamination,
     found: FoundFoot,
     candidate: FootCandidate,
-    choice: ImportChoice = ImportChoice(),
+    choice: ImportChoice = NOTHING_SAID,
 ) -> ScannedFoot:
     """Make a foot of what was found in a scan.
 
@@ -185,5 +194,7 @@ def take_foot(
     check_length(foot.length_mm)
     if not choice.force:
         check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
-    notes = (*examination.notes, *foot.notes, *examination.left_out)
-    return ScannedFoot(replace(foot, notes=notes), mesh_source(found.path or examination.path))
+    form = examination.form
+    notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
+    source = mesh_source(found.path or examination.path, form)
+    return ScannedFoot(replace(foot, notes=notes, form=form), source)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.cases.case_record import ScanSource
 from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
+from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.session import Session
@@ -30,9 +31,9 @@ def session_source(path: Path, session: Session) -> ScanSource:
     return _source("session", path, session.manifest.recorded_at)
 
 
-def mesh_source(path: Path) -> ScanSource:
+def mesh_source(path: Path, form: Form = Form.FOOT) -> ScanSource:
     """Return the scan record of a mesh file."""
-    return _source("mesh", path)
+    return replace(_source("mesh", path), form=form)
 
 
 def change_of_source(source: ScanSource, progress: Progress = SILENT) -> str:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.geometry.side import Side
+from insole_core.foot.foot import Foot
+from insole_core.imprints.form import Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
 from insole_core.insole.prescription.materials import MaterialTable, with_least_thickness
@@ -31,9 +32,11 @@ class StartingDevice:
     materials: MaterialTable
     problem: Message | None = None
 
-    def design(self, side: Side) -> InsoleDesign:
-        """Return a new design for a foot."""
-        design = apply_device(self.device, InsoleDesign(side))
+    def design(self, foot: Foot) -> InsoleDesign:
+        """Return a new design for a foot, without expansion where its tissue was spread already."""
+        design = apply_device(self.device, InsoleDesign(foot.side))
+        if foot.form is not Form.FOOT and design.finish is not None:
+            design = replace(design, finish=replace(design.finish, expansion_mm=0.0))
         return with_least_thickness(design, self.materials)
 
 

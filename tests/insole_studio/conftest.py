@@ -21,13 +21,11 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.records.records import Records
-from insole_core.scans.mesh_file import Unit
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
-from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.fields_dialog import Field
 
@@ -53,9 +51,6 @@ class CannedQuestions:
     """Answers without asking; a test sets what."""
 
     def __init__(self) -> None:
-        self.side: Side | None = Side.LEFT
-        self.side_after_all: Side | None = None
-        self.units: list[Unit | None] = []
         self.anyway = False
         self.unsaved = Answer.DISCARD
         self.replace = True
@@ -67,15 +62,6 @@ class CannedQuestions:
 
     def on(self, _window: object) -> CannedQuestions:
         return self
-
-    def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
-        self.asked.append(trouble or "side")
-        unit = self.units.pop(0) if self.units else None
-        return None if self.side is None else ScanAnswer(self.side, unit)
-
-    def which_side_after_all(self, sentence: str, _asked: Side) -> Side | None:
-        self.asked.append(sentence)
-        return self.side_after_all
 
     def open_anyway(self, sentence: str) -> bool:
         self.asked.append(sentence)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from insole_core.geometry.side import Side
 from insole_studio.app.scripted import ScriptedWindow, grab
 from insole_studio.features.export.stage import ExportStage
+from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.number_field import NumberField
 
@@ -41,9 +42,13 @@ class Hands:
 
     def open(self, path: Path, side: Side | None = None) -> None:
         """Choose a scan in the dialog, and its side where it does not say it."""
-        answers = self.studio.answers
-        answers.path, answers.side = path, side
+        self.studio.answers.path = path
         self.choose("open_archive")
+        if side is not None:
+            (dialog,) = self.app.window.findChildren(ImportDialog)
+            QTest.mouseClick(dialog.sides[side], LEFT)
+            QTest.mouseClick(dialog.open_button, LEFT)
+            self.studio.settle()
 
     def take_notice(self, offer: str) -> None:
         """Press the button of a notice."""

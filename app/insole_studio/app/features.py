@@ -15,6 +15,7 @@ from insole_studio.features.design.design import Design, make_design
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.export.export_actions import ExportActions
 from insole_studio.features.foot.foot_window import FootWindow
+from insole_studio.features.import_scan.scan_import import ScanImport
 from insole_studio.features.records.patient_records import PatientRecords
 from insole_studio.services.app_services import AppServices
 
@@ -45,7 +46,7 @@ def make_features(
 ) -> Features:
     """Construct every feature; the windows of stages are created when they are opened."""
     foot = FootWindow(services)
-    case_files = make_case_files(services, autosave, foot.open_session)
+    case_files = make_case_files(services, autosave, foot.open_session, ScanImport(services).open)
     return Features(
         records=PatientRecords(services, case_files.saver.after_unsaved),
         clinic=ClinicAdministration(services, case_files.saver.after_unsaved, autosave.keep_now),

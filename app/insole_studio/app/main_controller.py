@@ -134,6 +134,8 @@ class MainController(QObject):
         administration, clinic = self._features.clinic, self._services.clinic
         administration.start_requested.connect(self._features.records.show_start)
         administration.lock.quit_requested.connect(self._quit_locked)
+        administration.backups.reminder_changed.connect(self._features.records.show_reminder)
+        self._features.records.reminder_put_off.connect(administration.backups.put_off_reminder)
         self._window.status.follow(administration.backups.jobs)
         clinic.state_changed.connect(self._show_accounts)
         self._show_accounts()
@@ -195,9 +197,9 @@ class MainController(QObject):
     def _tell_handed_over(self, name: str, conflicted: bool) -> None:
         if conflicted:
             sentence = tr(
-                "{name}: somebody else changed the same foot while the record did not answer. "
-                "Theirs is the newest version; what was changed here is kept beside it, see "
-                "“Versions…” on the patient's page."
+                "{name}: somebody else changed the same foot or field while the record did not "
+                "answer. Theirs counts; what was changed here is kept beside it: feet under "
+                "“Versions…” on the patient's page, fields in the notes of the visit."
             )
         else:
             sentence = tr("{name}: what was not saved yet is now in the record.")

@@ -9,11 +9,9 @@ from pathlib import Path
 from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.side import Side
-from insole_core.scans.mesh_file import Unit
 from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, Questions, SameSide, Unsaved
-from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.widgets.fields_dialog import Field
 
 
@@ -31,10 +29,6 @@ class ScriptedAnswers:
         How to open a case that another window has open.
     failed_save
         What to do when a case cannot be saved.
-    side
-        Side of a mesh; None cancels opening it.
-    unit
-        Of a mesh; None for the one that its size tells.
     anyway
         Whether to continue despite a warning.
     replace
@@ -51,8 +45,6 @@ class ScriptedAnswers:
     same_side: SameSide = SameSide.REPLACE
     in_use: InUse = InUse.CANCEL
     failed_save: Unsaved = Unsaved.GO_ON
-    side: Side | None = None
-    unit: Unit | None = None
     anyway: bool = False
     replace: bool = False
     typed: str | None = None
@@ -70,15 +62,6 @@ class AnsweredQuestions(Questions):
     def on(self, window: QWidget) -> AnsweredQuestions:
         """Return the same answers for another window."""
         return AnsweredQuestions(window, self.answers)
-
-    def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
-        """Return side and unit; None when they were wrong."""
-        side = self.answers.side
-        return None if side is None or trouble else ScanAnswer(side, self.answers.unit)
-
-    def which_side_after_all(self, _sentence: str, asked: Side) -> Side | None:
-        """Return the side that was asked for, or None."""
-        return asked if self.answers.anyway else None
 
     def open_anyway(self, _sentence: str) -> bool:
         """Return whether to continue."""

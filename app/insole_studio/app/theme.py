@@ -172,6 +172,12 @@ def _box_sheet(colors: Colors) -> str:
         background: {colors.base}; }}
     QCheckBox::indicator:checked, QAbstractItemView::indicator:checked {{
         background: {colors.accent}; border-color: {colors.accent}; image: url("{check}"); }}
+    QRadioButton::indicator {{
+        width: 14px; height: 14px; border: 1px solid {colors.quiet}; border-radius: 8px;
+        background: {colors.base}; }}
+    QRadioButton::indicator:checked {{
+        width: 6px; height: 6px; border: 5px solid {colors.accent}; }}
+    QRadioButton::indicator:disabled {{ border-color: {colors.line}; }}
     QCheckBox::indicator:disabled {{ border-color: {colors.line}; background: {colors.window}; }}
     QCheckBox::indicator:checked:disabled {{ background: {colors.quiet}; }}
     """

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError, Unreachable
 from insole_studio.document.autosave import Recovered, find_recovered
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
+from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.records.author import Author
@@ -22,7 +25,8 @@ class HandOver(QObject):
     """Stores journals of visits as soon as the record can be asked; none is removed before.
 
     Where somebody else has changed the same foot meanwhile, theirs stays the newest version, and
-    what the journal holds becomes a version before it.
+    what the journal holds becomes a version before it. Of a field that both have changed, theirs
+    stays, and what the journal holds is added to the notes of the visit.
 
     Parameters
     ----------
@@ -31,7 +35,7 @@ class HandOver(QObject):
     """
 
     handed_over = Signal(str, bool)
-    """Emitted with the patient's name, and whether somebody else had changed the same foot."""
+    """Emitted with the patient's name, and whether somebody else had changed the same, too."""
     refused = Signal(object)
     """Emitted with journals (`Recovered`) that the record cannot take, as it cannot be opened."""
     failed = Signal(object)
@@ -97,7 +101,8 @@ class HandOver(QObject):
                 missed(change.trouble)
                 return
             journal.discard()
-            self.handed_over.emit(journal.record.patient.name, bool(change.conflicts))
+            collided = bool(change.conflicts or change.collided)
+            self.handed_over.emit(journal.record.patient.name, collided)
 
         def missed(error: Exception) -> None:
             self._waiting.append(journal)
@@ -120,4 +125,22 @@ def _keep(records: Records, journal: Recovered) -> KeptChange:
     for conflict in kept.conflicts.values():
         theirs = records.prescriptions.read(conflict.theirs.id)
         records.prescriptions.settle(visit.visit_id, conflict.mine, conflict.theirs, theirs)
+    if kept.collided and kept.theirs is not None and kept.trouble is None:
+        notes = _with_mine(kept.theirs.notes, journal.record.patient, kept.collided)
+        noted = CaseRecord(replace(kept.theirs, notes=notes))
+        added = keep_case(records, CaseChange(visit.visit_id, kept.theirs, noted, {}))
+        return replace(kept, trouble=added.trouble)
     return kept
+
+
+def _with_mine(notes: str, mine: Patient, collided: Sequence[str]) -> str:
+    """Return notes with what the fields were changed to here below them."""
+    labels = {
+        "name": tr("Name"),
+        "born": tr("Born"),
+        "visit": tr("Day"),
+        "pseudonym": tr("Pseudonym"),
+    }
+    lines = [f"{labels[n]}: {getattr(mine, n)}" for n in collided if n in labels]
+    lines += [mine.notes] if "notes" in collided else []
+    return "\n".join((notes, *lines)).strip()

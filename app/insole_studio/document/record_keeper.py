@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from enum import Enum, auto
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import Conflict, InsoleError, Unreachable
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.document.kept_visit import KeptVisit
+from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.records.prescription import Base
@@ -35,9 +36,24 @@ class KeepState(Enum):
     WAITING = auto()
     """The database does not answer; the copy on this computer holds the work meanwhile."""
     CONFLICT = auto()
-    """Somebody else has changed the same foot; the user decides."""
+    """Somebody else has changed the same foot or field; the user decides."""
     REFUSED = auto()
     """The record does not take it as it is."""
+
+
+@dataclass(frozen=True)
+class PatientConflict:
+    """Fields of the patient that were changed here and at another station.
+
+    Parameters
+    ----------
+    collided
+        Their names.
+    """
+
+    mine: Patient
+    theirs: Patient
+    collided: tuple[str, ...]
 
 
 class RecordKeeper(QObject):
@@ -48,8 +64,8 @@ class RecordKeeper(QObject):
     """
 
     state_changed = Signal()
-    conflicted = Signal(object)
-    """Emitted with the `Conflict` of a foot; `settle` ends it."""
+    conflicted = Signal()
+    """There is a `patient_conflict` or a `conflict`; `settle_patient` and `settle` end them."""
     failed = Signal(object)
     """Emitted with an error that the user has to know of."""
 
@@ -73,8 +89,11 @@ class RecordKeeper(QObject):
         self._set_aside = set_aside
         self._is_saving = False
         self._conflict: Conflict | None = None
+        self._patient_conflict: PatientConflict | None = None
         self._then: Then | None = None
         self._reason = ""
+        self._told = ""
+        """The last refusal that the user was told: each change after it would tell it again."""
         self.state = KeepState.NOTHING
         self.trouble = ""
         """Why the case is not in the record yet; empty if it is, or about to be."""
@@ -113,8 +132,8 @@ class RecordKeeper(QObject):
 
         While the database does not answer, the work stays in the journal and `then` is called too.
         """
-        if self._conflict is not None:
-            self.conflicted.emit(self._conflict)
+        if self.state is KeepState.CONFLICT:
+            self.conflicted.emit()
         elif self._case.has_unsaved_changes or self._is_saving:
             self._then = then
             self._save()
@@ -134,13 +153,33 @@ class RecordKeeper(QObject):
 
     def keep_version(self, reason: str) -> None:
         """Keep the feet as they are as a version of their own, for a reason."""
-        self._reason = reason
+        self._reason, self._told = reason, ""
         self._save()
 
     @property
     def conflict(self) -> Conflict | None:
-        """What the user has to decide on; None for nothing."""
+        """The foot that the user has to decide on; None for nothing."""
         return self._conflict
+
+    @property
+    def patient_conflict(self) -> PatientConflict | None:
+        """The patient's fields that the user has to decide on; None for nothing."""
+        return self._patient_conflict
+
+    def settle_patient(self, chosen: Patient) -> None:
+        """Settle a conflict of the patient's fields; one step of undo brings those here back."""
+        conflict, kept = self._patient_conflict, self._case.kept
+        if conflict is None or kept is None:
+            return
+        self._patient_conflict = None
+        saved = self._case.saved_record
+        theirs = {name: getattr(conflict.theirs, name) for name in conflict.collided}
+        patient = replace(saved.patient, **theirs)
+        self._case.mark_kept(replace(saved, patient=patient), kept)
+        fields = {name: getattr(chosen, name) for name in conflict.collided}
+        now = replace(self._case.record.patient, **fields)
+        self._case.apply(now, tr("Choose between two versions of the patient's fields"))
+        self._go_on_after_conflict()
 
     def settle(self, conflict: Conflict, chosen: FootRecord) -> None:
         """Settle a conflict: the chosen foot becomes the newest version, the other stays too.
@@ -162,16 +201,24 @@ class RecordKeeper(QObject):
             bases = {**self._case.kept.bases, chosen.side: base}
             self._conflict = None
             self._case.keep_foot(chosen, replace(self._case.kept, bases=bases))
-            self._set_state(KeepState.CHANGED)
-            self._save()
+            self._go_on_after_conflict()
 
         self._clinic.write(
             lambda r: r.prescriptions.settle(visit_id, mine, theirs, chosen), settled, self._fail
         )
 
+    def _go_on_after_conflict(self) -> None:
+        """Save what was chosen, unless there is more to decide on."""
+        if self._conflict is not None or self._patient_conflict is not None:
+            self.conflicted.emit()
+            return
+        self._set_state(KeepState.CHANGED)
+        self._save()
+
     def _begin(self) -> None:
         self._timer.stop()
-        self._reason, self._conflict = "", None
+        self._reason, self._told = "", ""
+        self._conflict = self._patient_conflict = None
         is_changed = self._case.has_unsaved_changes
         state = KeepState.CHANGED if is_changed else KeepState.SAVED
         self._set_state(state if self.is_keeping else KeepState.NOTHING)
@@ -231,18 +278,24 @@ class RecordKeeper(QObject):
             bases={**kept.bases, **change.bases},
         )
         is_whole = change.trouble is None and not change.conflicts
-        self._case.mark_kept(record if is_whole else before, kept)
-        if change.conflicts:
+        saved = record if is_whole else before
+        if change.collided:
+            unsaved = {name: getattr(before.patient, name) for name in change.collided}
+            saved = replace(saved, patient=replace(saved.patient, **unsaved))
+        self._case.mark_kept(saved, kept)
+        if change.conflicts or change.collided:
             self._then = None
-            self._conflict = next(iter(change.conflicts.values()))
+            self._conflict = next(iter(change.conflicts.values()), None)
+            self._patient_conflict = _patient_conflict(record.patient, change)
             self._set_state(KeepState.CONFLICT)
-            self.conflicted.emit(self._conflict)
+            self.conflicted.emit()
         elif change.trouble is not None:
             self._fail(change.trouble)
         elif self._case.has_unsaved_changes or self._reason:
             self._set_state(KeepState.CHANGED)
             self._timer.start(0 if self._then is not None else SAVE_AFTER_MS)
         else:
+            self._told = ""
             self._set_state(KeepState.SAVED)
             self._go_on()
 
@@ -260,7 +313,9 @@ class RecordKeeper(QObject):
         else:
             self._then = None
             self._set_state(KeepState.REFUSED)
-            self.failed.emit(error)
+            if self._told != str(error):
+                self._told = str(error)
+                self.failed.emit(error)
 
     def _leave_unsaved(self) -> None:
         """Leave the case for another one, once its journal is safe."""
@@ -284,6 +339,12 @@ class RecordKeeper(QObject):
             self.trouble = ""
         self.state = state
         self.state_changed.emit()
+
+
+def _patient_conflict(mine: Patient, change: KeptChange) -> PatientConflict | None:
+    if not change.collided or change.theirs is None:
+        return None
+    return PatientConflict(mine, change.theirs, change.collided)
 
 
 def _change(

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
 from insole_core.geometry.side import Side
 from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.last_folders import Kept, LastFolders
-from insole_studio.services.scan_dialog import ScanAnswer, ScanDialog
 from insole_studio.settings import Settings
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.fields_dialog import Field, FieldsDialog
@@ -93,38 +92,6 @@ class Questions:
     def on(self, window: QWidget) -> Questions:
         """Return the same questions for another window: each is asked on the one it comes from."""
         return Questions(window, self._folders)
-
-    def about_scan(self, path: Path, trouble: str = "") -> ScanAnswer | None:
-        """Ask which foot a mesh shows, and in which unit.
-
-        Parameters
-        ----------
-        path
-            Of the mesh.
-        trouble
-            Why it could not be read as it was answered before.
-        """
-        dialog = ScanDialog(path.name, translate_core_message(trouble), self._parent)
-        dialog.exec()
-        return dialog.answer
-
-    def which_side_after_all(self, sentence: str, asked: Side) -> Side | None:
-        """Ask for the side of a foot whose shape is that of the other one.
-
-        Parameters
-        ----------
-        sentence
-            What the shape shows.
-        asked
-            The side that it was said to be.
-        """
-        verbs = {Side.LEFT: tr("Open as a left foot"), Side.RIGHT: tr("Open as a right foot")}
-        choices: list[_Choice[Side | None]] = [
-            _Choice(verbs[asked.other], asked.other, _ACCEPT),
-            _Choice(verbs[asked], asked, _DESTRUCT),
-            _Choice(tr("Do not open"), None, _REJECT),
-        ]
-        return self._choose(sentence, choices, default=None)
 
     def open_anyway(self, sentence: str) -> bool:
         """Ask whether to continue although the shape is that of the other foot."""

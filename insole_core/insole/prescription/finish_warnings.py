@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.imprints.form import Form
 from insole_core.insole.build import Insole
 from insole_core.insole.finishing.blend_widths import STEEPEST_DEG
 from insole_core.insole.finishing.finished import FinishedSurface
@@ -159,14 +160,23 @@ def _of_arch(finished: FinishedSurface) -> Iterator[DesignWarning]:
 
 
 def _of_expansion(insole: Insole, finished: FinishedSurface) -> Iterator[DesignWarning]:
-    """Warn of an expansion that the outline does not follow."""
+    """Warn of an expansion of what is spread already, and of one the outline does not follow."""
+    expansion_mm = finished.finish.expansion_mm
+    if expansion_mm > 0 and insole.foot.form is not Form.FOOT:
+        spread = Message(
+            "The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under "
+            "weight the tissue is spread already; set the expansion to 0 unless it was taken "
+            "without weight.",
+            expansion_mm=expansion_mm,
+        )
+        yield DesignWarning(spread)
     low, _ = outline_reach(insole.foot, insole.design.outline)
     beside_mm = float(-low[1])
-    if finished.finish.expansion_mm > max(beside_mm, 0.0):
+    if expansion_mm > max(beside_mm, 0.0):
         narrow = Message(
             "The heel is widened by {expansion_mm:.1f} mm, and the outline lies only "
             "{beside_mm:.1f} mm behind the foot; widen the outline at the heel by as much.",
-            expansion_mm=finished.finish.expansion_mm,
+            expansion_mm=expansion_mm,
             beside_mm=beside_mm,
         )
         yield DesignWarning(narrow, place_mm=(0.0, float(low[1])))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import date
+from typing import Final
 
 import numpy as np
 
@@ -12,11 +13,16 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
+from insole_core.records.field_merge import merge_fields
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.records.visits import patient_of
 from insole_core.workflows.records.visit_measures import visit_measures
+
+FIELDS: Final = ("name", "born", "visit", "notes", "pseudonym")
+"""Of a patient, as the window changes them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +55,11 @@ class KeptChange:
         Of the feet that were stored.
     conflicts
         Of the feet that somebody else has changed meanwhile; these were not stored.
+    collided
+        Names of the patient's fields that somebody else has changed meanwhile, too; these were not
+        stored, see `theirs`.
+    theirs
+        The patient as stored now; None if nothing was tried.
     trouble
         Why not everything was tried; None if it was.
     """
@@ -57,11 +68,13 @@ class KeptChange:
     visit: Visit | None = None
     bases: Mapping[Side, Base] = field(default_factory=dict)
     conflicts: Mapping[Side, Conflict] = field(default_factory=dict)
+    collided: tuple[str, ...] = ()
+    theirs: Patient | None = None
     trouble: RecordsError | None = None
 
 
 def keep_case(records: Records, change: CaseChange, reason: str = "") -> KeptChange:
-    """Store a change; a foot that somebody else has changed is left as it is stored.
+    """Store a change; a foot or field that somebody else has changed is left as it is stored.
 
     Each part is a transaction of its own, so that a connection which is lost midway loses nothing
     that was stored before.
@@ -75,24 +88,29 @@ def keep_case(records: Records, change: CaseChange, reason: str = "") -> KeptCha
     conflicts: dict[Side, Conflict] = {}
     person: Person | None = None
     visit: Visit | None = None
+    collided: tuple[str, ...] = ()
+    theirs: Patient | None = None
     try:
         visit = records.visits.get(change.visit_id)
-        person = _keep_person(records, visit.person_id, change)
+        person = records.persons.get(visit.person_id)
+        stored, now = patient_of(person, visit), change.now.patient
+        theirs, collided = merge_fields(change.before, now, stored, FIELDS)
+        person = _keep_person(records, person, theirs)
         for side, base in change.bases.items():
             foot = change.now.of_side(side)
             assert foot is not None
             try:
                 bases[side] = records.prescriptions.save(visit.id, foot, base, reason)
             except Conflict as conflict:
-                stored = records.prescriptions.read(conflict.theirs.id)
-                if _are_equal(stored, foot):  # ours, whose acknowledgement was lost
+                newest = records.prescriptions.read(conflict.theirs.id)
+                if _are_equal(newest, foot):  # ours, whose acknowledgement was lost
                     bases[side] = Base(conflict.theirs.id, conflict.theirs.revision)
                 else:
                     conflicts[side] = conflict
-        visit = _keep_visit(records, visit, change)
+        visit = _keep_visit(records, visit, theirs, change)
     except RecordsError as error:
-        return KeptChange(person, visit, bases, conflicts, error)
-    return KeptChange(person, visit, bases, conflicts)
+        return KeptChange(person, visit, bases, conflicts, collided, theirs, error)
+    return KeptChange(person, visit, bases, conflicts, collided, theirs)
 
 
 def _are_equal(stored: FootRecord, foot: FootRecord) -> bool:
@@ -104,25 +122,19 @@ def _are_equal(stored: FootRecord, foot: FootRecord) -> bool:
     return mine == theirs and np.array_equal(foot.foot.mesh.vertices, stored.foot.mesh.vertices)
 
 
-def _keep_person(records: Records, person_id: str, change: CaseChange) -> Person:
-    """Store the patient's fields that were changed here, over whatever else was changed."""
-    person = records.persons.get(person_id)
-    before, now = change.before, change.now.patient
-    if now.name != before.name:
-        person = replace(person, name=now.name)
-    if now.born != before.born:
-        person = replace(person, birth_date=date.fromisoformat(now.born) if now.born else None)
-    if now.pseudonym and now.pseudonym != before.pseudonym:
-        person = replace(person, pseudonym=now.pseudonym)
-    return records.persons.change(person, person.revision)
+def _keep_person(records: Records, person: Person, patient: Patient) -> Person:
+    changed = replace(
+        person,
+        name=patient.name,
+        birth_date=date.fromisoformat(patient.born) if patient.born else None,
+        pseudonym=patient.pseudonym or person.pseudonym,
+    )
+    return records.persons.change(changed, person.revision)
 
 
-def _keep_visit(records: Records, visit: Visit, change: CaseChange) -> Visit:
-    before, now = change.before, change.now.patient
-    if now.visit != before.visit and now.visit:
-        visit = replace(visit, visited_on=date.fromisoformat(now.visit))
-    if now.notes != before.notes:
-        visit = replace(visit, findings=now.notes)
+def _keep_visit(records: Records, visit: Visit, patient: Patient, change: CaseChange) -> Visit:
+    day = date.fromisoformat(patient.visit) if patient.visit else visit.visited_on
+    visit = replace(visit, visited_on=day, findings=patient.notes)
     if change.bases:
         measures = {**visit.measures, **visit_measures(change.now.feet)}
         visit = replace(visit, measures=measures, capture_state=CaptureState.DONE)

@@ -88,6 +88,10 @@
             <translation>En buktning som alla väggar delar tas för förvrängning; om de var en och samma vägg, kontrollera den med en riktskiva.</translation>
         </message>
         <message>
+            <source>A cast taken under weight shows tissue that is spread already, so no expansion is proposed; set one for a cast that was taken without weight.</source>
+            <translation>En avgjutning som tagits under belastning visar vävnad som redan är utbredd, så inget mjukdelstillägg föreslås; ange ett för en avgjutning som tagits utan belastning.</translation>
+        </message>
+        <message>
             <source>A chamfer of {chamfer_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are bevelled. Make the chamfer smaller.</source>
             <translation>En fas på {chamfer_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt fasas bara {half_mm:g} mm av kanten. Gör fasen mindre.</translation>
         </message>
@@ -152,6 +156,10 @@
             <translation>En hälskivning på {depth_mm:g} mm med {angle:g}° inversion kräver en hälskål på {needed_mm:g} mm, och skålen är {cup_mm:g} mm djup.</translation>
         </message>
         <message>
+            <source>A sole stands out of a plane: it is a foot scanned with what lay around it, or a foam box whose file is inside out; say which it is.</source>
+            <translation>En fotsula står ut ur ett plan: det är en fot som skannats med det som låg runt den, eller en skumlåda vars fil är ut och in; ange vilket det är.</translation>
+        </message>
+        <message>
             <source>A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres ({low_mm:g} to {high_mm:g}).</source>
             <translation>En ruta på {square_mm:g} mm är inte möjlig; mät dess sida och ange den i millimeter ({low_mm:g} till {high_mm:g}).</translation>
         </message>
@@ -204,6 +212,14 @@
             <translation>Lägger till personer</translation>
         </message>
         <message>
+            <source>Address of the maker</source>
+            <translation>Tillverkarens adress</translation>
+        </message>
+        <message>
+            <source>Agreed on</source>
+            <translation>Samtycke</translation>
+        </message>
+        <message>
             <source>Ahead of the toes</source>
             <translation>Framför tårna</translation>
         </message>
@@ -222,6 +238,10 @@
         <message>
             <source>An edge radius of {radius_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are rounded. Make the radius smaller.</source>
             <translation>En kantradie på {radius_mm:g} mm är mer än halva tjockleken; där inlägget är {thickness_mm:g} mm tjockt rundas bara {half_mm:g} mm av kanten. Gör radien mindre.</translation>
+        </message>
+        <message>
+            <source>An imprint, {depth_mm:.0f} mm deep, read as the sole that was pressed in.</source>
+            <translation>Ett avtryck, {depth_mm:.0f} mm djupt, läst som den fotsula som tryckts ner.</translation>
         </message>
         <message>
             <source>An order needs one version of one or both feet of its visit; choose them again.</source>
@@ -250,6 +270,14 @@
         <message>
             <source>Arch fill</source>
             <translation>Valvfyllnad</translation>
+        </message>
+        <message>
+            <source>Arch raise</source>
+            <translation>Valvhöjning</translation>
+        </message>
+        <message>
+            <source>Arch support</source>
+            <translation>Valvstöd</translation>
         </message>
         <message>
             <source>Around the heel</source>
@@ -316,12 +344,40 @@
             <translation>Övergång vid hälen</translation>
         </message>
         <message>
+            <source>Block</source>
+            <translation>Block</translation>
+        </message>
+        <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
         </message>
         <message>
+            <source>Born</source>
+            <translation>Född</translation>
+        </message>
+        <message>
+            <source>Bottom</source>
+            <translation>Undersida</translation>
+        </message>
+        <message>
+            <source>Brush</source>
+            <translation>Pensel</translation>
+        </message>
+        <message>
+            <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
+            <translation>Efter sin plats i lådan är detta {place} fot, efter sin form {told} fot; ange vilken fot det är.</translation>
+        </message>
+        <message>
+            <source>Calibrated</source>
+            <translation>Kalibrerad</translation>
+        </message>
+        <message>
             <source>Calibrating without {capture}</source>
             <translation>Kalibrerar utan {capture}</translation>
+        </message>
+        <message>
+            <source>Capture</source>
+            <translation>Avbildning</translation>
         </message>
         <message>
             <source>Capture the wall at about these distances: {distances} mm.</source>
@@ -364,6 +420,10 @@
             <translation>Kontrollerar: {check}</translation>
         </message>
         <message>
+            <source>Clinic</source>
+            <translation>Klinik</translation>
+        </message>
+        <message>
             <source>Closing the {kind}</source>
             <translation>Sluter {kind}</translation>
         </message>
@@ -380,6 +440,10 @@
             <translation>Färglägger ytan</translation>
         </message>
         <message>
+            <source>Contact</source>
+            <translation>Kontakt</translation>
+        </message>
+        <message>
             <source>Continuing the surface to the edges</source>
             <translation>Fortsätter ytan till kanterna</translation>
         </message>
@@ -388,8 +452,16 @@
             <translation>Kork och EVA</translation>
         </message>
         <message>
+            <source>Corrections</source>
+            <translation>Korrigeringar</translation>
+        </message>
+        <message>
             <source>Cover</source>
             <translation>Överdrag</translation>
+        </message>
+        <message>
+            <source>Cover / middle layer / base</source>
+            <translation>Överdrag / mellanskikt / bas</translation>
         </message>
         <message>
             <source>Cover glued on later</source>
@@ -398,6 +470,14 @@
         <message>
             <source>Cover to the toes.</source>
             <translation>Överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Cover, glued on later</source>
+            <translation>Överdrag, limmas på senare</translation>
+        </message>
+        <message>
+            <source>Cuboid raise</source>
+            <translation>Kuboidstöd</translation>
         </message>
         <message>
             <source>Cup 10 to 14, rim 4 to 8, fill 0, flat underside, at least 3 under the heel: the usual values of clinics that mill EVA; flange and forefoot: Insole Studio's own choice</source>
@@ -428,8 +508,28 @@
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
         <message>
+            <source>Cut-out</source>
+            <translation>Urtag</translation>
+        </message>
+        <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
+        </message>
+        <message>
+            <source>Dancer's pad</source>
+            <translation>Dansarpelott</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Datum</translation>
+        </message>
+        <message>
+            <source>Designed by</source>
+            <translation>Utformad av</translation>
+        </message>
+        <message>
+            <source>Deviation of the triangles</source>
+            <translation>Trianglarnas avvikelse</translation>
         </message>
         <message>
             <source>Device</source>
@@ -446,6 +546,10 @@
         <message>
             <source>Draft and chamfer of the walls are those of the prescription's shell; those of the order are not used.</source>
             <translation>Väggarnas släppning och fas är de som ordinationens skal anger; beställningens används inte.</translation>
+        </message>
+        <message>
+            <source>Draft of the walls</source>
+            <translation>Väggarnas släppning</translation>
         </message>
         <message>
             <source>Drawing the difference</source>
@@ -492,6 +596,10 @@
             <translation>Kantradie</translation>
         </message>
         <message>
+            <source>End taper</source>
+            <translation>Ändarnas avfasning</translation>
+        </message>
+        <message>
             <source>English sizes of 8.47 mm, with 15 mm before the toes</source>
             <translation>engelska storlekar om 8,47 mm, med 15 mm framför tårna</translation>
         </message>
@@ -520,8 +628,36 @@
             <translation>Färre än två punkter på föremålet mättes; märk dem igen.</translation>
         </message>
         <message>
+            <source>File</source>
+            <translation>Fil</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Filer</translation>
+        </message>
+        <message>
             <source>Fill these parts of the picture with the wall: {regions}.</source>
             <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
+        </message>
+        <message>
+            <source>Filler for the 1st toe</source>
+            <translation>Utfyllnad för första tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 2nd toe</source>
+            <translation>Utfyllnad för andra tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 3rd toe</source>
+            <translation>Utfyllnad för tredje tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 4th toe</source>
+            <translation>Utfyllnad för fjärde tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 5th toe</source>
+            <translation>Utfyllnad för femte tån</translation>
         </message>
         <message>
             <source>Finding heel and toes</source>
@@ -542,6 +678,10 @@
         <message>
             <source>Finding the wall in {capture}</source>
             <translation>Söker väggen i {capture}</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Fynd</translation>
         </message>
         <message>
             <source>Finishing rim and toe zone</source>
@@ -576,8 +716,16 @@
             <translation>Plan</translation>
         </message>
         <message>
+            <source>Flat pad</source>
+            <translation>Plan pelott</translation>
+        </message>
+        <message>
             <source>Flatfoot of a child</source>
             <translation>Plattfot hos barn</translation>
+        </message>
+        <message>
+            <source>Follow-up</source>
+            <translation>Uppföljning</translation>
         </message>
         <message>
             <source>Foot ready</source>
@@ -588,8 +736,20 @@
             <translation>För {weight_kg:g} kg kroppsvikt är {material} vanligen {usual_mm:g} mm tjockt, och det här inlägget är {thickness_mm:g} mm.</translation>
         </message>
         <message>
+            <source>Forefoot filler</source>
+            <translation>Framfotsutfyllnad</translation>
+        </message>
+        <message>
             <source>Forefoot post</source>
             <translation>Framfotskil</translation>
+        </message>
+        <message>
+            <source>Forefoot twist</source>
+            <translation>Framfotsvridning</translation>
+        </message>
+        <message>
+            <source>Free-hand pad</source>
+            <translation>Frihandspelott</translation>
         </message>
         <message>
             <source>Functional hallux limitus</source>
@@ -628,16 +788,40 @@
             <translation>Hälskål</translation>
         </message>
         <message>
+            <source>Heel lift</source>
+            <translation>Hälhöjning</translation>
+        </message>
+        <message>
             <source>Heel pitch</source>
             <translation>Hälfall</translation>
+        </message>
+        <message>
+            <source>Heel skive</source>
+            <translation>Hälskivning</translation>
         </message>
         <message>
             <source>Heel, 1st and 5th head lie on one line; put them in place.</source>
             <translation>Häl, 1:a och 5:e huvudet ligger på en linje; sätt dem på plats.</translation>
         </message>
         <message>
+            <source>Heel-spur recess</source>
+            <translation>Hälsporreurtag</translation>
+        </message>
+        <message>
+            <source>Heights of sole and insole in mm, seen from above</source>
+            <translation>Höjder av fotsula och inlägg i mm, sedda uppifrån</translation>
+        </message>
+        <message>
             <source>Hold the board in these parts of the picture: {regions}.</source>
             <translation>Håll brädet i dessa delar av bilden: {regions}.</translation>
+        </message>
+        <message>
+            <source>Identification</source>
+            <translation>Identifiering</translation>
+        </message>
+        <message>
+            <source>Identification on it</source>
+            <translation>Märkning på inlägget</translation>
         </message>
         <message>
             <source>In the view {view} nothing of {least_mm:g} to {most_mm:g} mm stands out from its background; lay the mould or insole alone on a flat table under the sensor, and record it again.</source>
@@ -662,6 +846,10 @@
         <message>
             <source>It is the same as {name}.</source>
             <translation>Det är detsamma som {name}.</translation>
+        </message>
+        <message>
+            <source>It is {name}, {born}.</source>
+            <translation>Det är {name}, {born}.</translation>
         </message>
         <message>
             <source>It names nobody whom the record knows; type the patient's name.</source>
@@ -716,6 +904,10 @@
             <translation>Lägger rutnätet över fotsulan</translation>
         </message>
         <message>
+            <source>Least thickness</source>
+            <translation>Minsta tjocklek</translation>
+        </message>
+        <message>
             <source>Least thickness of the material</source>
             <translation>Materialets minsta tjocklek</translation>
         </message>
@@ -728,12 +920,20 @@
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
         </message>
         <message>
+            <source>Left insole</source>
+            <translation>Vänster inlägg</translation>
+        </message>
+        <message>
             <source>Leg length discrepancy</source>
             <translation>Benlängdsskillnad</translation>
         </message>
         <message>
             <source>Length of the taper</source>
             <translation>Avsmalningens längd</translation>
+        </message>
+        <message>
+            <source>Length × width × height</source>
+            <translation>Längd × bredd × höjd</translation>
         </message>
         <message>
             <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
@@ -772,6 +972,10 @@
             <translation>Söker brädet på {capture}</translation>
         </message>
         <message>
+            <source>Maker</source>
+            <translation>Tillverkare</translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation>Marginal</translation>
         </message>
@@ -780,8 +984,24 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Material and make</source>
+            <translation>Material och utförande</translation>
+        </message>
+        <message>
+            <source>Material of the shell</source>
+            <translation>Skalets material</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Mått</translation>
+        </message>
+        <message>
             <source>Measure the bar and the plate at one position at least.</source>
             <translation>Mät staven och plattan i minst ett läge.</translation>
+        </message>
+        <message>
+            <source>Measures</source>
+            <translation>Mått</translation>
         </message>
         <message>
             <source>Measuring the difference</source>
@@ -804,6 +1024,10 @@
             <translation>Medial kant, från häl till tår</translation>
         </message>
         <message>
+            <source>Metatarsal bar</source>
+            <translation>Tvärbalk</translation>
+        </message>
+        <message>
             <source>Metatarsalgia</source>
             <translation>Metatarsalgi</translation>
         </message>
@@ -822,6 +1046,10 @@
         <message>
             <source>Moved or reshaped: {correction}</source>
             <translation>Flyttat eller omformat: {correction}</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Namn</translation>
         </message>
         <message>
             <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
@@ -888,8 +1116,16 @@
             <translation>Noridian A5513: basen i inlägg för diabetiker minst 4,8</translation>
         </message>
         <message>
+            <source>Not exported</source>
+            <translation>Inte exporterat</translation>
+        </message>
+        <message>
             <source>Not measured: {regions}; no view that is used shows it.</source>
             <translation>Inte mätt: {regions}; ingen vy som används visar det.</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Anteckningar</translation>
         </message>
         <message>
             <source>Nothing is known of the material “{material}”: the insole is made at least {least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.</source>
@@ -940,8 +1176,16 @@
             <translation>Beställning {number}: {count} filer som kan nämna patienten</translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation>Beställningar</translation>
+        </message>
+        <message>
             <source>Outline</source>
             <translation>Kontur</translation>
+        </message>
+        <message>
+            <source>Oval pad</source>
+            <translation>Oval pelott</translation>
         </message>
         <message>
             <source>PA12, printed</source>
@@ -960,6 +1204,26 @@
             <translation>parispunkter om 6,67 mm, med 15 mm framför tårna</translation>
         </message>
         <message>
+            <source>Pelott</source>
+            <translation>Pelott</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>Person</translation>
+        </message>
+        <message>
+            <source>Personal number</source>
+            <translation>Personnummer</translation>
+        </message>
+        <message>
+            <source>Piece</source>
+            <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Place, date, signature</source>
+            <translation>Ort, datum, underskrift</translation>
+        </message>
+        <message>
             <source>Placing the view {view}</source>
             <translation>Placerar vyn {view}</translation>
         </message>
@@ -976,6 +1240,22 @@
             <translation>Punkt {number} på klipplinjen, räknad från medialsidan, ligger bredvid inlägget; flytta in den på inlägget.</translation>
         </message>
         <message>
+            <source>Posting</source>
+            <translation>Kilning</translation>
+        </message>
+        <message>
+            <source>Prescriber</source>
+            <translation>Ordinatör</translation>
+        </message>
+        <message>
+            <source>Prescriber and maker</source>
+            <translation>Ordinatör och tillverkare</translation>
+        </message>
+        <message>
+            <source>Prescription of a custom-made insole</source>
+            <translation>Ordination av ett specialanpassat inlägg</translation>
+        </message>
+        <message>
             <source>ProLab, pediatric</source>
             <translation>ProLab, barn</translation>
         </message>
@@ -986,6 +1266,14 @@
         <message>
             <source>ProLab, tibialis posterior; footankle.com, flat foot</source>
             <translation>ProLab, tibialis posterior; footankle.com, plattfot</translation>
+        </message>
+        <message>
+            <source>Pseudonym</source>
+            <translation>Pseudonym</translation>
+        </message>
+        <message>
+            <source>Pseudonym or order number</source>
+            <translation>Pseudonym eller beställningsnummer</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {views}</source>
@@ -1020,6 +1308,18 @@
             <translation>Bakfotskil</translation>
         </message>
         <message>
+            <source>Reason</source>
+            <translation>Orsak</translation>
+        </message>
+        <message>
+            <source>Record of a patient</source>
+            <translation>Utdrag ur en patients journal</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Avbildad</translation>
+        </message>
+        <message>
             <source>Reducing the triangles</source>
             <translation>Minskar trianglarna</translation>
         </message>
@@ -1028,8 +1328,56 @@
             <translation>Förfinar ytan</translation>
         </message>
         <message>
+            <source>Relief at the base of the 5th metatarsal</source>
+            <translation>Avlastning vid femte metatarsalbenets bas</translation>
+        </message>
+        <message>
+            <source>Relief under the 1st head</source>
+            <translation>Avlastning under första huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 1st toe</source>
+            <translation>Avlastning under första tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 2nd head</source>
+            <translation>Avlastning under andra huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 2nd toe</source>
+            <translation>Avlastning under andra tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 3rd head</source>
+            <translation>Avlastning under tredje huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 3rd toe</source>
+            <translation>Avlastning under tredje tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 4th head</source>
+            <translation>Avlastning under fjärde huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 4th toe</source>
+            <translation>Avlastning under fjärde tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 5th head</source>
+            <translation>Avlastning under femte huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 5th toe</source>
+            <translation>Avlastning under femte tån</translation>
+        </message>
+        <message>
             <source>Removed: {correction}</source>
             <translation>Borttaget: {correction}</translation>
+        </message>
+        <message>
+            <source>Residuals of the calibration</source>
+            <translation>Kalibreringens restfel</translation>
         </message>
         <message>
             <source>Restoring files ({done} of {all})</source>
@@ -1040,8 +1388,32 @@
             <translation>Återställer tabellen {table}</translation>
         </message>
         <message>
+            <source>Reverse Morton's extension</source>
+            <translation>Omvänd Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>Right insole</source>
+            <translation>Höger inlägg</translation>
+        </message>
+        <message>
+            <source>Rocker</source>
+            <translation>Rullsula</translation>
+        </message>
+        <message>
             <source>Root</source>
             <translation>Root</translation>
+        </message>
+        <message>
+            <source>SHA-256 of the foot</source>
+            <translation>Fotens SHA-256</translation>
+        </message>
+        <message>
+            <source>SHA-256 of the scan</source>
+            <translation>Skanningens SHA-256</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>Skanning</translation>
         </message>
         <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
@@ -1060,6 +1432,10 @@
             <translation>Sensor {serial} lutar {roll_deg:.0f}° åt sidan, vilket dess motor inte kan rätta; räta upp den för hand och ställ den vågrätt igen.</translation>
         </message>
         <message>
+            <source>Sensors</source>
+            <translation>Sensorer</translation>
+        </message>
+        <message>
             <source>Sesamoiditis</source>
             <translation>Sesamoidit</translation>
         </message>
@@ -1070,6 +1446,22 @@
         <message>
             <source>Shoe size</source>
             <translation>Skostorlek</translation>
+        </message>
+        <message>
+            <source>Shoe size (EU)</source>
+            <translation>Skostorlek (EU)</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Sida</translation>
+        </message>
+        <message>
+            <source>Signature</source>
+            <translation>Signatur</translation>
+        </message>
+        <message>
+            <source>Signed by</source>
+            <translation>Signerad av</translation>
         </message>
         <message>
             <source>Simulating view {name}</source>
@@ -1114,6 +1506,10 @@
         <message>
             <source>Sport, full length</source>
             <translation>Sport, hel längd</translation>
+        </message>
+        <message>
+            <source>Statement for a custom-made device (Regulation (EU) 2017/745, Annex XIII)</source>
+            <translation>Försäkran om en specialanpassad produkt (förordning (EU) 2017/745, bilaga XIII)</translation>
         </message>
         <message>
             <source>SureFit; orthoscan</source>
@@ -1230,6 +1626,10 @@
         <message>
             <source>The body weights of {name} must go from light to heavy; change them.</source>
             <translation>Kroppsvikterna för {name} måste gå från lätt till tung; ändra dem.</translation>
+        </message>
+        <message>
+            <source>The box around the imprint was left out: {percent:.0f} % of what was scanned.</source>
+            <translation>Lådan runt avtrycket har utelämnats: {percent:.0f} % av det som skannades.</translation>
         </message>
         <message>
             <source>The cameras are {baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and turned by {turn_deg:.2f}°, from {count} {source}.</source>
@@ -1384,6 +1784,10 @@
             <translation>Foten är klar</translation>
         </message>
         <message>
+            <source>The foot was pressed into foam, so its tissue is spread by weight already: no expansion is proposed.</source>
+            <translation>Foten har tryckts ner i skum, så dess vävnad är redan utbredd av belastningen: inget mjukdelstillägg föreslås.</translation>
+        </message>
+        <message>
             <source>The foot's shape is a {shape_side} one, but a {side} foot is to be simulated; give both the same side.</source>
             <translation>Fotens form är en {shape_side} fots, men en {side} fot ska simuleras; ge båda samma sida.</translation>
         </message>
@@ -1428,6 +1832,10 @@
             <translation>Hälen breddas med {expansion_mm:.1f} mm, och konturen ligger bara {beside_mm:.1f} mm bakom foten; bredda konturen vid hälen lika mycket.</translation>
         </message>
         <message>
+            <source>The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under weight the tissue is spread already; set the expansion to 0 unless it was taken without weight.</source>
+            <translation>Hälen breddas med {expansion_mm:.1f} mm, men i ett avtryck eller en avgjutning som tagits under belastning är vävnaden redan utbredd; sätt mjukdelstillägget till 0 om det inte togs utan belastning.</translation>
+        </message>
+        <message>
             <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
             <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
         </message>
@@ -1442,6 +1850,10 @@
         <message>
             <source>The identification is too long for its place; shorten it, so that its letters can be at least {least_mm:g} mm high.</source>
             <translation>Märkningen är för lång för sin plats; korta den, så att bokstäverna kan vara minst {least_mm:g} mm höga.</translation>
+        </message>
+        <message>
+            <source>The imprint is shallow: heel and ball are widest above its rim, so length and widths are smaller than those of the foot.</source>
+            <translation>Avtrycket är grunt: häl och framfot är bredast ovanför dess kant, så längd och bredder är mindre än fotens.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
@@ -1694,6 +2106,10 @@
         <message>
             <source>The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.</source>
             <translation>Formen ser ut som en {shape_side} fot ({reason}); tas ändå som en {side}.</translation>
+        </message>
+        <message>
+            <source>The shape of the imprint does not tell left from right; say which foot it is.</source>
+            <translation>Avtryckets form skiljer inte vänster från höger; ange vilken fot det är.</translation>
         </message>
         <message>
             <source>The solid is closed.</source>
@@ -2009,7 +2425,7 @@
         </message>
         <message>
             <source>This capture is no longer in the record; open the visit again.</source>
-            <translation>Den här upptagningen finns inte längre i journalen; öppna besöket igen.</translation>
+            <translation>Den här avbildningen finns inte längre i journalen; öppna besöket igen.</translation>
         </message>
         <message>
             <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
@@ -2080,6 +2496,10 @@
             <translation>Tåzon</translation>
         </message>
         <message>
+            <source>Tolerance</source>
+            <translation>Tolerans</translation>
+        </message>
+        <message>
             <source>Too little of the solid is seen from above to check its {what}.</source>
             <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
         </message>
@@ -2090,6 +2510,10 @@
         <message>
             <source>Total contact, cup 8 to 12, low rounded rim without a hard edge, fill 0, base of at least 4.8, Shore A 35 (Noridian A5513), reliefs for each head (SureFit)</source>
             <translation>Helkontakt, hälskål 8 till 12, låg rundad kant utan hårda kanter, fyllnad 0, bas på minst 4,8, Shore A 35 (Noridian A5513), avlastning för varje metatarsalhuvud (SureFit)</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Trianglar</translation>
         </message>
         <message>
             <source>Trim line</source>
@@ -2148,6 +2572,10 @@
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>
         <message>
+            <source>Value</source>
+            <translation>Värde</translation>
+        </message>
+        <message>
             <source>Verifying the audit log</source>
             <translation>Kontrollerar loggen</translation>
         </message>
@@ -2158,6 +2586,10 @@
         <message>
             <source>Verifying {count} signatures</source>
             <translation>Kontrollerar {count} signaturer</translation>
+        </message>
+        <message>
+            <source>Version</source>
+            <translation>Version</translation>
         </message>
         <message>
             <source>View {views} is on the disk</source>
@@ -2180,12 +2612,36 @@
             <translation>Vyn {view}: {warning}</translation>
         </message>
         <message>
+            <source>Visit</source>
+            <translation>Besök</translation>
+        </message>
+        <message>
+            <source>Visit on {day}</source>
+            <translation>Besök {day}</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>Volym</translation>
+        </message>
+        <message>
             <source>Waiting for steady depth of view {views}</source>
             <translation>Väntar på stadigt djup i vy {views}</translation>
         </message>
         <message>
+            <source>Waiting until the backup has stopped</source>
+            <translation>Väntar tills säkerhetskopieringen har stannat</translation>
+        </message>
+        <message>
+            <source>Weight in kg</source>
+            <translation>Vikt i kg</translation>
+        </message>
+        <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Bredd</translation>
         </message>
         <message>
             <source>Writing the file</source>
@@ -2210,6 +2666,10 @@
         <message>
             <source>Writing view {view}</source>
             <translation>Skriver vyn {view}</translation>
+        </message>
+        <message>
+            <source>Written by</source>
+            <translation>Skrivet av</translation>
         </message>
         <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
@@ -2244,6 +2704,14 @@
             <translation>konto</translation>
         </message>
         <message>
+            <source>achilles angle deg</source>
+            <translation>akillesvinkel, °</translation>
+        </message>
+        <message>
+            <source>achilles lean deg</source>
+            <translation>akillesaxelns lutning, °</translation>
+        </message>
+        <message>
             <source>add captures</source>
             <translation>lägga till inspelningar</translation>
         </message>
@@ -2276,6 +2744,10 @@
             <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
         </message>
         <message>
+            <source>angle</source>
+            <translation>vinkel</translation>
+        </message>
+        <message>
             <source>angle of the sole sensors (degrees)</source>
             <translation>fotsulesensorernas vinkel (grader)</translation>
         </message>
@@ -2288,6 +2760,10 @@
             <translation>ett annat program har den öppen; stäng den där, eller välj ett annat namn</translation>
         </message>
         <message>
+            <source>apex</source>
+            <translation>topp</translation>
+        </message>
+        <message>
             <source>arch</source>
             <translation>valv</translation>
         </message>
@@ -2296,8 +2772,24 @@
             <translation>valvets topp över planet genom häl, 1:a och 5:e huvudet</translation>
         </message>
         <message>
+            <source>arch fill</source>
+            <translation>valvfyllnad</translation>
+        </message>
+        <message>
+            <source>arch height</source>
+            <translation>valvhöjd</translation>
+        </message>
+        <message>
+            <source>arch height index</source>
+            <translation>valvhöjdsindex</translation>
+        </message>
+        <message>
             <source>arch height of the simulated foot (mm)</source>
             <translation>den simulerade fotens valvhöjd (mm)</translation>
+        </message>
+        <message>
+            <source>arch index</source>
+            <translation>valvindex</translation>
         </message>
         <message>
             <source>arch raise</source>
@@ -2328,8 +2820,36 @@
             <translation>säkerhetskopierad</translation>
         </message>
         <message>
+            <source>ball girth</source>
+            <translation>trampdynans omfång</translation>
+        </message>
+        <message>
+            <source>ball length</source>
+            <translation>längd till trampdynan</translation>
+        </message>
+        <message>
+            <source>ball width</source>
+            <translation>trampdynans bredd</translation>
+        </message>
+        <message>
+            <source>ball width across</source>
+            <translation>trampdynans bredd tvärs</translation>
+        </message>
+        <message>
             <source>ball width of the simulated foot (mm)</source>
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
+        </message>
+        <message>
+            <source>bar</source>
+            <translation>balk</translation>
+        </message>
+        <message>
+            <source>base form</source>
+            <translation>basform</translation>
+        </message>
+        <message>
+            <source>behind heads</source>
+            <translation>bakom huvudena</translation>
         </message>
         <message>
             <source>big toe</source>
@@ -2352,12 +2872,44 @@
             <translation>ämne</translation>
         </message>
         <message>
+            <source>blend</source>
+            <translation>övergång</translation>
+        </message>
+        <message>
+            <source>blend end</source>
+            <translation>övergångens slut</translation>
+        </message>
+        <message>
+            <source>blend start</source>
+            <translation>övergångens början</translation>
+        </message>
+        <message>
             <source>block</source>
             <translation>block</translation>
         </message>
         <message>
+            <source>body weight</source>
+            <translation>kroppsvikt</translation>
+        </message>
+        <message>
+            <source>border</source>
+            <translation>kant</translation>
+        </message>
+        <message>
             <source>born {day}</source>
             <translation>född {day}</translation>
+        </message>
+        <message>
+            <source>bottom</source>
+            <translation>undersida</translation>
+        </message>
+        <message>
+            <source>calibrated on</source>
+            <translation>kalibrerade</translation>
+        </message>
+        <message>
+            <source>camera</source>
+            <translation>färgkamera</translation>
         </message>
         <message>
             <source>capture</source>
@@ -2370,6 +2922,14 @@
         <message>
             <source>centimetres</source>
             <translation>centimeter</translation>
+        </message>
+        <message>
+            <source>centre</source>
+            <translation>mitt</translation>
+        </message>
+        <message>
+            <source>chamfer</source>
+            <translation>fas</translation>
         </message>
         <message>
             <source>change patients, visits and prescriptions</source>
@@ -2424,6 +2984,10 @@
             <translation>kontakt</translation>
         </message>
         <message>
+            <source>contents</source>
+            <translation>filer</translation>
+        </message>
+        <message>
             <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
             <translation>corrections innehåller {count} stycken, och får innehålla {most}; ta bort några.</translation>
         </message>
@@ -2436,8 +3000,16 @@
             <translation>överdrag</translation>
         </message>
         <message>
+            <source>cover / middle layer / base</source>
+            <translation>överdrag / mellanskikt / bas</translation>
+        </message>
+        <message>
+            <source>cover, glued on later</source>
+            <translation>överdrag, limmas på senare</translation>
+        </message>
+        <message>
             <source>crest</source>
-            <translation>tåkam</translation>
+            <translation>kam</translation>
         </message>
         <message>
             <source>cuboid raise</source>
@@ -2446,6 +3018,10 @@
         <message>
             <source>cupped</source>
             <translation>skålad</translation>
+        </message>
+        <message>
+            <source>cut out</source>
+            <translation>urtag</translation>
         </message>
         <message>
             <source>cut-out</source>
@@ -2500,16 +3076,36 @@
             <translation>levererad</translation>
         </message>
         <message>
+            <source>depth</source>
+            <translation>djup</translation>
+        </message>
+        <message>
+            <source>depth camera</source>
+            <translation>djupkamera</translation>
+        </message>
+        <message>
             <source>designed</source>
-            <translation>konstruerad</translation>
+            <translation>utformad</translation>
+        </message>
+        <message>
+            <source>device</source>
+            <translation>inläggstyp</translation>
         </message>
         <message>
             <source>diabetes</source>
             <translation>diabetes</translation>
         </message>
         <message>
+            <source>disparity</source>
+            <translation>disparitet</translation>
+        </message>
+        <message>
             <source>distance of the sensors (mm)</source>
             <translation>sensorernas avstånd (mm)</translation>
+        </message>
+        <message>
+            <source>distortion</source>
+            <translation>distorsion</translation>
         </message>
         <message>
             <source>does not belong here: a device fits both feet; leave it out</source>
@@ -2524,6 +3120,10 @@
             <translation>nedåt</translation>
         </message>
         <message>
+            <source>draft of the walls</source>
+            <translation>väggarnas släppning</translation>
+        </message>
+        <message>
             <source>drawn</source>
             <translation>ritad</translation>
         </message>
@@ -2532,8 +3132,28 @@
             <translation>droppe</translation>
         </message>
         <message>
+            <source>due {day}</source>
+            <translation>klar {day}</translation>
+        </message>
+        <message>
+            <source>edge radius</source>
+            <translation>kantradie</translation>
+        </message>
+        <message>
             <source>edge {value}</source>
             <translation>kant {value}</translation>
+        </message>
+        <message>
+            <source>egg</source>
+            <translation>ägg</translation>
+        </message>
+        <message>
+            <source>egg ratio</source>
+            <translation>äggform, förhållande</translation>
+        </message>
+        <message>
+            <source>end taper</source>
+            <translation>ändarnas avfasning</translation>
         </message>
         <message>
             <source>erase patients</source>
@@ -2544,12 +3164,28 @@
             <translation>raderad</translation>
         </message>
         <message>
+            <source>expansion</source>
+            <translation>utvidgning</translation>
+        </message>
+        <message>
             <source>export patients</source>
             <translation>exportera patienter</translation>
         </message>
         <message>
             <source>exported</source>
             <translation>exporterad</translation>
+        </message>
+        <message>
+            <source>extrinsic</source>
+            <translation>extern</translation>
+        </message>
+        <message>
+            <source>fade end</source>
+            <translation>uttoningens slut</translation>
+        </message>
+        <message>
+            <source>fade start</source>
+            <translation>uttoningens början</translation>
         </message>
         <message>
             <source>family name</source>
@@ -2604,12 +3240,36 @@
             <translation>plan</translation>
         </message>
         <message>
+            <source>flat outline</source>
+            <translation>plan kontur</translation>
+        </message>
+        <message>
             <source>flat pad</source>
             <translation>plan pelott</translation>
         </message>
         <message>
             <source>flatfoot</source>
             <translation>plattfot</translation>
+        </message>
+        <message>
+            <source>follow up</source>
+            <translation>uppföljning</translation>
+        </message>
+        <message>
+            <source>following</source>
+            <translation>följsam</translation>
+        </message>
+        <message>
+            <source>following the foot</source>
+            <translation>följer foten</translation>
+        </message>
+        <message>
+            <source>foot</source>
+            <translation>fot</translation>
+        </message>
+        <message>
+            <source>foot length</source>
+            <translation>fotlängd</translation>
         </message>
         <message>
             <source>foot length, rounded up to 5 mm</source>
@@ -2620,12 +3280,20 @@
             <translation>framfot</translation>
         </message>
         <message>
+            <source>forefoot angle deg</source>
+            <translation>framfotsvinkel, °</translation>
+        </message>
+        <message>
             <source>forefoot filler</source>
             <translation>framfotsutfyllnad</translation>
         </message>
         <message>
             <source>forefoot pain</source>
             <translation>framfotssmärta</translation>
+        </message>
+        <message>
+            <source>forefoot post</source>
+            <translation>framfotskil</translation>
         </message>
         <message>
             <source>forefoot twist</source>
@@ -2644,8 +3312,16 @@
             <translation>från foten</translation>
         </message>
         <message>
+            <source>from the scan {name}</source>
+            <translation>från skanningen {name}</translation>
+        </message>
+        <message>
             <source>from the shoe size</source>
             <translation>från skostorleken</translation>
+        </message>
+        <message>
+            <source>full</source>
+            <translation>hel</translation>
         </message>
         <message>
             <source>full length</source>
@@ -2712,8 +3388,16 @@
             <translation>hälsmärta</translation>
         </message>
         <message>
+            <source>heel pitch</source>
+            <translation>klackhöjd</translation>
+        </message>
+        <message>
             <source>heel skive</source>
             <translation>hälskivning</translation>
+        </message>
+        <message>
+            <source>heel width</source>
+            <translation>hälbredd</translation>
         </message>
         <message>
             <source>heel width of the simulated foot (mm)</source>
@@ -2722,6 +3406,10 @@
         <message>
             <source>heel-spur recess</source>
             <translation>hälsporreurtag</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>höjd</translation>
         </message>
         <message>
             <source>heights_mm of form must have {rows} rows of {columns} heights, one for each station.</source>
@@ -2784,8 +3472,16 @@
             <translation>inlägget</translation>
         </message>
         <message>
+            <source>instep height</source>
+            <translation>vristhöjd</translation>
+        </message>
+        <message>
             <source>instep height / length from heel to 1st head</source>
             <translation>vristhöjd / längd från häl till 1:a huvudet</translation>
+        </message>
+        <message>
+            <source>intrinsic</source>
+            <translation>intern</translation>
         </message>
         <message>
             <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
@@ -2972,8 +3668,24 @@
             <translation>vänster</translation>
         </message>
         <message>
+            <source>left and right</source>
+            <translation>vänster och höger</translation>
+        </message>
+        <message>
+            <source>left insole</source>
+            <translation>vänster inlägg</translation>
+        </message>
+        <message>
+            <source>left sole</source>
+            <translation>vänster fotsula</translation>
+        </message>
+        <message>
             <source>leg length</source>
             <translation>benlängd</translation>
+        </message>
+        <message>
+            <source>length</source>
+            <translation>längd</translation>
         </message>
         <message>
             <source>length of the simulated foot (mm)</source>
@@ -3004,6 +3716,10 @@
             <translation>nere till höger</translation>
         </message>
         <message>
+            <source>made with Insole Studio {version}</source>
+            <translation>gjord med Insole Studio {version}</translation>
+        </message>
+        <message>
             <source>make backups</source>
             <translation>göra säkerhetskopior</translation>
         </message>
@@ -3012,8 +3728,20 @@
             <translation>hantera konton</translation>
         </message>
         <message>
+            <source>material of the shell</source>
+            <translation>skalets material</translation>
+        </message>
+        <message>
             <source>medial</source>
             <translation>medial</translation>
+        </message>
+        <message>
+            <source>medial flange</source>
+            <translation>medial fläns</translation>
+        </message>
+        <message>
+            <source>medial {medial}°, lateral {lateral}°</source>
+            <translation>medialt {medial}°, lateralt {lateral}°</translation>
         </message>
         <message>
             <source>medially</source>
@@ -3038,6 +3766,10 @@
         <message>
             <source>metatarsale tibiale to metatarsale fibulare, seen from below</source>
             <translation>metatarsale tibiale till metatarsale fibulare, sett underifrån</translation>
+        </message>
+        <message>
+            <source>method</source>
+            <translation>metod</translation>
         </message>
         <message>
             <source>metres</source>
@@ -3088,8 +3820,24 @@
             <translation>mm osäkert vid foten</translation>
         </message>
         <message>
+            <source>mode</source>
+            <translation>läge</translation>
+        </message>
+        <message>
+            <source>mondopoint</source>
+            <translation>mondopoint</translation>
+        </message>
+        <message>
+            <source>mortons extension</source>
+            <translation>Mortons förlängning</translation>
+        </message>
+        <message>
             <source>most</source>
             <translation>största</translation>
+        </message>
+        <message>
+            <source>mould</source>
+            <translation>gjutform</translation>
         </message>
         <message>
             <source>must be a list […]</source>
@@ -3204,6 +3952,10 @@
             <translation>smal</translation>
         </message>
         <message>
+            <source>navicular height</source>
+            <translation>navikularhöjd</translation>
+        </message>
+        <message>
             <source>navicular, where it is marked, over the ground</source>
             <translation>naviculare, där det är märkt, över underlaget</translation>
         </message>
@@ -3234,6 +3986,10 @@
         <message>
             <source>none</source>
             <translation>–</translation>
+        </message>
+        <message>
+            <source>not recorded</source>
+            <translation>inte antecknat</translation>
         </message>
         <message>
             <source>notes</source>
@@ -3288,12 +4044,20 @@
             <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
         </message>
         <message>
+            <source>order</source>
+            <translation>beställning</translation>
+        </message>
+        <message>
             <source>orthopedist</source>
             <translation>ortopedingenjör</translation>
         </message>
         <message>
             <source>outcome</source>
             <translation>Resultatet</translation>
+        </message>
+        <message>
+            <source>outline</source>
+            <translation>kontur</translation>
         </message>
         <message>
             <source>outline_mm{where} belongs to the shapes "outline" and "flat_outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
@@ -3308,8 +4072,16 @@
             <translation>outline_mm{where} går inte runt pelottens mitt; lägg toppen innanför konturen.</translation>
         </message>
         <message>
+            <source>oval</source>
+            <translation>oval</translation>
+        </message>
+        <message>
             <source>oval pad</source>
             <translation>oval pelott</translation>
+        </message>
+        <message>
+            <source>page</source>
+            <translation>sida</translation>
         </message>
         <message>
             <source>pediatric</source>
@@ -3368,6 +4140,10 @@
             <translation>platta</translation>
         </message>
         <message>
+            <source>points</source>
+            <translation>punkter</translation>
+        </message>
+        <message>
             <source>points_mm of outline has {count} places, and a drawn outline needs at least {least}; draw it again.</source>
             <translation>points_mm i outline har {count} platser, och en ritad kontur behöver minst {least}; rita den igen.</translation>
         </message>
@@ -3388,6 +4164,10 @@
             <translation>posts i shell har två för samma område; behåll en av dem.</translation>
         </message>
         <message>
+            <source>prescribed thickness</source>
+            <translation>ordinerad tjocklek</translation>
+        </message>
+        <message>
             <source>prescription</source>
             <translation>ordination</translation>
         </message>
@@ -3405,23 +4185,39 @@
         </message>
         <message>
             <source>pull</source>
-            <translation>sänk</translation>
+            <translation>dra ner</translation>
         </message>
         <message>
             <source>push</source>
-            <translation>höj</translation>
+            <translation>tryck upp</translation>
         </message>
         <message>
             <source>px apart in the colour image</source>
             <translation>px isär i färgbilden</translation>
         </message>
         <message>
+            <source>radius</source>
+            <translation>radie</translation>
+        </message>
+        <message>
             <source>read the audit log</source>
             <translation>läsa loggen</translation>
         </message>
         <message>
+            <source>rearfoot</source>
+            <translation>bakfot</translation>
+        </message>
+        <message>
+            <source>rearfoot angle deg</source>
+            <translation>bakfotsvinkel, °</translation>
+        </message>
+        <message>
             <source>rearfoot eversion of the simulated foot (degrees)</source>
             <translation>den simulerade fotens bakfotseversion (grader)</translation>
+        </message>
+        <message>
+            <source>rearfoot post</source>
+            <translation>bakfotskil</translation>
         </message>
         <message>
             <source>rearmost point</source>
@@ -3516,6 +4312,14 @@
             <translation>höger</translation>
         </message>
         <message>
+            <source>right insole</source>
+            <translation>höger inlägg</translation>
+        </message>
+        <message>
+            <source>right sole</source>
+            <translation>höger fotsula</translation>
+        </message>
+        <message>
             <source>rigid</source>
             <translation>styv</translation>
         </message>
@@ -3552,12 +4356,20 @@
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
         </message>
         <message>
+            <source>sensors</source>
+            <translation>sensorer</translation>
+        </message>
+        <message>
             <source>sent</source>
             <translation>skickad</translation>
         </message>
         <message>
             <source>sesamoid</source>
             <translation>sesamben</translation>
+        </message>
+        <message>
+            <source>shape</source>
+            <translation>form</translation>
         </message>
         <message>
             <source>shell</source>
@@ -3569,7 +4381,19 @@
         </message>
         <message>
             <source>shoe size</source>
-            <translation>Skostorleken</translation>
+            <translation>skostorlek</translation>
+        </message>
+        <message>
+            <source>shoe size eu</source>
+            <translation>skostorlek EU</translation>
+        </message>
+        <message>
+            <source>shoe size uk</source>
+            <translation>skostorlek UK</translation>
+        </message>
+        <message>
+            <source>shoe size us</source>
+            <translation>skostorlek US</translation>
         </message>
         <message>
             <source>shoe_size_eu of outline is missing; put in the size of the shoe.</source>
@@ -3584,12 +4408,24 @@
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
         </message>
         <message>
+            <source>sigma</source>
+            <translation>sigma</translation>
+        </message>
+        <message>
             <source>sign prescriptions</source>
             <translation>signera ordinationer</translation>
         </message>
         <message>
+            <source>signature {signature}</source>
+            <translation>signatur {signature}</translation>
+        </message>
+        <message>
             <source>signed</source>
             <translation>signerad</translation>
+        </message>
+        <message>
+            <source>signed by {name} on {day}</source>
+            <translation>signerad av {name} {day}</translation>
         </message>
         <message>
             <source>signed in</source>
@@ -3598,6 +4434,10 @@
         <message>
             <source>slim shoe</source>
             <translation>smal sko</translation>
+        </message>
+        <message>
+            <source>slope</source>
+            <translation>lutning</translation>
         </message>
         <message>
             <source>smaller</source>
@@ -3640,6 +4480,14 @@
             <translation>steg</translation>
         </message>
         <message>
+            <source>stereo</source>
+            <translation>färg mot djup</translation>
+        </message>
+        <message>
+            <source>strength</source>
+            <translation>styrka</translation>
+        </message>
+        <message>
             <source>strength{where} is {strength:g}, and for smoothing must be 0 to 1; 1 evens out all it can.</source>
             <translation>strength{where} är {strength:g}, och måste för utjämning vara 0 till 1; 1 jämnar ut allt den kan.</translation>
         </message>
@@ -3662,6 +4510,10 @@
         <message>
             <source>tape round the foot through the two points of the ball</source>
             <translation>måttband runt foten genom trampdynans två punkter</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>mål</translation>
         </message>
         <message>
             <source>technician</source>
@@ -3860,8 +4712,16 @@
             <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
+            <source>three quarter</source>
+            <translation>trekvarts</translation>
+        </message>
+        <message>
             <source>three-quarter</source>
             <translation>trekvarts</translation>
+        </message>
+        <message>
+            <source>through {count} points</source>
+            <translation>genom {count} punkter</translation>
         </message>
         <message>
             <source>to the left</source>
@@ -3870,6 +4730,10 @@
         <message>
             <source>to the right</source>
             <translation>åt höger</translation>
+        </message>
+        <message>
+            <source>toe zone</source>
+            <translation>tåzon</translation>
         </message>
         <message>
             <source>toes</source>
@@ -3882,6 +4746,14 @@
         <message>
             <source>total contact</source>
             <translation>helkontakt</translation>
+        </message>
+        <message>
+            <source>trim line</source>
+            <translation>klipplinje</translation>
+        </message>
+        <message>
+            <source>turn</source>
+            <translation>vridning</translation>
         </message>
         <message>
             <source>turned by {turn_deg:.0f}°, it looks like itself within {apart_mm:.1f} mm; move some markers by a few studs so that it is less regular</source>
@@ -3936,12 +4808,28 @@
             <translation>uppåt</translation>
         </message>
         <message>
+            <source>usual</source>
+            <translation>vanlig</translation>
+        </message>
+        <message>
+            <source>variant {name}</source>
+            <translation>variant {name}</translation>
+        </message>
+        <message>
             <source>version must be {known}, and is {version}.</source>
             <translation>version måste vara {known}, och är {version}.</translation>
         </message>
         <message>
+            <source>version {number} of {day} by {author}</source>
+            <translation>version {number} {day} av {author}</translation>
+        </message>
+        <message>
             <source>view {view}: {reason}</source>
             <translation>vyn {view}: {reason}</translation>
+        </message>
+        <message>
+            <source>visit</source>
+            <translation>besök</translation>
         </message>
         <message>
             <source>watertight</source>
@@ -3950,6 +4838,10 @@
         <message>
             <source>weight in kg</source>
             <translation>Vikten i kg</translation>
+        </message>
+        <message>
+            <source>width</source>
+            <translation>bredd</translation>
         </message>
         <message>
             <source>worst: {markers}</source>
@@ -3978,6 +4870,18 @@
         <message>
             <source>{angle} medial</source>
             <translation>{angle} medialt</translation>
+        </message>
+        <message>
+            <source>{angle}, length {length}, edge {edge}</source>
+            <translation>{angle}, längd {length}, kant {edge}</translation>
+        </message>
+        <message>
+            <source>{angle}° lateral</source>
+            <translation>{angle}° lateralt</translation>
+        </message>
+        <message>
+            <source>{angle}° medial</source>
+            <translation>{angle}° medialt</translation>
         </message>
         <message>
             <source>{archive} holds the path "{file}", which leads out of the archive; do not use this file.</source>
@@ -4193,7 +5097,7 @@
         </message>
         <message>
             <source>{folder} does not hold the files of this record; connect the disk or the share that holds them, then try again.</source>
-            <translation>{folder} innehåller inte filerna till detta register; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
+            <translation>{folder} innehåller inte filerna till den här journalen; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
         </message>
         <message>
             <source>{folder} does not keep what is written to it; use another disk for backups.</source>
@@ -4245,7 +5149,7 @@
         </message>
         <message>
             <source>{folder} holds the backups of another record, or of this one under another passphrase; choose another folder.</source>
-            <translation>{folder} innehåller säkerhetskopior av ett annat register, eller av detta med en annan lösenfras; välj en annan mapp.</translation>
+            <translation>{folder} innehåller säkerhetskopior av en annan journal, eller av den här med en annan lösenfras; välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
@@ -4262,6 +5166,10 @@
         <message>
             <source>{folder} was not left by a capture; choose the folder it named.</source>
             <translation>{folder} lämnades inte av en avbildning; välj mappen som den angav.</translation>
+        </message>
+        <message>
+            <source>{form}, {share} % of the foot</source>
+            <translation>{form}, {share} % av foten</translation>
         </message>
         <message>
             <source>{frame} is missing, but later frames are there; restore it or renumber.</source>
@@ -4282,6 +5190,10 @@
         <message>
             <source>{heights} mm over the toes</source>
             <translation>{heights} mm över tårna</translation>
+        </message>
+        <message>
+            <source>{height} over {length}</source>
+            <translation>{height} över {length}</translation>
         </message>
         <message>
             <source>{key} of form has {count} stations, and must have {least} to {most}; add or remove some.</source>
@@ -4305,7 +5217,7 @@
         </message>
         <message>
             <source>{kind} is no kind of a capture; use session or mesh.</source>
-            <translation>{kind} är inget slags upptagning; använd session eller mesh.</translation>
+            <translation>{kind} är inget slags avbildning; använd session eller mesh.</translation>
         </message>
         <message>
             <source>{least:g} to {most:g}</source>
@@ -4322,6 +5234,10 @@
         <message>
             <source>{list}[{number}]</source>
             <translation>{list}[{number}]</translation>
+        </message>
+        <message>
+            <source>{maker}, {maker address}, states: this device is intended for the exclusive use of the patient identified above. It was made to the prescription set out here, which {prescriber} made out. It conforms to the general safety and performance requirements of Annex I; requirements that are not fully met, if any, are listed with the reasons: none. This statement and the documentation of the device are kept available to the competent authorities for at least ten years after the device was placed on the market.</source>
+            <translation>{maker}, {maker address}, försäkrar: denna produkt är uteslutande avsedd för den patient som identifieras ovan. Den har tillverkats efter den ordination som återges här och som {prescriber} har utfärdat. Den uppfyller de allmänna kraven på säkerhet och prestanda i bilaga I; krav som eventuellt inte är helt uppfyllda anges med skälen: inga. Denna försäkran och produktens dokumentation hålls tillgängliga för de behöriga myndigheterna i minst tio år efter att produkten släpptes ut på marknaden.</translation>
         </message>
         <message>
             <source>{markers} excluded</source>
@@ -4402,6 +5318,14 @@
         <message>
             <source>{name} is {value} (usual: {low} to {high})</source>
             <translation>{name} är {value} (vanligt: {low} till {high})</translation>
+        </message>
+        <message>
+            <source>{name} {count} points</source>
+            <translation>{name} {count} punkter</translation>
+        </message>
+        <message>
+            <source>{name} {share} % of the length</source>
+            <translation>{name} {share} % av längden</translation>
         </message>
         <message>
             <source>{name}: "{key}" must hold {what}; calibrate the sensor again.</source>
@@ -4578,6 +5502,10 @@
         <message>
             <source>{path} is a session, which is always in millimetres; leave out the unit.</source>
             <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
+        </message>
+        <message>
+            <source>{path} is a session, which says how the foot lies; leave out form and points.</source>
+            <translation>{path} är en session, som säger hur foten ligger; utelämna form och punkter.</translation>
         </message>
         <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
@@ -4769,11 +5697,31 @@
         </message>
         <message>
             <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller redan ett register; återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+            <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record that cannot be read; restore to an empty place, or let it be set aside.</source>
+            <translation>{place} innehåller en journal som inte går att läsa; återställ till en tom plats, eller låt den läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}). Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}). Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller ett register som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt detta register läggas åt sidan.</translation>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds a record with {count} entries fewer in its audit log than the backup has; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian har; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds another record than the backup; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en annan journal än säkerhetskopian; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
+            <source>{place} holds the record as the backup has it: nothing was changed since. Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
@@ -4818,6 +5766,10 @@
         <message>
             <source>{region} {percent:.0f} %</source>
             <translation>{region} {percent:.0f} %</translation>
+        </message>
+        <message>
+            <source>{serial}: {step} {value:.2f} {unit}</source>
+            <translation>{serial}: {step} {value:.2f} {unit}</translation>
         </message>
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
@@ -4904,6 +5856,10 @@
             <translation>{what} är {value:g}, och måste vara {least} till {most} {unit}; ange ett värde i det området.</translation>
         </message>
         <message>
+            <source>{what} {count}</source>
+            <translation>{what} {count}</translation>
+        </message>
+        <message>
             <source>{what}: {before} → {after}</source>
             <translation>{what}: {before} → {after}</translation>
         </message>
@@ -4962,6 +5918,10 @@
         <message>
             <source>{where} must be two numbers in [ ].</source>
             <translation>{where} måste vara två tal i [ ].</translation>
+        </message>
+        <message>
+            <source>{width} from the bisection of the 1st metatarsal</source>
+            <translation>{width} från första metatarsalbenets mittlinje</translation>
         </message>
         <message>
             <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>

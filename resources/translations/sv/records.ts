@@ -4,6 +4,10 @@
     <context>
         <name>studio</name>
         <message>
+            <source>&amp;New orders are due after</source>
+            <translation>&amp;Nya beställningar ska vara klara efter</translation>
+        </message>
+        <message>
             <source>A copy was written: {name}</source>
             <translation>En kopia skrevs: {name}</translation>
         </message>
@@ -60,6 +64,10 @@
             <translation>Alla patienter</translation>
         </message>
         <message>
+            <source>An administrator looks after accounts, backups and the audit log, and sees no patients; whoever treats patients signs in with an account of their own.</source>
+            <translation>En administratör sköter konton, säkerhetskopior och loggen och ser inga patienter; den som behandlar patienter loggar in med ett eget konto.</translation>
+        </message>
+        <message>
             <source>Another scan</source>
             <translation>En annan skanning</translation>
         </message>
@@ -74,6 +82,10 @@
         <message>
             <source>Better, the same, worse; in a word or two</source>
             <translation>Bättre, oförändrat, sämre; med ett par ord</translation>
+        </message>
+        <message>
+            <source>Both, one below the other</source>
+            <translation>Båda, under varandra</translation>
         </message>
         <message>
             <source>Bring to this state</source>
@@ -92,6 +104,14 @@
             <translation>Avbildad</translation>
         </message>
         <message>
+            <source>Captured {time}; calibration of the sensors not recorded</source>
+            <translation>Avbildad {time}; sensorernas kalibrering är inte antecknad</translation>
+        </message>
+        <message>
+            <source>Captured {time}; sensors calibrated {day}</source>
+            <translation>Avbildad {time}; sensorerna kalibrerade {day}</translation>
+        </message>
+        <message>
             <source>Cases in files can be opened as before.</source>
             <translation>Fall i filer kan öppnas som förut.</translation>
         </message>
@@ -102,6 +122,10 @@
         <message>
             <source>Checked</source>
             <translation>Kontrollerad</translation>
+        </message>
+        <message>
+            <source>Choose between two versions of the patient's fields</source>
+            <translation>Välj mellan två versioner av patientens fält</translation>
         </message>
         <message>
             <source>Choose in the calendar (F4)</source>
@@ -212,6 +236,10 @@
             <translation>Behåll båda som varianter</translation>
         </message>
         <message>
+            <source>Keep theirs</source>
+            <translation>Behåll deras</translation>
+        </message>
+        <message>
             <source>Keep this version</source>
             <translation>Behåll denna version</translation>
         </message>
@@ -242,6 +270,10 @@
         <message>
             <source>Mine</source>
             <translation>Min</translation>
+        </message>
+        <message>
+            <source>My value</source>
+            <translation>Mitt värde</translation>
         </message>
         <message>
             <source>Name, birth date, personal number or order</source>
@@ -328,6 +360,10 @@
             <translation>Beställning {number} finns i journalen, med sina filer.</translation>
         </message>
         <message>
+            <source>Order {number} is in the record, with its files; it is due {day}.</source>
+            <translation>Beställning {number} finns i journalen med sina filer; den ska vara klar {day}.</translation>
+        </message>
+        <message>
             <source>Orders</source>
             <translation>Beställningar</translation>
         </message>
@@ -384,12 +420,12 @@
             <translation>Kom ihåg den förra ordinationen</translation>
         </message>
         <message>
-            <source>Returned</source>
-            <translation>Returnerad</translation>
+            <source>Remind me in a week</source>
+            <translation>Påminn mig om en vecka</translation>
         </message>
         <message>
-            <source>Running</source>
-            <translation>Pågår</translation>
+            <source>Returned</source>
+            <translation>Returnerad</translation>
         </message>
         <message>
             <source>Saved in the record</source>
@@ -398,6 +434,10 @@
         <message>
             <source>Saving…</source>
             <translation>Sparar…</translation>
+        </message>
+        <message>
+            <source>Scan {name}, {time}</source>
+            <translation>Skanning {name}, {time}</translation>
         </message>
         <message>
             <source>Search for a patient; today's visits and open orders</source>
@@ -440,8 +480,16 @@
             <translation>Någon annan har ändrat besökets högra fot medan du arbetade med den.</translation>
         </message>
         <message>
+            <source>Somebody else has changed the same fields while you worked on them. Choose which value counts; all others of your changes are stored.</source>
+            <translation>Någon annan har ändrat samma fält medan du arbetade med dem. Välj vilket värde som gäller; alla dina andra ändringar sparas.</translation>
+        </message>
+        <message>
             <source>State</source>
             <translation>Läge</translation>
+        </message>
+        <message>
+            <source>Store</source>
+            <translation>Spara</translation>
         </message>
         <message>
             <source>The capture is in the record.</source>
@@ -468,6 +516,10 @@
             <translation>Patienten samtycker till att uppgifterna sparas (i dag)</translation>
         </message>
         <message>
+            <source>Their value</source>
+            <translation>Deras värde</translation>
+        </message>
+        <message>
             <source>Theirs</source>
             <translation>Deras</translation>
         </message>
@@ -478,6 +530,10 @@
         <message>
             <source>Today's visits</source>
             <translation>Dagens besök</translation>
+        </message>
+        <message>
+            <source>Two versions of the same fields</source>
+            <translation>Två versioner av samma fält</translation>
         </message>
         <message>
             <source>Two versions of the same foot</source>
@@ -540,6 +596,14 @@
             <translation>Utan patient, eller från filer</translation>
         </message>
         <message>
+            <source>days</source>
+            <translation>dagar</translation>
+        </message>
+        <message>
+            <source>no due date</source>
+            <translation>inget datum</translation>
+        </message>
+        <message>
             <source>signed by {name}</source>
             <translation>signerad av {name}</translation>
         </message>
@@ -556,8 +620,8 @@
             <translation>{name} har redan detta personnummer.</translation>
         </message>
         <message>
-            <source>{name}: somebody else changed the same foot while the record did not answer. Theirs is the newest version; what was changed here is kept beside it, see “Versions…” on the patient's page.</source>
-            <translation>{name}: någon annan ändrade samma fot medan journalen inte svarade. Deras är den nyaste versionen; det som ändrades här finns kvar bredvid den, se ”Versioner…” på patientens sida.</translation>
+            <source>{name}: somebody else changed the same foot or field while the record did not answer. Theirs counts; what was changed here is kept beside it: feet under “Versions…” on the patient's page, fields in the notes of the visit.</source>
+            <translation>{name}: någon annan ändrade samma fot eller fält medan journalen inte svarade. Deras gäller; det som ändrades här finns kvar bredvid: fötter under ”Versioner…” på patientens sida, fält i besökets anteckningar.</translation>
         </message>
         <message>
             <source>{name}: what was not saved yet is now in the record.</source>

@@ -1164,14 +1164,6 @@
             <translation>Öppna ändå</translation>
         </message>
         <message>
-            <source>Open as a left foot</source>
-            <translation>Öppna som vänsterfot</translation>
-        </message>
-        <message>
-            <source>Open as a right foot</source>
-            <translation>Öppna som högerfot</translation>
-        </message>
-        <message>
             <source>Open case…</source>
             <translation>Öppna fall…</translation>
         </message>
@@ -1926,10 +1918,6 @@
         <message>
             <source>What was recovered of {name} and not saved will be gone for good.</source>
             <translation>Det som räddats av {name} och inte sparats försvinner för alltid.</translation>
-        </message>
-        <message>
-            <source>Which foot is {name}?</source>
-            <translation>Vilken fot är {name}?</translation>
         </message>
         <message>
             <source>Widen the pad</source>

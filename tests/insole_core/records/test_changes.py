@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import threading
-import time
-from datetime import date
-from pathlib import Path
+from dataclasses import replace
+from datetime import date, datetime, timedelta, tzinfo
 
 import pytest
 from stations import ANNA, BEN, Stations
 
+from insole_core.cases.case_record import FootRecord
+from insole_core.geometry.side import Side
 from insole_core.records import presence as presence_module
-from insole_core.records.captures import MESH
-from insole_core.records.changes import POLL_S
+from insole_core.records import times
 from insole_core.records.person import Person
+from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
-
-PATIENCE_S = 60.0
 
 
 def added_visit(records: Records) -> Visit:
@@ -38,38 +36,6 @@ def test_changes_are_told_in_their_order(stations: Stations) -> None:
     assert found.changes[1].subject_id == visit.id
     assert not found.has_more
     assert desk.changes_since(found.mark).changes == ()
-
-
-def test_a_finished_capture_wakes_who_waits(stations: Stations, tmp_path: Path) -> None:
-    desk, room = stations.open(ANNA), stations.open(BEN)
-    visit = added_visit(room)
-    scan = tmp_path / "scan.stl"
-    scan.write_bytes(b"solid")
-    mark = desk.mark()
-    seen: list[tuple[float, str]] = []
-
-    def wait() -> None:
-        changes = desk.wait_for_changes(mark, PATIENCE_S).changes
-        seen.extend((time.monotonic(), change.subject_kind) for change in changes)
-
-    waiting = threading.Thread(target=wait)
-    waiting.start()
-    time.sleep(0.3)
-    room.captures.add(visit.id, MESH, scan)
-    added = time.monotonic()
-    waiting.join()
-    assert [kind for _, kind in seen] == ["capture"]
-    # It is seen when it is there, in any case within a poll, and not when the waiting is over.
-    assert POLL_S < 2.0
-    assert seen[0][0] - added < PATIENCE_S / 2
-
-
-def test_waiting_ends_in_time(stations: Stations) -> None:
-    records = stations.open()
-    started = time.monotonic()
-    mark = records.mark()
-    assert records.wait_for_changes(mark, 0.2).changes == ()
-    assert 0.15 < time.monotonic() - started < 10
 
 
 def test_many_changes_are_told_in_part(stations: Stations, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -101,11 +67,67 @@ def test_a_station_that_was_switched_off_is_forgotten(
     visit = added_visit(desk)
     room.presence.enter(visit.id)
     assert len(desk.presence.enter(visit.id)) == 1
-    monkeypatch.setattr(presence_module, "STALE_S", 0.0)
+    monkeypatch.setattr(presence_module, "STALE_S", -1.0)  # also those of this moment
     assert desk.presence.others(visit.id) == []
     monkeypatch.undo()
     [other] = room.presence.enter(visit.id)
     assert other.author == "anna"
+
+
+class Clock:
+    """The clock of a computer, which can be put forward and back."""
+
+    def __init__(self) -> None:
+        self.ahead = timedelta()
+
+    def now(self, zone: tzinfo) -> datetime:
+        return datetime.now(zone) + self.ahead
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+    clock = Clock()
+    monkeypatch.setattr(times, "datetime", clock)
+    return clock
+
+
+def test_a_clock_that_jumps_changes_no_order(
+    stations: Stations, foot_record: FootRecord, clock: Clock
+) -> None:
+    desk = stations.open(ANNA)
+    mark, visit, base = desk.mark(), added_visit(desk), None
+    for ahead, thickness_mm in ((0, 3.0), (365, 4.0), (-1, 5.0)):
+        clock.ahead = timedelta(days=ahead)
+        foot = foot_record.with_design(replace(foot_record.design, thickness_mm=thickness_mm))
+        base = desk.prescriptions.save(visit.id, foot, base, reason=f"clock {ahead}")
+        desk.persons.open(desk.persons.add(Person(f"Clock {ahead}")).id)
+    versions = desk.prescriptions.versions(visit.id, Side.LEFT)
+    assert [version.number for version in versions] == [3, 2, 1]
+    opened = desk.visits.open_case(visit.id).record.of_side(Side.LEFT)
+    assert opened is not None
+    assert opened.design.thickness_mm == 5.0
+    names = [person.name for person in desk.persons.recent()]
+    assert names == ["Anna Berg", "Clock -1", "Clock 365", "Clock 0"]
+    seqs = [change.seq for change in desk.changes_since(mark).changes]
+    assert seqs == sorted(seqs)
+    assert desk.audit.verify().is_intact
+
+
+def test_who_was_here_before_a_clock_was_put_back_is_forgotten(
+    local_place: RecordsPlace, clock: Clock
+) -> None:
+    stations = Stations(local_place, [])
+    desk, room = stations.open(ANNA), stations.open(BEN)
+    visit = added_visit(desk)
+    clock.ahead = timedelta(days=365)
+    room.presence.enter(visit.id)
+    assert len(desk.presence.others(visit.id)) == 1
+    clock.ahead = timedelta(days=-1)
+    assert desk.presence.others(visit.id) == []
+    room.presence.enter(visit.id)
+    assert len(desk.presence.others(visit.id)) == 1
+    desk.close()
+    room.close()
 
 
 def test_a_snapshot_sees_one_moment(stations: Stations) -> None:

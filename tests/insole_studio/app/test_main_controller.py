@@ -7,19 +7,15 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import Patient, ScanSource
 from insole_core.errors import OutputError
-from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_core.progress import Progress
-from insole_core.simulate.foot_model import build_foot
-from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import grab_window
 from insole_studio.services.questions import Answer
@@ -98,64 +94,6 @@ def test_a_broken_case_leaves_the_open_one(
     settle()
     assert opened.case.record is record
     assert len(opened.services.messages.dialogs) == 1
-
-
-def test_a_mesh_without_a_side_is_asked_for(
-    app: Application, questions: Any, make_foot: Any, tmp_path: Path
-) -> None:
-    questions.side = None
-    write_ply(make_foot(Side.LEFT).mesh, tmp_path / "foot.ply")
-    app.features.case_files.opener.open_path(tmp_path / "foot.ply")
-    assert questions.asked == ["side"]
-    assert not app.jobs.is_running()
-
-
-def test_a_scan_of_no_foots_size_is_asked_for_its_unit(
-    app: Application, questions: Any, make_foot: Any, tmp_path: Path, settle: Settle
-) -> None:
-    mesh = make_foot(Side.LEFT).mesh
-    half = replace(mesh, vertices=mesh.vertices / 2 / 25.4)  # of a foot in inches: no length tells
-    write_ply(half, tmp_path / "half.ply")
-    questions.units, questions.anyway = ["mm", "inch"], True  # a plate of 80 × 250 mm
-    app.features.case_files.opener.open_path(tmp_path / "half.ply")
-    settle()
-    assert questions.asked[0] == "side"
-    assert "read in millimetres" in questions.asked[1]
-    assert "no proportions of a foot" in questions.asked[2]
-    assert app.case.foot is not None
-    assert np.ptp(app.case.foot.mesh.vertices[:, 1]) == pytest.approx(
-        np.ptp(mesh.vertices[:, 1]) / 2, abs=2.0
-    )
-
-
-def test_what_has_no_proportions_of_a_foot_is_opened_only_if_the_user_insists(
-    app: Application, questions: Any, make_foot: Any, tmp_path: Path, settle: Settle
-) -> None:
-    write_ply(make_foot(Side.LEFT).mesh, tmp_path / "plate.ply")
-    app.features.case_files.opener.open_path(tmp_path / "plate.ply")
-    settle()
-    assert "no proportions of a foot" in questions.asked[1]
-    assert app.case.foot is None
-    questions.anyway = True
-    app.features.case_files.opener.open_path(tmp_path / "plate.ply")
-    settle()
-    assert app.case.foot is not None
-
-
-def test_the_side_can_be_put_right_where_the_shape_contradicts(
-    app: Application, questions: Any, settle: Settle, tmp_path: Path
-) -> None:
-    left_scan = tmp_path / "left.ply"
-    write_ply(
-        build_foot(FootShape(side=Side.LEFT), np.random.default_rng(1), cell_mm=3.5).mesh, left_scan
-    )
-    questions.side, questions.side_after_all = Side.RIGHT, Side.LEFT
-    app.features.case_files.opener.open_path(left_scan)
-    settle()
-    assert "looks like a left foot" in questions.asked[1]
-    assert "--" not in questions.asked[1]
-    assert app.case.foot is not None
-    assert app.case.foot.side is Side.LEFT
 
 
 def test_an_unexpected_error_keeps_its_details_for_a_report(app: Application, qapp: object) -> None:

@@ -207,14 +207,14 @@ def test_a_case_opened_after_another_looks_as_at_a_fresh_start(
     tmp_path: Path,
 ) -> None:
     path = CASES[kind](small_session, one_foot, tmp_path)
-    questions.same_side, questions.side = SameSide.NEW_CASE, Side.LEFT
+    questions.same_side = SameSide.NEW_CASE
 
     def show_case(application: Application) -> list[str]:
         opener = application.features.case_files.opener
         if path is None:
             opener.new_case()
         else:
-            opener.open_path(path)
+            opener.open_path(path, Side.LEFT)
         qtbot.waitUntil(lambda: not application.jobs.is_running(), timeout=PATIENCE_MS)
         QTest.qWait(50)
         return shown(application)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from asked_scan import insist_on
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
@@ -78,10 +79,9 @@ def take_notice(app: Application) -> None:
 
 @pytest.fixture
 def scan(app: Application, make_foot: MakeFoot, tmp_path: Path) -> Callable[[Side], Path]:
-    """A mesh file of a foot as simple as a plate, which is opened all the same."""
+    """A mesh file of a foot as simple as a plate."""
 
     def write(side: Side) -> Path:
-        app.services.messages.questions.anyway = True  # type: ignore[attr-defined]
         path = tmp_path / f"{side}.ply"
         write_ply(make_foot(side).mesh, path)
         return path
@@ -102,10 +102,10 @@ def test_a_second_scan_of_the_other_side_joins_the_case(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:
     pad = add_pad(opened)
-    questions = opened.services.messages.questions
-    questions.side, questions.path = Side.RIGHT, scan(Side.RIGHT)  # type: ignore[attr-defined]
+    opened.services.messages.questions.path = scan(Side.RIGHT)  # type: ignore[attr-defined]
     press(opened, Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier)
     settle()
+    insist_on(opened, settle, Side.RIGHT)
     assert [foot.side for foot in opened.case.record.feet] == [Side.LEFT, Side.RIGHT]
     assert opened.case.side is Side.RIGHT
     assert design(opened).corrections == ()
@@ -253,6 +253,7 @@ def test_a_new_scan_of_the_same_foot_repeats_the_last_design_in_one_click(
     questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
     opened.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
+    insist_on(opened, settle, Side.LEFT)
     assert design(opened).corrections == ()
     assert "repeat" in notices(opened)
     take_notice(opened)
@@ -272,6 +273,7 @@ def test_a_dismissed_offer_stays_away(
     questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
     opened.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
+    insist_on(opened, settle, Side.LEFT)
     *_, dismiss = opened.stage.notices.findChildren(QToolButton)
     QTest.mouseClick(dismiss, LEFT_BUTTON)
     opened.case.apply(replace(design(opened), thickness_mm=4.0), "Thicken")
@@ -289,6 +291,7 @@ def test_a_second_scan_may_begin_a_new_case(
     questions.same_side = SameSide.NEW_CASE  # type: ignore[attr-defined]
     opened.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
+    insist_on(opened, settle, Side.LEFT)
     assert opened.case.record.patient == Patient()
     assert len(opened.case.history) == 0
 

@@ -33,8 +33,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="a table with headings in its first row, or a folder with case files",
     )  # fmt: skip
     parser.add_argument(
-        "--dry-run", action="store_true", help="only tell what would be done; nothing is added"
-    )
+        "--dry-run", action="store_true",
+        help="only tell what each row or file would do; nothing is added",
+    )  # fmt: skip
     parser.add_argument(
         "--doubtful", action="store_true",
         help="add doubtful persons, too, as new ones; the window can merge them later",
@@ -72,7 +73,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     if arguments.report is not None:
         write_text(report_csv(headings, rows), arguments.report)
     for row in rows:
-        if row[1] != "new":
+        if arguments.dry_run or row[1] != "new":
             print(*row, sep="\t")
     head = "Dry run" if arguments.dry_run else "Done"
     progress.step(1.0, "{head}: {counts}", head=head, counts=counts)
@@ -117,7 +118,7 @@ def _persons(records: Records, arguments: argparse.Namespace, progress: Progress
 
     rows = _read(arguments)
     if arguments.dry_run:
-        plan = plan_import(rows, records.persons.everybody())
+        plan = plan_import(records, rows)
     else:
         plan = import_persons(records, rows, with_doubtful=arguments.doubtful, progress=progress)
     lines = [

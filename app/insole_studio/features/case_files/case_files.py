@@ -8,7 +8,7 @@ from pathlib import Path
 
 from insole_studio.document.autosave import Autosave
 from insole_studio.features.case_files.case_guard import CaseGuard
-from insole_studio.features.case_files.open_actions import OpenActions
+from insole_studio.features.case_files.open_actions import ImportScan, OpenActions
 from insole_studio.features.case_files.recovery import Recovery
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.features.case_files.scan_monitor import ScanMonitor
@@ -31,7 +31,10 @@ class CaseFiles:
 
 
 def make_case_files(
-    services: AppServices, autosave: Autosave, reconstruct: Callable[[Path], None]
+    services: AppServices,
+    autosave: Autosave,
+    reconstruct: Callable[[Path], None],
+    import_scan: ImportScan,
 ) -> CaseFiles:
     """Construct the feature.
 
@@ -43,10 +46,12 @@ def make_case_files(
         Autosave of the open case.
     reconstruct
         Called with the path of a session to be reconstructed.
+    import_scan
+        Called with a scan that is no session.
     """
     ScanMonitor(services, services.window)
     guard = CaseGuard(services.case, services.paths.locks_folder, services.window)
     saver = SaveActions(services, guard)
-    opener = OpenActions(services, saver, guard, reconstruct)
+    opener = OpenActions(services, saver, guard, reconstruct, import_scan)
     recovery = Recovery(services, saver, guard, autosave, opener.open_path)
     return CaseFiles(opener, saver, recovery, guard)

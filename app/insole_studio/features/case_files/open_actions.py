@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import InsoleError
-from insole_core.foot.foot_placement import SideMismatchError
-from insole_core.foot.foot_proportions import ProportionsError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
-from insole_core.scans.mesh_file import UnitError
 from insole_core.workflows.file_kind import kind_of
-from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.starting_design import starting_device
 from insole_core.workflows.template_transfer import last_design
@@ -27,10 +23,11 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import InUse, SameSide
-from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr, translate_core_message
 
+ImportScan = Callable[[Path, Side | None, str, Callable[[Sequence[ScannedFoot]], None]], None]
+"""Opens a scan: path, side or None, channel of the jobs, and what is called with the feet."""
 CHANNEL = "open"
 NOTICE = "scan"
 LINE_LETTERS = 160
@@ -47,6 +44,7 @@ class OpenActions:
         saver: SaveActions,
         guard: CaseGuard,
         reconstruct: Callable[[Path], None],
+        import_scan: ImportScan,
     ) -> None:
         self._services = services
         self._case = services.case
@@ -56,6 +54,7 @@ class OpenActions:
         self._saver = saver
         self._guard = guard
         self._reconstruct = reconstruct
+        self._import_scan = import_scan
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
         """Open a case, a session or a mesh, depending on the path.
@@ -75,8 +74,7 @@ class OpenActions:
         if kind == "case":
             self._open_case(path)
         elif kind == "mesh":
-            answer = ScanAnswer(side) if side else self._messages.questions.about_scan(path)
-            self._open_mesh(path, answer)
+            self._open_mesh(path, side)
         else:
             self._open_session(path.parent if kind == "manifest" else path)
 
@@ -177,44 +175,16 @@ class OpenActions:
     def _open_session(self, path: Path) -> None:
         self._reconstruct(path)
 
-    def _open_mesh(self, path: Path, answer: ScanAnswer | None, force: bool = False) -> None:
-        if answer is None:
-            return
-        side, unit = answer.side, answer.unit
+    def _open_mesh(self, path: Path, side: Side | None) -> None:
+        def opened(feet: Sequence[ScannedFoot]) -> None:
+            for scanned in feet:
+                if scanned.warnings:
+                    self._messages.show_sentence(
+                        " ".join(map(translate_core_message, scanned.warnings))
+                    )
+                self.take_scan(scanned)
 
-        def failed(error: Exception) -> None:
-            questions = self._messages.questions
-            if isinstance(error, SideMismatchError):
-                chosen = questions.which_side_after_all(str(error), side)
-                if chosen is not None:
-                    self._open_mesh(path, ScanAnswer(chosen, unit), force=chosen is side)
-            elif isinstance(error, ProportionsError):
-                if questions.open_anyway(str(error)):
-                    self._open_mesh(path, answer, force=True)
-            elif isinstance(error, UnitError):
-                self._open_mesh(path, questions.about_scan(path, str(error)))
-            else:
-                self._messages.show_error(error)
-
-        def task(progress: Progress) -> ScannedFoot:
-            return open_scan(path, side, unit=unit, force=force, progress=progress)
-
-        self._open_foot(task, failed)
-
-    def _open_foot(
-        self, task: Callable[..., ScannedFoot], failed: Callable[[Exception], None]
-    ) -> None:
-        def opened(scanned: ScannedFoot) -> None:
-            if scanned.warnings:
-                self._messages.show_sentence(
-                    " ".join(map(translate_core_message, scanned.warnings))
-                )
-            self.take_scan(scanned)
-
-        def task_of(progress: Progress) -> ScannedFoot:
-            return task(progress=progress)
-
-        self._services.jobs.start(CHANNEL, task_of, opened, failed)
+        self._import_scan(path, side, CHANNEL, opened)
 
     def _put_on_bench(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one of the same side is replaced, or kept in the old case."""
@@ -249,7 +219,7 @@ class OpenActions:
         starting = starting_device(self._services.paths.settings_folder)
         if starting.problem is not None:
             self._messages.show_sentence(starting.problem)
-        design = starting.design(scanned.foot.side)
+        design = starting.design(scanned.foot)
         return FootRecord.begun(scanned.foot, scanned.source, design)
 
     def _is_untouched(self, foot: FootRecord) -> bool:
@@ -257,7 +227,7 @@ class OpenActions:
         device = starting_device(self._services.paths.settings_folder)
         begun = (
             FootRecord.begun(foot.foot, foot.source, design)
-            for design in (device.design(foot.side), None)
+            for design in (device.design(foot.foot), None)
         )
         edited = foot.variants, foot.annotations
         return any(edited == (record.variants, record.annotations) for record in begun)

@@ -156,7 +156,7 @@ class ClinicAdministration(QObject):
     def _show_restore(self) -> None:
         from insole_studio.features.clinic.restore_dialog import RestoreDialog
 
-        dialog = RestoreDialog(self._services, self.backups.jobs)
+        dialog = RestoreDialog(self._services, self.backups)
         dialog.closing_requested.connect(self._let_go)
         dialog.restored.connect(self._note_restored)
         dialog.open()

@@ -13,10 +13,11 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton
 
 from insole_core.progress import Progress
 from insole_studio.document.record_location import RecordLocation
+from insole_studio.features.clinic.backups import Backups
 from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.password_fields import secret_line
 from insole_studio.features.clinic.record_dialog import RecordDialog
-from insole_studio.jobs import JobProgress, Jobs, Result, Task
+from insole_studio.jobs import JobProgress, Result, Task
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
 from insole_studio.texts import fill, tr, translate_core_message
@@ -50,8 +51,8 @@ class RestoreDialog(RecordDialog):
 
     Parameters
     ----------
-    jobs
-        Those of the backups.
+    backups
+        One that is being stopped is waited for.
     """
 
     closing_requested = Signal(object)
@@ -59,10 +60,11 @@ class RestoreDialog(RecordDialog):
     restored = Signal(object)
     """Emitted with the `RestoreReport`."""
 
-    def __init__(self, services: AppServices, jobs: Jobs) -> None:
+    def __init__(self, services: AppServices, backups: Backups) -> None:
         super().__init__(tr("Restore from a backup"), services.clinic, services.window)
         self.resize(*_SIZE)
-        self._jobs = jobs
+        self._backups = backups
+        self._jobs = jobs = backups.jobs
         self._settings = services.paths.backed_up_folders
         self._messages = services.messages
         folder = services.settings.backup_folder
@@ -123,11 +125,31 @@ class RestoreDialog(RecordDialog):
         self._stop = stop = Event()
 
         def run() -> None:
-            self._run(_RESTORE, lambda p: _restore(plan, replaces, p, stop), self._finish)
+            self._run(_RESTORE, lambda p: self._restore(plan, replaces, p, stop), self._finish)
             self.cancel.setEnabled(True)
             self._allow()
 
         self.closing_requested.emit(run)
+
+    def _restore(
+        self, plan: _Plan, replaces: bool, progress: Progress, stop: Event
+    ) -> RestoreReport:
+        """Restore, in the thread of a job."""
+        from insole_core.records.author import Author
+        from insole_core.records.backup.restore import restore
+
+        stoppable = Progress(progress.report, stop.is_set)
+        with self._backups.alone(stoppable):
+            return restore(
+                plan.folder,
+                plan.secret,
+                plan.location.place(),
+                Author.of_user(),
+                number=plan.number,
+                replace_existing=replaces,
+                settings=plan.settings,
+                progress=stoppable,
+            )
 
     def _lay_out(self) -> None:
         row = QHBoxLayout()
@@ -206,6 +228,7 @@ class RestoreDialog(RecordDialog):
                 )
             )
         self.contents.say_all(lines)
+        self.make_room()
         self._is_opened = True
         self._allow()
         self.restore_button.setFocus()
@@ -309,19 +332,3 @@ def _opened(plan: _Plan) -> Manifest:
     from insole_core.records.backup.snapshot import open_snapshot
 
     return open_snapshot(plan.folder, plan.secret, plan.number).manifest
-
-
-def _restore(plan: _Plan, replaces: bool, progress: Progress, stop: Event) -> RestoreReport:
-    from insole_core.records.author import Author
-    from insole_core.records.backup.restore import restore
-
-    return restore(
-        plan.folder,
-        plan.secret,
-        plan.location.place(),
-        Author.of_user(),
-        number=plan.number,
-        replace_existing=replaces,
-        settings=plan.settings,
-        progress=Progress(progress.report, stop.is_set),
-    )

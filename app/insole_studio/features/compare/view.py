@@ -18,9 +18,9 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.features.compare.point_picker import PointPicker
 from insole_studio.features.compare.rows import Buttons, FigureRow
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr

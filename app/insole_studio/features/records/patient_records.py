@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,16 +17,24 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.template import Template
 from insole_core.messages import Message
+from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
+from insole_studio.document.record_keeper import PatientConflict
 from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
 from insole_studio.features.records.conflict_dialog import (
     Choice,
     ComparedVersion,
     ConflictDialog,
     chosen_foot,
+)
+from insole_studio.features.records.field_conflict_dialog import (
+    VISIT_FIELDS,
+    CollidedField,
+    FieldConflictDialog,
+    collided_fields,
 )
 from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
@@ -70,6 +78,7 @@ class PatientRecords(QObject):
     action_requested = Signal(str)
     """A button of a page asks for an action of any feature."""
     recent_file_chosen = Signal(str)
+    reminder_put_off = Signal()
     compared = Signal(object, object)
     """Emitted with two visits to compare, the newer one first: name and case of each."""
 
@@ -80,6 +89,7 @@ class PatientRecords(QObject):
         self._keeper = services.keeper
         self._leave_case = leave_case
         self.start: StartPage | None = None
+        self._reminder = ""
         self.person: PersonPage | None = None
         self.orders: OrdersPage | None = None
         self._start_presenter: StartPresenter | None = None
@@ -107,6 +117,12 @@ class PatientRecords(QObject):
         self.page_requested.emit(self.start)
         self.start.begin()
         self._start_presenter.refresh()
+
+    def show_reminder(self, sentence: str) -> None:
+        """Show a quiet sentence on the start page; an empty one hides it."""
+        self._reminder = sentence
+        if self.start is not None:
+            self.start.show_reminder(sentence)
 
     def show_person(self, person_id: str) -> None:
         """Show a person and their visits."""
@@ -147,10 +163,11 @@ class PatientRecords(QObject):
         return self._transfer
 
     def export_patient(self) -> None:
-        """Export the patient on the page, or the one whose visit is open."""
-        person = None if self._person_presenter is None else self._person_presenter.person
+        """Export the patient whose page is shown, or else the one whose visit is open."""
+        is_on_page = self.person is not None and self.person.isVisible()
         kept = self._services.case.kept
-        person = person or (None if kept is None else kept.person)
+        person = None if kept is None else kept.person
+        person = self._shown_person if is_on_page else person
         if person is None:
             self._services.messages.say(tr("Open a patient first."))
             return
@@ -278,13 +295,49 @@ class PatientRecords(QObject):
             return
         dialog = VisitDialog(shown.visit, self._services.window)
         dialog.finished.connect(dialog.deleteLater)
-        dialog.accepted.connect(lambda: self._change_visit(dialog.visit))
+        dialog.accepted.connect(lambda: self._change_visit(shown.visit, dialog.visit))
         dialog.open()
 
-    def _change_visit(self, visit: Visit) -> None:
+    def _change_visit(self, before: Visit, visit: Visit) -> None:
+        """Store the fields of a visit that were changed, over what others have changed meanwhile.
+
+        Parameters
+        ----------
+        before
+            The visit that the change is based on.
+        """
+
+        def failed(error: Exception) -> None:
+            if isinstance(error, Conflict):
+                self._change_over(before, visit, error.theirs)
+            else:
+                self._tell(error)
+
         self._clinic.write(
-            lambda records: records.visits.change(visit, visit.revision), _nothing, self._tell
+            lambda records: records.visits.change(visit, visit.revision), _nothing, failed
         )
+
+    def _change_over(self, before: Visit, mine: Visit, theirs: Visit) -> None:
+        names = (*VISIT_FIELDS, "capture_state")
+        merged, collided = merge_fields(before, mine, theirs, names)
+        fields = collided_fields(mine, theirs, [n for n in collided if n in VISIT_FIELDS])
+
+        def store(choices: Mapping[str, FieldChoice]) -> None:
+            self._change_visit(theirs, settle_fields(merged, mine, choices))
+
+        if fields:
+            self._ask_fields(fields, store)
+        else:
+            store({})
+
+    def _ask_fields(
+        self, fields: Sequence[CollidedField], done: Callable[[Mapping[str, FieldChoice]], None]
+    ) -> None:
+        """Show both values of each field, and call a function with what was chosen."""
+        dialog = FieldConflictDialog(fields, self._services.window)
+        dialog.finished.connect(lambda: done(dialog.choices))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
 
     def _show_versions(self, visit_id: str) -> None:
         def read(records: Records) -> list[VersionSummary]:
@@ -340,7 +393,10 @@ class PatientRecords(QObject):
 
     @Slot()
     def decide(self) -> None:
-        """Show both versions of a foot that was changed at two stations, and keep the choice."""
+        """Show both versions of what was changed at two stations, and keep the choice."""
+        if self._keeper.patient_conflict is not None:
+            self._decide_fields(self._keeper.patient_conflict)
+            return
         conflict = self._keeper.conflict
         if conflict is None:
             return
@@ -365,6 +421,15 @@ class PatientRecords(QObject):
             show,
             self._tell,
         )
+
+    def _decide_fields(self, conflict: PatientConflict) -> None:
+        def settle(choices: Mapping[str, FieldChoice]) -> None:
+            if self._keeper.patient_conflict is conflict:
+                chosen = settle_fields(conflict.theirs, conflict.mine, choices)
+                self._keeper.settle_patient(chosen)
+
+        fields = collided_fields(conflict.mine, conflict.theirs, conflict.collided)
+        self._ask_fields(fields, settle)
 
     def _settle(
         self, conflict: Conflict, choice: Choice | None, theirs: FootRecord, author: str
@@ -411,11 +476,13 @@ class PatientRecords(QObject):
         page.order_chosen.connect(self._open_order)
         page.action_requested.connect(self.action_requested)
         page.recent_file_chosen.connect(self.recent_file_chosen)
+        page.reminder_put_off.connect(self.reminder_put_off)
+        page.show_reminder(self._reminder)
         self._show_recent_files()
 
     def _make_person(self) -> None:
         self.person = page = PersonPage()
-        self._person_presenter = PersonPresenter(page, self._clinic, self._tell)
+        self._person_presenter = PersonPresenter(page, self._clinic, self._tell, self._ask_fields)
         page.action_requested.connect(self.action_requested)
         page.visit_action_requested.connect(self._run_on_visit)
         page.compare_requested.connect(self._compare)

@@ -2,24 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from datetime import date
+from functools import partial
 from typing import TYPE_CHECKING
 
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, InputError
 from insole_core.geometry.side import Side
+from insole_core.records.capture import Capture
 from insole_core.records.field_checks import check_name, check_text
+from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.person import Person
 from insole_core.records.personal_numbers import check_personal_number
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.records.field_conflict_dialog import AskFields, collided_fields
 from insole_studio.features.records.person_page import PersonPage
-from insole_studio.features.records.record_texts import capture_text, day_text, version_text
-from insole_studio.features.records.rows import DATE_FIELDS, FootLine, VisitRow
+from insole_studio.features.records.record_texts import (
+    capture_text,
+    day_text,
+    scan_text,
+    version_text,
+)
+from insole_studio.features.records.rows import DATE_FIELDS, PERSON_FIELDS, FootLine, VisitRow
 from insole_studio.features.records.trends import trends_of
 from insole_studio.features.records.visit_pictures import VisitPictures
 from insole_studio.texts import tr, translate_core_message
@@ -32,16 +41,19 @@ READ = "records-person"
 
 _MOST_FINDINGS = 200
 """Characters of the findings that a card shows."""
+_MOST_SCANS = 3
+"""Captures that a card tells of, the latest."""
 _MOST_PICTURED = 12
 """Visits with pictures: further ones are old, and far down."""
 
 
 @dataclass(frozen=True)
 class VisitView:
-    """A visit with the newest version of each foot, and who else has it open."""
+    """A visit with the newest version of each foot, its captures, and who else has it open."""
 
     visit: Visit
     newest: tuple[VersionSummary, ...]
+    captures: tuple[Capture, ...]
     others: tuple[str, ...]
 
 
@@ -60,14 +72,21 @@ class PersonPresenter:
     ----------
     tell
         Shows an error that belongs to no field.
+    ask
+        Asks which values of fields count that somebody else has changed, too.
     """
 
     def __init__(
-        self, page: PersonPage, clinic: ClinicRecord, tell: Callable[[Exception], None]
+        self,
+        page: PersonPage,
+        clinic: ClinicRecord,
+        tell: Callable[[Exception], None],
+        ask: AskFields,
     ) -> None:
         self._page = page
         self._clinic = clinic
         self._tell = tell
+        self._ask = ask
         self._person: Person | None = None
         self._wanted: Person | None = None
         """The person as they should be stored, while an earlier change is being stored."""
@@ -161,12 +180,29 @@ class PersonPresenter:
         self._tell(error)
 
     def _store_over(self, wanted: Person, theirs: Person) -> None:
-        """Store only the fields that were changed here into what somebody else has stored."""
+        """Store the fields that were changed here alone; ask about those changed by both."""
         assert self._person is not None
-        mine, before = _fields_of(wanted), _fields_of(self._person)
-        changed = {key: mine[key] for key in mine if mine[key] != before[key]}
+        merged, collided = merge_fields(
+            self._person, wanted, theirs, (*PERSON_FIELDS, "number_kind")
+        )
         self._person = theirs
-        self._store(_with_values(theirs, changed))
+        self._store(merged)
+        self._show_fields()
+        if collided:
+            self._ask(collided_fields(wanted, theirs, collided), partial(self._settle, wanted))
+
+    def _settle(self, mine: Person, choices: Mapping[str, FieldChoice]) -> None:
+        """Store what was chosen; undo brings back what was typed here."""
+        person = self.person
+        if person is None or person.id != mine.id:
+            return
+        after = settle_fields(person, mine, choices)
+        typed = settle_fields(person, mine, dict.fromkeys(choices, FieldChoice.MINE))
+        if after != typed:
+            self._history.push(typed, after, tr("Edit the patient's fields"))
+        if after != person:
+            self._store(after)
+        self._show_fields()
 
     def _take(self, view: PersonView) -> None:
         if self._person is not None and self._person.id != view.person.id:
@@ -201,6 +237,7 @@ def _visit_view(records: Records, visit: Visit) -> VisitView:
     return VisitView(
         visit,
         tuple(version for newest in versions for version in newest),
+        tuple(records.captures.of_visit(visit.id)),
         tuple(f"{present.author}, {present.station}" for present in others),
     )
 
@@ -251,7 +288,7 @@ def _with_field(person: Person, key: str, text: str, today: date) -> Person:
 def _row(shown: VisitView) -> VisitRow:
     visit = shown.visit
     notes = []
-    if visit.capture_state in (CaptureState.WANTED, CaptureState.RUNNING):
+    if visit.capture_state is CaptureState.WANTED:
         state = capture_text(visit.capture_state)
         notes.append(tr("Capture: {state}").format(state=state))
     if shown.others:
@@ -262,7 +299,19 @@ def _row(shown: VisitView) -> VisitRow:
         FootLine(version.side, _version_line(version), version.signed_by is not None)
         for version in shown.newest
     )
-    return VisitRow(visit.id, visit.visited_on.isoformat(), visit.reason, feet, "   ".join(notes))
+    return VisitRow(
+        visit.id,
+        visit.visited_on.isoformat(),
+        visit.reason,
+        feet,
+        "   ".join(notes),
+        tuple(map(scan_text, shown.captures[:_MOST_SCANS])),
+        tuple(
+            translate_core_message(line)
+            for capture in shown.captures[:_MOST_SCANS]
+            for line in capture.facts.residual_lines
+        ),
+    )
 
 
 def _version_line(version: VersionSummary) -> str:

@@ -35,7 +35,12 @@ from insole_studio.jobs import Result, Task
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import table_kinds
 from insole_studio.services.last_folders import Kept
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import (
+    language_code,
+    tr,
+    translate_core_message,
+    translation_into,
+)
 
 IMPORT, EXPORT = "records-import", "records-export"
 _WHICH_ORDER = Message(
@@ -118,6 +123,7 @@ class RecordTransfer(QObject):
 
     def _export(self, person_id: str, *, is_pseudonymous: bool) -> None:
         from insole_core.workflows.records.export_person import PersonExport, export_person
+        from insole_core.workflows.records.person_summary import Wording
 
         records = self._records()
         parent = self._messages.questions.folder_to_open(tr("Export patient into"), Kept.EXPORTS)
@@ -129,7 +135,10 @@ class RecordTransfer(QObject):
             clinic=settings.clinic, maker=settings.maker, maker_address=settings.maker_address
         )
 
+        language = settings.language
+
         def write(progress: Progress) -> PersonExport:
+            wording = Wording(language_code(language), translation_into(language))
             pseudonym = records.persons.get(person_id).pseudonym
             folder = _free_folder(parent, pseudonym)
             return export_person(
@@ -138,6 +147,7 @@ class RecordTransfer(QObject):
                 folder,
                 is_pseudonymous=is_pseudonymous,
                 responsible=responsible,
+                wording=wording,
                 progress=progress,
             )
 
@@ -251,7 +261,7 @@ def _dry_run(records: Records, table: TextTable, mapping: ColumnMapping) -> _Dry
     if mapping.date_order is None and asks_order:
         return _DryRun(asks_order)
     rows = read_persons(table, mapping, date.today())
-    return _DryRun(asks_order, rows, plan_import(rows, records.persons.everybody()))
+    return _DryRun(asks_order, rows, plan_import(records, rows))
 
 
 def _table_row(line: ImportLine) -> ImportRow:

@@ -44,7 +44,7 @@ class VisitDialog(QDialog):
         self.weight = QLineEdit(_text(visit.weight_kg))
         self.shoe_size = QLineEdit(_text(visit.shoe_size_eu))
         self.capture = QCheckBox(tr("The capture room has to capture the feet"))
-        self.capture.setChecked(visit.capture_state in (CaptureState.WANTED, CaptureState.RUNNING))
+        self.capture.setChecked(visit.capture_state is CaptureState.WANTED)
         self.refusal = MessageLabel("warning")
         buttons = QDialogButtonBox()
         role = QDialogButtonBox.ButtonRole
@@ -98,8 +98,7 @@ class VisitDialog(QDialog):
 
     def _capture_state(self) -> CaptureState:
         before = self.visit.capture_state
-        waits = before in (CaptureState.WANTED, CaptureState.RUNNING)
-        if self.capture.isChecked() == waits:
+        if self.capture.isChecked() == (before is CaptureState.WANTED):
             return before
         return CaptureState.WANTED if self.capture.isChecked() else CaptureState.NONE
 

@@ -33,7 +33,11 @@ def upgrade() -> None:
         _make_triggers_of_sqlite()
     else:
         _make_trigger_of_postgresql()
+        # Stations ask once a second what has changed, in either database.
+        op.execute("DROP TRIGGER audit_line ON audit")
+        op.execute("DROP FUNCTION tell_audit_line()")
     _write_texts()
+    op.execute("UPDATE visits SET capture_state = 'wanted' WHERE capture_state = 'running'")
 
 
 def _make_triggers_of_sqlite() -> None:

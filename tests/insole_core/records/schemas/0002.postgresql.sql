@@ -50,15 +50,6 @@ CREATE FUNCTION public.refuse_audit_change() RETURNS trigger
 
 
 --
--- Name: tell_audit_line(); Type: FUNCTION; Schema: public; Owner: -
---
-
-CREATE FUNCTION public.tell_audit_line() RETURNS trigger
-    LANGUAGE plpgsql
-    AS $$ BEGIN PERFORM pg_notify('insole_studio_records', NEW.seq::text); RETURN NULL; END $$;
-
-
---
 -- Name: write_person_words(); Type: FUNCTION; Schema: public; Owner: -
 --
 
@@ -846,13 +837,6 @@ CREATE TRIGGER audit_head_delete BEFORE DELETE ON public.audit_head FOR EACH ROW
 --
 
 CREATE TRIGGER audit_head_update BEFORE UPDATE ON public.audit_head FOR EACH ROW EXECUTE FUNCTION public.check_audit_head();
-
-
---
--- Name: audit audit_line; Type: TRIGGER; Schema: public; Owner: -
---
-
-CREATE TRIGGER audit_line AFTER INSERT ON public.audit FOR EACH ROW EXECUTE FUNCTION public.tell_audit_line();
 
 
 --

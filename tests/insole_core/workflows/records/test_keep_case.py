@@ -111,6 +111,33 @@ def test_a_lost_acknowledgement_is_no_conflict_and_somebody_elses_change_is(
     assert set(kept.bases) == {Side.RIGHT}
 
 
+def change_elsewhere(records: Records, visit: Visit, name: str, findings: str) -> None:
+    person, stored = records.persons.get(visit.person_id), records.visits.get(visit.id)
+    records.persons.change(replace(person, name=name), person.revision)
+    records.visits.change(replace(stored, findings=findings), stored.revision)
+
+
+def test_fields_of_two_stations_are_put_together_and_those_of_both_are_told(
+    records: Records, visit: Visit, case: CaseRecord
+) -> None:
+    change_elsewhere(records, visit, "Anna Lind", "Flat foot")
+    mine = replace(case.patient, name="Anna Ek", born="1971-03-01")
+    kept = keep_case(records, CaseChange(visit.id, case.patient, replace(case, patient=mine), {}))
+    assert (kept.trouble, kept.collided) == (None, ("name",))
+    stored = records.visits.open_case(visit.id).record.patient
+    assert kept.theirs == stored
+    assert (stored.name, stored.born, stored.notes) == ("Anna Lind", "1971-03-01", "Flat foot")
+
+
+def test_the_same_change_at_two_stations_is_no_conflict(
+    records: Records, visit: Visit, case: CaseRecord
+) -> None:
+    change_elsewhere(records, visit, "Anna Lind", "Flat foot")
+    mine = replace(case.patient, name=" Anna Lind", notes="Flat foot\n")
+    kept = keep_case(records, CaseChange(visit.id, case.patient, replace(case, patient=mine), {}))
+    assert (kept.trouble, kept.collided) == (None, ())
+
+
 @pytest.mark.parametrize("is_new", [True, False])
 def test_a_case_of_a_file_becomes_a_visit(
     records: Records, visit: Visit, case: CaseRecord, is_new: bool

@@ -236,7 +236,7 @@ def test_an_administrator_who_takes_over_sees_no_patient(
     rest()
     assert with_accounts.window.page is pages.start
     assert pages.start.found.rows == ()
-    assert "may not see patients" in pages.start.message.text()
+    assert "sees no patients" in pages.start.message.text()
 
 
 def test_ones_own_password_is_changed_with_the_present_one(

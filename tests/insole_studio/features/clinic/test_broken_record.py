@@ -92,7 +92,6 @@ def test_a_damaged_record_with_accounts_is_read_after_signing_in(
     assert page.remedies["restore_record"].isVisible()
 
 
-@pytest.mark.slow
 def test_a_damaged_record_with_accounts_is_restored_before_signing_in(
     backed_up: Application,
     damage: Callable[[str], None],
@@ -118,7 +117,6 @@ def test_a_damaged_record_with_accounts_is_restored_before_signing_in(
     assert not record.is_read_only
 
 
-@pytest.mark.slow
 def test_a_missing_database_is_told_and_restored(
     backed_up: Application, secret: str, rest: Callable[[], None], qtbot: QtBot
 ) -> None:

@@ -22,8 +22,8 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
 from insole_studio.document.case import Case
-from insole_studio.features.compare.point_picker import PointPicker
 from insole_studio.features.compare.stage import CompareStage
+from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject, ViewCamera, look
 

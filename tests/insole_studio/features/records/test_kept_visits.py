@@ -15,6 +15,7 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.case_file import read_case
 from insole_core.errors import RecordsError, Unreachable
 from insole_core.geometry.side import Side
+from insole_core.records.field_merge import FieldChoice
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
@@ -23,6 +24,7 @@ from insole_studio.document import record_keeper
 from insole_studio.document.autosave import find_recovered
 from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
 from insole_studio.features.records.conflict_dialog import Choice, ConflictDialog
+from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
 from insole_studio.user_paths import UserPaths
 
 SAVED_WITHIN_MS = 2000
@@ -209,6 +211,68 @@ def test_a_decision_can_wait(
     wait_until_saved(opened, qtbot)
 
 
+def rename_elsewhere(station: Records, visit: Visit, name: str) -> None:
+    person = station.persons.get(visit.person_id)
+    station.persons.change(replace(person, name=name), person.revision)
+
+
+def rename(app: Application, name: str, notes: str = "") -> None:
+    app.case.apply(replace(app.case.record.patient, name=name, notes=notes), "Name")
+
+
+@pytest.mark.parametrize(
+    ("choice", "name"), [(FieldChoice.MINE, "Anna Ek"), (FieldChoice.THEIRS, "Anna Lind")]
+)
+def test_both_values_of_a_patients_field_are_shown_to_who_saves_second(
+    opened: Application,
+    records: Records,
+    other_station: Records,
+    visit: Visit,
+    qtbot: QtBot,
+    choice: FieldChoice,
+    name: str,
+) -> None:
+    rename_elsewhere(other_station, visit, "Anna Lind")
+    rename(opened, "Anna Ek", "Flat foot")
+    qtbot.waitUntil(lambda: bool(opened.window.findChildren(FieldConflictDialog)), timeout=20_000)
+    (dialog,) = opened.window.findChildren(FieldConflictDialog)
+    keeper = opened.services.keeper
+    assert keeper.state is KeepState.CONFLICT
+    dialog.choice_buttons["name", choice].click()
+    QTest.mouseClick(dialog.store, Qt.MouseButton.LeftButton)
+    wait_until_saved(opened, qtbot)
+    patient = opened.case.record.patient
+    assert (patient.name, patient.notes) == (name, "Flat foot")
+    assert records.persons.get(visit.person_id).name == name
+    assert records.visits.get(visit.id).findings == "Flat foot"
+    if choice is FieldChoice.THEIRS:
+        opened.case.undo()
+        qtbot.waitUntil(
+            lambda: records.persons.get(visit.person_id).name == "Anna Ek", timeout=20_000
+        )
+
+
+def test_a_journal_loses_no_field_that_somebody_else_has_changed(
+    opened: Application,
+    records: Records,
+    other_station: Records,
+    visit: Visit,
+    paths: UserPaths,
+    qtbot: QtBot,
+) -> None:
+    opened.services.keeper._timer.blockSignals(True)  # a crash comes before it is saved
+    rename(opened, "Anna Ek", "Flat foot")
+    opened.autosave.set_aside()
+    opened.case.undo()
+    rename_elsewhere(other_station, visit, "Anna Lind")
+    told: list[tuple[str, bool]] = []
+    opened.hand_over.handed_over.connect(lambda *said: told.append(said))
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    qtbot.waitUntil(lambda: told == [("Anna Ek", True)], timeout=20_000)
+    assert records.persons.get(visit.person_id).name == "Anna Lind"
+    assert records.visits.get(visit.id).findings == "Flat foot\nName: Anna Ek"
+
+
 def test_work_waits_for_a_database_that_is_away(
     opened: Application, records: Records, visit: Visit, away: Callable[[bool], None], qtbot: QtBot
 ) -> None:
@@ -290,6 +354,20 @@ def test_a_journal_that_somebody_else_has_overtaken_stays_in_the_history(
     kept = records.prescriptions.versions(visit.id, Side.LEFT)
     thicknesses = [records.prescriptions.read(v.id).design.thickness_mm for v in kept]
     assert 5.5 in thicknesses
+
+
+def test_work_stays_here_when_a_newer_program_has_changed_the_tables(
+    opened: Application, other_station: Records, qtbot: QtBot
+) -> None:
+    with other_station.context.database.writing() as connection:
+        connection.exec_driver_sql("UPDATE alembic_version SET version_num = '9999'")
+    keeper = opened.services.keeper
+    for thickness_mm in (5.5, 6.0):
+        thicken(opened, thickness_mm)
+        qtbot.waitUntil(lambda: keeper.state is KeepState.REFUSED, timeout=20_000)
+    assert opened.case.has_unsaved_changes
+    (dialog,) = opened.services.messages.dialogs  # which tells it once
+    assert "install the newest version on this computer, too" in dialog.text()
 
 
 def test_what_the_record_refuses_can_be_saved_as_a_file(

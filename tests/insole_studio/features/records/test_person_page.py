@@ -5,24 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date, timedelta
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit, QPushButton
+from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import HeelLift
+from insole_core.records.capture import CaptureFacts
+from insole_core.records.captures import MESH
+from insole_core.records.field_merge import FieldChoice
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_studio.app.bootstrap import Application
+from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
 from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
+from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.visit_dialog import VisitDialog
 
@@ -74,6 +81,122 @@ def test_fields_are_stored_at_once_and_undone(
     clinic.controller.run_action("redo", False)
     rest()
     assert records.persons.get(visit.person_id).birth_date == date(1971, 3, 1)
+
+
+def test_a_visit_says_when_it_was_captured_and_the_sensors_calibrated(
+    page: PersonPage,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "scan.stl"
+    path.write_bytes(b"solid")
+    told = CaptureFacts(
+        "2026-11-20T10:00:00Z", ("<i>A1",), "2026-10-01T08:00:00Z", {"<i>A1: camera, px": 0.312}
+    )
+    for facts in (CaptureFacts(sensor_serials=("A1",)), told):
+        records.captures.add(visit.id, MESH, path, facts)
+    qtbot.waitUntil(lambda: "calibrated 2026-10-01" in page.cards[visit.id].scan.text())
+    rest()
+    label = page.cards[visit.id].scan
+    assert label.text().splitlines()[1].endswith("calibration of the sensors not recorded")
+    assert label.toolTip() == "&lt;i&gt;A1: camera 0.31 px"
+
+
+@pytest.fixture
+def changed_elsewhere(
+    page: PersonPage, other_station: Records, visit: Visit, clinic: Application
+) -> Person:
+    """The person of the page, after somebody else has changed their contact and number."""
+    clinic.services.clinic._watch.stop()  # as if that were known a moment later
+    person = other_station.persons.get(visit.person_id)
+    theirs = replace(person, contact="08-999", personal_number="K 1")
+    return other_station.persons.change(theirs, person.revision)
+
+
+def field_dialog(clinic: Application, qtbot: QtBot) -> FieldConflictDialog:
+    def shown() -> list[FieldConflictDialog]:
+        dialogs = clinic.window.findChildren(FieldConflictDialog)
+        return [dialog for dialog in dialogs if dialog.isVisible()]
+
+    qtbot.waitUntil(lambda: bool(shown()), timeout=20_000)
+    return shown()[0]
+
+
+@pytest.mark.parametrize(
+    ("choice", "contact"),
+    [
+        (FieldChoice.MINE, "070-123"),
+        (FieldChoice.THEIRS, "08-999"),
+        (FieldChoice.BOTH, "08-999\n070-123"),
+    ],
+)
+def test_both_values_of_a_field_are_shown_to_who_saves_second(
+    clinic: Application,
+    page: PersonPage,
+    records: Records,
+    changed_elsewhere: Person,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+    choice: FieldChoice,
+    contact: str,
+) -> None:
+    type_in(page, "birth_date", "1971-3-1")
+    type_in(page, "contact", "070-123")
+    dialog = field_dialog(clinic, qtbot)
+    texts = [label.text() for label in dialog.findChildren(QLabel)]
+    assert {"070-123", "08-999"} <= set(texts)
+    dialog.choice_buttons["contact", choice].click()
+    QTest.mouseClick(dialog.store, LEFT)
+    rest()
+    person = records.persons.get(changed_elsewhere.id)
+    assert person.contact == contact
+    assert (person.birth_date, person.personal_number) == (date(1971, 3, 1), "K 1")
+    if choice is not FieldChoice.MINE:
+        clinic.controller.run_action("undo", False)
+        rest()
+        assert records.persons.get(person.id).contact == "070-123"
+
+
+def test_fields_that_do_not_collide_are_put_together_without_a_word(
+    clinic: Application,
+    page: PersonPage,
+    records: Records,
+    changed_elsewhere: Person,
+    rest: Callable[[], None],
+) -> None:
+    type_in(page, "birth_date", "1971-3-1")
+    rest()
+    person = records.persons.get(changed_elsewhere.id)
+    assert (person.birth_date, person.contact) == (date(1971, 3, 1), "08-999")
+    assert clinic.window.findChildren(FieldConflictDialog) == []
+
+
+def test_both_values_of_a_visit_are_shown_to_who_saves_second(
+    clinic: Application,
+    page: PersonPage,
+    records: Records,
+    other_station: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    press(page, visit, "edit")
+    (form,) = clinic.window.findChildren(VisitDialog)
+    stored = other_station.visits.get(visit.id)
+    theirs = replace(stored, findings="Flat foot", weight_kg=70.0)
+    other_station.visits.change(theirs, stored.revision)
+    form.findings.setPlainText("Tight calf")
+    form.shoe_size.setText("41")
+    QTest.mouseClick(form.keep, LEFT)
+    dialog = field_dialog(clinic, qtbot)
+    QTest.mouseClick(dialog.store, LEFT)
+    rest()
+    found = records.visits.get(visit.id)
+    assert found.findings == "Flat foot\nTight calf"
+    assert (found.weight_kg, found.shoe_size_eu) == (70.0, 41.0)
 
 
 @pytest.mark.parametrize(
@@ -288,6 +411,56 @@ def test_orders_are_listed_by_state_and_moved(
     orders.state_chosen.emit(OrderState.DELIVERED.value)
     rest()
     assert [row.key for row in orders.table.rows] == [order.id]
+
+
+def test_the_days_until_a_new_order_is_due_are_set_by_the_clinic(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    clinic.controller.run_action("orders", False)
+    rest()
+    orders = clinic.features.records.orders
+    assert orders is not None
+    assert orders.days.value() == 14
+    orders.days.setFocus()
+    orders.days.selectAll()
+    QTest.keyClicks(orders.days, "7")
+    QTest.keyClick(orders.days, Qt.Key.Key_Return)
+    rest()
+    qtbot.waitUntil(lambda: records.orders.days_until_due() == 7)
+    assert records.orders.usual_due_on(date(2026, 12, 28)) == date(2027, 1, 4)
+    records.orders.set_days_until_due(0)
+    assert records.orders.usual_due_on(date.today()) is None
+    with pytest.raises(InputError, match="between 0 and 365"):
+        records.orders.set_days_until_due(-1)
+
+
+def test_export_is_of_the_patient_on_the_page_or_in_the_open_visit(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    def name_asked() -> str:
+        (dialog,) = (d for d in clinic.window.findChildren(PersonExportDialog) if d.isVisible())
+        dialog.reject()
+        return " ".join(label.text() for label in dialog.findChildren(QLabel))
+
+    button = next(b for b in page.findChildren(QPushButton) if b.text() == "Export…")
+    QTest.mouseClick(button, LEFT)
+    assert "Anna Berg" in name_asked()
+    other = records.persons.add(Person("Per Ek"))
+    clinic.features.records.show_person(other.id)
+    rest()
+    clinic.features.records.open_visit(visit.id)  # as from the lists of the start page
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    clinic.controller.run_action("export_patient", False)
+    assert "Anna Berg" in name_asked()
 
 
 def test_actions_on_a_person_need_their_page(clinic: Application, page: PersonPage) -> None:

@@ -1,0 +1,84 @@
+"""What is known of a scan while it is being opened."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from insole_core.errors import InputError
+from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
+from insole_core.progress import Progress
+from insole_core.scans.mesh_file import ReadMesh, UnitError
+from insole_core.workflows.import_scan import (
+    ImportChoice,
+    ScanExamination,
+    examine_surface,
+    read_scan,
+)
+
+
+@dataclass(frozen=True, eq=False)
+class FoundScan:
+    """A scan as far as it could be read in the way that was chosen.
+
+    Parameters
+    ----------
+    choice
+        What the user has said of it.
+    read
+        None where no unit makes it as large as a foot.
+    examination
+        None where no foot was found.
+    refusal
+        Why, or what speaks against the foot that was found, as a sentence.
+    """
+
+    choice: ImportChoice
+    read: ReadMesh | None = None
+    examination: ScanExamination | None = None
+    refusal: str = ""
+
+    @property
+    def feet(self) -> tuple[FoundFoot, ...]:
+        """The feet that were found."""
+        return () if self.examination is None else self.examination.feet
+
+    def proposed(self, foot: FoundFoot) -> FootCandidate | None:
+        """Return the way in which a foot is to be taken; None if that has to be asked."""
+        if self.choice.side is not None:
+            return foot.best(self.choice.side)
+        return foot.candidates[0] if foot.told_side is not None else None
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether nothing has to be asked: the side was said, and nothing is in doubt."""
+        is_said = self.choice.side is not None and len(self.feet) == 1
+        return is_said and not any(foot.doubts for foot in self.feet)
+
+
+def find_scan(
+    path: Path, choice: ImportChoice, read: ReadMesh | None, progress: Progress
+) -> FoundScan:
+    """Read a scan in the chosen way, and find the feet in it.
+
+    Parameters
+    ----------
+    read
+        The surface, where it was read before in the same unit.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read at all.
+    Cancelled
+    """
+    if read is None:
+        try:
+            read = read_scan(path, choice, progress.part(0.0, 0.4))
+        except UnitError as error:
+            return FoundScan(choice, refusal=error.message)
+    try:
+        examination = examine_surface(path, read, choice, progress.part(0.4, 1.0))
+    except InputError as error:
+        return FoundScan(choice, read, refusal=error.message)
+    return FoundScan(choice, read, examination)

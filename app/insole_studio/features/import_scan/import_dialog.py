@@ -1,0 +1,252 @@
+"""The dialog that shows a scan, and asks what its file does not tell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_studio.features.import_scan.scan_texts import form_options, side_text
+from insole_studio.features.import_scan.size_fields import SizeFields
+from insole_studio.scene.point_picker import PointPicker
+from insole_studio.scene.pointer import MarkedPoint
+from insole_studio.scene.view_camera import Subject
+from insole_studio.texts import tr
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.model_view import ModelView
+from insole_studio.widgets.side_badge import COLORS
+from insole_studio.widgets.vertical_scroll import VerticalScroll
+
+_SIZE = (1120, 640)
+_FORM_PX = 380
+_ROWS = 4
+"""Rows that a list shows without scrolling."""
+
+
+class ImportDialog(QDialog):
+    """Shows a scan as it will be read; emits what the user says of it."""
+
+    side_chosen = Signal(object)
+    candidate_chosen = Signal(int)
+    foot_shown = Signal(int)
+    feet_marked = Signal()
+    reading_changed = Signal()
+    """Another unit, size or form was chosen."""
+    point_picked = Signal(object)
+    clicks_wanted = Signal(bool)
+    click_taken_back = Signal()
+    open_wanted = Signal()
+
+    def __init__(self, name: str, dark: bool, parent: QWidget | None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Open the scan {name}").format(name=name))
+        self.resize(*_SIZE)
+        self.model = ModelView(Subject.FOOT, "", dark)
+        self.model.preset_requested.connect(self.model.look_from)
+        self.picker = PointPicker(self.point_picked.emit)
+        self.model.scene.sink = self.picker
+        self.feet = _list(tr("Feet of the scan"))
+        self.feet.currentRowChanged.connect(self.foot_shown)
+        self.feet.itemChanged.connect(lambda _item: self.feet_marked.emit())
+        self.sides = {side: self._side_button(side) for side in Side}
+        self.candidates = _list(tr("How it lies"))
+        self.candidates.currentRowChanged.connect(self.candidate_chosen)
+        self.clicks = _button(tr("Click heel, toes and sole"), self.clicks_wanted.emit)
+        self.clicks.setCheckable(True)
+        self.take_back = _button(tr("Take the last click back"), self.click_taken_back.emit)
+        self.size_fields = SizeFields()
+        self.size_fields.edited.connect(self.reading_changed)
+        self.form = ComboBox(form_options())
+        self.form.edited.connect(lambda _form: self.reading_changed.emit())
+        self.finding, self.hint = MessageLabel("heading"), MessageLabel()
+        self.doubts = MessageLabel("warning")
+        self.notes = MessageLabel("quiet")
+        self.progress = ProgressBar()
+        self.buttons = QDialogButtonBox()
+        self.open_button = self.buttons.addButton(
+            tr("Open"), QDialogButtonBox.ButtonRole.AcceptRole
+        )
+        leave = self.buttons.addButton(tr("Do not open"), QDialogButtonBox.ButtonRole.RejectRole)
+        leave.setAutoDefault(False)  # else Enter leaves while Open cannot be pressed
+        self.buttons.accepted.connect(self.open_wanted)
+        self.buttons.rejected.connect(self.reject)
+        self._lay_out()
+        self.open_button.setDefault(True)  # which counts only once it is in the dialog
+        self.open_button.setFocus()
+        self.finished.connect(self._close_scene)
+
+    def show_surface(self, mesh: TriangleMesh | None, *, anew: bool) -> None:
+        """Show the scan as it would lie.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+            None where the scan has no size yet.
+        anew
+            Whether the camera is to show the whole of it.
+        """
+        if mesh is None:
+            self.model.show_empty(tr("Choose the unit of the file, or a length that is known."), {})
+            return
+        self.model.show_mesh(mesh)
+        if anew:
+            self.model.look_at_whole(mesh.bounds_mm)
+
+    def show_side(
+        self, side: Side | None, mesh: TriangleMesh | None, *, can_be_chosen: bool
+    ) -> None:
+        """Show which foot it is, with the anatomical directions; None where that is open."""
+        for one, button in self.sides.items():
+            button.setVisible(can_be_chosen)
+            with QSignalBlocker(button):
+                button.setChecked(one is side)
+            button.setStyleSheet(_chosen_style(one) if one is side else "")
+        self.model.show_side(side)
+        if side is not None and mesh is not None:
+            self.model.show_directions(side, mesh.bounds_mm)
+
+    def show_feet(self, rows: Sequence[str], shown: int) -> None:
+        """List the feet of a scan; the list hides where there is only one."""
+        self.feet.setVisible(len(rows) > 1)
+        with QSignalBlocker(self.feet):
+            while self.feet.count() > len(rows):
+                self.feet.takeItem(self.feet.count() - 1)
+            while self.feet.count() < len(rows):
+                item = QListWidgetItem(self.feet)
+                item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+                item.setCheckState(Qt.CheckState.Checked)
+            for number, text in enumerate(rows):
+                self.feet.item(number).setText(text)
+            self.feet.setCurrentRow(shown)
+        _fit(self.feet)
+
+    def is_marked(self, number: int) -> bool:
+        """Return whether a foot of the list is to be opened."""
+        item = self.feet.item(number)
+        return item.checkState() is Qt.CheckState.Checked
+
+    def show_candidates(self, rows: Sequence[str], chosen: int) -> None:
+        """List the ways in which the scan can be a foot; the list hides where there is one."""
+        self.candidates.setVisible(len(rows) > 1)
+        with QSignalBlocker(self.candidates):
+            self.candidates.clear()
+            self.candidates.addItems(list(rows))
+            self.candidates.setCurrentRow(chosen)
+        _fit(self.candidates)
+
+    def show_clicks(self, hint: str, points: Sequence[MarkedPoint], *, is_on: bool) -> None:
+        """Show the clicked points, and say which comes next; an empty hint says nothing."""
+        self.picker.is_on = is_on
+        with QSignalBlocker(self.clicks):
+            self.clicks.setChecked(is_on)
+        self.take_back.setVisible(is_on and bool(points))
+        self.hint.say(hint)
+        if self.model.scene.is_open:
+            self.model.show_key_points(points)
+
+    def show_opening(self, text: str, *, is_enabled: bool) -> None:
+        """Name the button that opens, and say whether it can be pressed."""
+        self.open_button.setText(text)
+        self.open_button.setEnabled(is_enabled)
+
+    def reject(self) -> None:
+        """Give up clicking first, as Escape does everywhere; then the scan."""
+        if self.picker.is_on:
+            self.clicks_wanted.emit(False)
+        else:
+            super().reject()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Leave without opening, whatever is being clicked."""
+        self.picker.is_on = False
+        super().closeEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Take the last click back with Backspace."""
+        if event.key() == Qt.Key.Key_Backspace and self.picker.is_on:
+            self.click_taken_back.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def _side_button(self, side: Side) -> QPushButton:
+        button = _button(side_text(side), lambda: self.side_chosen.emit(side))
+        button.setCheckable(True)
+        return button
+
+    def _lay_out(self) -> None:
+        sides = QHBoxLayout()
+        for button in self.sides.values():
+            sides.addWidget(button)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(tr("Unit or size"), self.size_fields)
+        form.addRow(tr("The scan shows"), self.form)
+        mark_labels(form)
+        column = QVBoxLayout()
+        column.setSpacing(8)
+        column.addWidget(self.finding)
+        column.addWidget(self.doubts)
+        column.addWidget(self.feet)
+        column.addLayout(sides)
+        column.addWidget(self.candidates)
+        for part in (self.clicks, self.hint, self.take_back):
+            column.addWidget(part)
+        column.addLayout(form)
+        column.addWidget(self.notes)
+        column.addStretch(1)
+        inner = QWidget()
+        inner.setLayout(column)
+        scroll = VerticalScroll()
+        scroll.setWidget(inner)
+        scroll.setFixedWidth(_FORM_PX)
+        body = QHBoxLayout()
+        body.addWidget(self.model, 1)
+        body.addWidget(scroll)
+        layout = QVBoxLayout(self)
+        layout.addLayout(body, 1)
+        layout.addWidget(self.progress)
+        layout.addWidget(self.buttons)
+
+    def _close_scene(self) -> None:
+        self.model.scene.close_scene()
+
+
+def _chosen_style(side: Side) -> str:
+    return f"background: {COLORS[side]}; color: white; font-weight: 600;"
+
+
+def _list(name: str) -> QListWidget:
+    rows = QListWidget()
+    rows.setAccessibleName(name)
+    rows.setToolTip(name)
+    rows.hide()
+    return rows
+
+
+def _fit(rows: QListWidget) -> None:
+    """Make a list as high as its rows, up to a few."""
+    shown = max(1, min(rows.count(), _ROWS))
+    rows.setFixedHeight(shown * rows.sizeHintForRow(0) + 2 * rows.frameWidth())
+
+
+def _button(text: str, run: object) -> QPushButton:
+    button = QPushButton(text)
+    button.setAutoDefault(False)  # Enter opens the scan
+    button.clicked.connect(run)
+    return button

@@ -1,0 +1,74 @@
+"""Open the scan of any scanner: at once where nothing is in doubt, else with a dialog."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from insole_core.errors import InsoleError
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.workflows.import_scan import ImportChoice, take_foot
+from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
+from insole_studio.services.app_services import AppServices
+
+Take = Callable[[Sequence[ScannedFoot]], None]
+_Opened = tuple[FoundScan, ScannedFoot | None]
+
+
+class ScanImport:
+    """Opens scans that are no sessions."""
+
+    def __init__(self, services: AppServices) -> None:
+        self._services = services
+
+    def open(self, path: Path, side: Side | None, channel: str, take: Take) -> None:
+        """Open a scan; what the file does not tell is asked.
+
+        Parameters
+        ----------
+        side
+            None to ask.
+        channel
+            Of the jobs, which other files may replace.
+        take
+            Called with the feet.
+        """
+
+        def find(progress: Progress) -> _Opened:
+            return _taken_at_once(find_scan(path, ImportChoice(side), None, progress))
+
+        def opened(result: _Opened) -> None:
+            found, scanned = result
+            if scanned is None:
+                self._ask(path, found, take)
+            else:
+                take([scanned])
+
+        self._services.run(channel, find, opened)
+
+    def _ask(self, path: Path, found: FoundScan, take: Take) -> None:
+        from insole_studio.features.import_scan.import_dialog import ImportDialog
+        from insole_studio.features.import_scan.import_presenter import ImportPresenter
+
+        services = self._services
+        dialog = ImportDialog(path.name, services.dark, services.window)
+        ImportPresenter(
+            dialog, services.jobs, path, found, take=take, failed=services.messages.show_error
+        )
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+
+def _taken_at_once(found: FoundScan) -> _Opened:
+    """Make the foot of a scan of which nothing has to be asked."""
+    examination, side = found.examination, found.choice.side
+    candidate = found.proposed(found.feet[0]) if found.feet else None
+    if examination is None or side is None or candidate is None or not found.is_sure:
+        return found, None
+    try:
+        return found, take_foot(examination, found.feet[0], candidate, found.choice)
+    except InsoleError as error:
+        return replace(found, refusal=error.message), None

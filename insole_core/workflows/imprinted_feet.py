@@ -1,0 +1,180 @@
+"""Find the feet that were pressed into the foam of a scanned box."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from insole_core.foot.foot_candidate import FoundFoot
+from insole_core.foot.foot_placement import find_pressed_foot
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.imprints.foam_box import BoxScan, Imprint, find_imprints
+from insole_core.imprints.form import Form
+from insole_core.messages import Message
+from insole_core.scans.mesh_file import INSIDE_OUT, ReadMesh
+
+_SHALLOW_MM = 15.0
+"""Depth below which the border of a foot is not pressed in: heel and ball are widest above it."""
+_PARALLEL = 0.5  # cosine of the directions of both feet in a box
+
+
+@dataclass(frozen=True, eq=False)
+class ImprintedFeet:
+    """What was found in the scan of a foam box.
+
+    Parameters
+    ----------
+    form
+        IMPRINT, unless it was said to be a foot.
+    feet
+        The left one first.
+    notes, left_out
+        A sentence each.
+    """
+
+    form: Form
+    feet: tuple[FoundFoot, ...]
+    notes: tuple[str, ...]
+    left_out: tuple[str, ...]
+
+
+def find_imprinted_feet(
+    read: ReadMesh, form: Form | None = None, side: Side | None = None
+) -> ImprintedFeet | None:
+    """Find the feet that were pressed into a scanned surface.
+
+    Parameters
+    ----------
+    read
+        Of any form.
+    form, side
+        As the user has said; None where they are to be concluded.
+
+    Returns
+    -------
+    ImprintedFeet or None
+        None where there is no foot below a rim, or a user says that what is hollow is none.
+
+    Raises
+    ------
+    InputError
+        When what was pressed in does not look like a foot.
+    """
+    box = find_imprints(read.mesh.flipped() if read.was_turned else read.mesh)
+    if box is None or (form not in (None, Form.IMPRINT) and box.is_hollow):
+        return None
+    feet = [_pressed_foot(imprint) for imprint in box.imprints]
+    placed = _by_position(*feet) if len(feet) == 2 else feet
+    doubts = () if form else tuple(_form_doubts(box))
+    found = (
+        replace(
+            one.foot,
+            doubts=(*doubts, *one.side_doubts(side)),
+            notes=(*one.foot.notes, *_notes(one.imprint)),
+        )
+        for one in placed
+    )
+    notes = tuple(note for note in read.notes if note != INSIDE_OUT)
+    return ImprintedFeet(form or Form.IMPRINT, tuple(found), notes, (_left_out(read.mesh, box),))
+
+
+def form_notes(form: Form) -> Iterator[Message]:
+    """Say what follows from the form of a scan for the design."""
+    if form is Form.IMPRINT:
+        yield Message(
+            "The foot was pressed into foam, so its tissue is spread by weight already: no "
+            "expansion is proposed."
+        )
+    elif form is Form.CAST:
+        yield Message(
+            "A cast taken under weight shows tissue that is spread already, so no expansion is "
+            "proposed; set one for a cast that was taken without weight."
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class _PressedFoot:
+    """An imprint and the foot found in it.
+
+    Parameters
+    ----------
+    place
+        Which foot it is by its place beside the other one; None where that tells nothing.
+    """
+
+    imprint: Imprint
+    foot: FoundFoot
+    place: Side | None = None
+
+    @property
+    def ahead(self) -> FloatArray:
+        """(3,) unit vector from heel to toes, source frame."""
+        return self.foot.candidates[0].source2insole[1, :3]
+
+    def side_doubts(self, asked: Side | None) -> Iterator[Message]:
+        told = self.foot.told_side
+        if told is not None and self.place not in (None, told):
+            yield Message(
+                "By its place in the box this is the {place} foot, by its shape a {told} one; say "
+                "which foot it is.",
+                place=self.place,
+                told=told,
+            )
+        elif told is None and self.place is None and asked is None:
+            yield Message(
+                "The shape of the imprint does not tell left from right; say which foot it is."
+            )
+
+    def at(self, place: Side) -> _PressedFoot:
+        """Return the same foot at a place, which decides where the shape does not tell its side."""
+        foot = self.foot
+        if foot.told_side is None:
+            ordered = sorted(foot.candidates, key=lambda candidate: candidate.side is not place)
+            foot = replace(foot, candidates=tuple(ordered))
+        return replace(self, foot=foot, place=place)
+
+
+def _pressed_foot(imprint: Imprint) -> _PressedFoot:
+    return _PressedFoot(imprint, find_pressed_foot(imprint.mesh, imprint.dorsal))
+
+
+def _by_position(one: _PressedFoot, other: _PressedFoot) -> list[_PressedFoot]:
+    """Return two feet of one box, the left one first if they point the same way."""
+    if one.ahead @ other.ahead < _PARALLEL:
+        return [one, other]
+    right = np.cross(one.ahead + other.ahead, one.imprint.dorsal)
+    if (other.imprint.centre - one.imprint.centre) @ right < 0:
+        one, other = other, one
+    return [one.at(Side.LEFT), other.at(Side.RIGHT)]
+
+
+def _form_doubts(box: BoxScan) -> Iterator[Message]:
+    if not box.is_hollow:
+        yield Message(
+            "A sole stands out of a plane: it is a foot scanned with what lay around it, or a foam "
+            "box whose file is inside out; say which it is."
+        )
+
+
+def _notes(imprint: Imprint) -> Iterator[Message]:
+    yield Message(
+        "An imprint, {depth_mm:.0f} mm deep, read as the sole that was pressed in.",
+        depth_mm=imprint.depth_mm,
+    )
+    if imprint.depth_mm < _SHALLOW_MM:
+        yield Message(
+            "The imprint is shallow: heel and ball are widest above its rim, so length and widths "
+            "are smaller than those of the foot."
+        )
+
+
+def _left_out(surface: TriangleMesh, box: BoxScan) -> Message:
+    kept_mm2 = sum(imprint.mesh.area_mm2 for imprint in box.imprints)
+    return Message(
+        "The box around the imprint was left out: {percent:.0f} % of what was scanned.",
+        percent=100 * (1 - kept_mm2 / surface.area_mm2),
+    )

@@ -1,0 +1,131 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>A foam box or another imprint</source>
+            <translation>En skumlåda eller annat avtryck</translation>
+        </message>
+        <message>
+            <source>A foot</source>
+            <translation>En fot</translation>
+        </message>
+        <message>
+            <source>A left foot by its shape</source>
+            <translation>Vänsterfot enligt formen</translation>
+        </message>
+        <message>
+            <source>A plaster cast</source>
+            <translation>En gipsavgjutning</translation>
+        </message>
+        <message>
+            <source>A right foot by its shape</source>
+            <translation>Högerfot enligt formen</translation>
+        </message>
+        <message>
+            <source>As the shape tells</source>
+            <translation>Som formen visar</translation>
+        </message>
+        <message>
+            <source>Choose the unit of the file, or a length that is known.</source>
+            <translation>Välj filens enhet, eller en längd som är känd.</translation>
+        </message>
+        <message>
+            <source>Click heel, toes and sole</source>
+            <translation>Klicka på häl, tår och fotsula</translation>
+        </message>
+        <message>
+            <source>Click the end of the heel.</source>
+            <translation>Klicka på hälens bakersta punkt.</translation>
+        </message>
+        <message>
+            <source>Click the sole, under the ball of the foot.</source>
+            <translation>Klicka på fotsulan, under främre trampdynan.</translation>
+        </message>
+        <message>
+            <source>Click the tip of a toe.</source>
+            <translation>Klicka på spetsen av en tå.</translation>
+        </message>
+        <message>
+            <source>Click two points of the scan that are as far apart as this.</source>
+            <translation>Klicka på två punkter i skanningen som ligger så långt från varandra.</translation>
+        </message>
+        <message>
+            <source>Distance of the two points</source>
+            <translation>Avstånd mellan de två punkterna</translation>
+        </message>
+        <message>
+            <source>Feet of the scan</source>
+            <translation>Fötter i skanningen</translation>
+        </message>
+        <message>
+            <source>How it lies</source>
+            <translation>Hur den ligger</translation>
+        </message>
+        <message>
+            <source>Left or right foot</source>
+            <translation>Vänster- eller högerfot</translation>
+        </message>
+        <message>
+            <source>Length of the foot</source>
+            <translation>Fotens längd</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Öppna</translation>
+        </message>
+        <message>
+            <source>Open the scan {name}</source>
+            <translation>Öppna skanningen {name}</translation>
+        </message>
+        <message>
+            <source>Shoe size</source>
+            <translation>Skostorlek</translation>
+        </message>
+        <message>
+            <source>Sole</source>
+            <translation>Fotsula</translation>
+        </message>
+        <message>
+            <source>Take the last click back</source>
+            <translation>Ta tillbaka senaste klicket</translation>
+        </message>
+        <message>
+            <source>The foot's length is known</source>
+            <translation>Fotens längd är känd</translation>
+        </message>
+        <message>
+            <source>The scan shows</source>
+            <translation>Skanningen visar</translation>
+        </message>
+        <message>
+            <source>The shape does not tell left from right: choose which foot it is.</source>
+            <translation>Formen visar inte om det är vänster eller höger: välj vilken fot det är.</translation>
+        </message>
+        <message>
+            <source>The shoe size is known</source>
+            <translation>Skostorleken är känd</translation>
+        </message>
+        <message>
+            <source>Two points of known distance</source>
+            <translation>Två punkter med känt avstånd</translation>
+        </message>
+        <message>
+            <source>Unit or size</source>
+            <translation>Enhet eller storlek</translation>
+        </message>
+        <message>
+            <source>leg cut off at {mm:.0f} mm</source>
+            <translation>benet avskuret vid {mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>toes missing</source>
+            <translation>tårna saknas</translation>
+        </message>
+        <message>
+            <source>{length_mm:.0f} mm long</source>
+            <translation>{length_mm:.0f} mm lång</translation>
+        </message>
+    </context>
+</TS>

@@ -1,0 +1,135 @@
+"""From the scan of a foam box to feet: sides, form, what is doubted, what is proposed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.export.ply import write_ply
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.imprints.form import Form
+from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.finish_warnings import finish_warnings
+from insole_core.workflows.clinic_devices import clinic_devices, find_device
+from insole_core.workflows.clinic_materials import ClinicMaterials
+from insole_core.workflows.import_scan import ImportChoice, ScanExamination, examine_scan, take_foot
+from insole_core.workflows.open_scan import open_scan
+from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.starting_design import StartingDevice
+from tests.insole_core.imprints.boxes import double_box, pressed, single_box
+
+TURN = rigid(rotation_about(np.array([1.0, -0.4, 2.0]), 100.0), np.array([50.0, 400.0, -90.0]))
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Callable[[TriangleMesh], Path]:
+    folder = tmp_path_factory.mktemp("boxes")
+
+    def write(mesh: TriangleMesh) -> Path:
+        path = folder / f"{len(list(folder.iterdir()))}.ply"
+        write_ply(mesh, path)
+        return path
+
+    return write
+
+
+@pytest.fixture(scope="module")
+def single(left_mesh, written) -> Path:
+    return written(single_box(left_mesh, cell_mm=1.5).transformed(TURN))
+
+
+def first_taken(examination: ScanExamination, number: int = 0) -> ScannedFoot:
+    found = examination.feet[number]
+    return take_foot(examination, found, found.candidates[0])
+
+
+def test_the_foot_of_an_imprint_lies_where_it_was_pressed_in(single, left_mesh):
+    examination = examine_scan(single)
+
+    assert examination.form is Form.IMPRINT
+    assert examination.feet[0].doubts == ()
+    scanned = first_taken(examination)
+    assert scanned.foot.side is Side.LEFT
+    assert scanned.foot.length_mm == pytest.approx(245, abs=4)
+    assert (scanned.foot.form, scanned.source.form) == (Form.IMPRINT, Form.IMPRINT)
+    truth = transform(TURN, pressed(left_mesh).vertices)
+    sole = transform(scanned.foot.source2insole, truth)
+    assert sole[:, 2].min() == pytest.approx(0, abs=0.6)
+    assert any("28 mm deep" in note for note in scanned.foot.notes)
+
+
+def test_an_imprint_opens_by_command_and_makes_an_insole(single):
+    scanned = open_scan(single, Side.LEFT)
+
+    devices = clinic_devices(single.parent).load().items
+    device = find_device(devices, "EVA, full length")
+    design = StartingDevice(device, ClinicMaterials(single.parent).load()[0]).design(scanned.foot)
+    insole = build_insole(scanned.foot, design)
+    assert np.isfinite(insole.contact.heights_mm).all()
+    assert insole.contact.heights_mm.max() < 45
+
+
+def test_both_feet_of_a_box_are_found_left_first(left_mesh, right_mesh, written):
+    path = written(double_box([left_mesh, right_mesh], cell_mm=1.5).transformed(TURN))
+
+    examination = examine_scan(path)
+
+    assert [found.candidates[0].side for found in examination.feet] == [Side.LEFT, Side.RIGHT]
+    assert all(found.doubts == () for found in examination.feet)
+    assert open_scan(path, Side.RIGHT).foot.side is Side.RIGHT
+
+
+def test_shapes_that_contradict_their_places_are_doubted(left_mesh, right_mesh, written):
+    examination = examine_scan(written(double_box([right_mesh, left_mesh], cell_mm=1.5)))
+
+    for found in examination.feet:
+        assert any("by its shape" in doubt for doubt in found.doubts)
+
+
+def test_a_sole_that_stands_out_is_asked_and_keeps_its_side(left_mesh, written):
+    path = written(single_box(left_mesh, cell_mm=1.5).flipped())
+
+    asked = examine_scan(path)
+    said = examine_scan(path, ImportChoice(form=Form.IMPRINT))
+    foot = examine_scan(path, ImportChoice(form=Form.FOOT))
+
+    assert any("inside out" in doubt for doubt in asked.feet[0].doubts)
+    assert said.feet[0].doubts == foot.feet[0].doubts == ()
+    assert (said.form, foot.form) == (Form.IMPRINT, Form.FOOT)
+    for examination in (asked, said, foot):
+        assert examination.feet[0].candidates[0].side is Side.LEFT
+
+
+def test_no_expansion_is_proposed_for_an_imprint(single, left_foot):
+    devices = clinic_devices(single.parent).load().items
+    device = find_device(devices, "EVA, full length")
+    finish = replace(device.values.finish, expansion_mm=2.0)
+    device = replace(device, values=replace(device.values, finish=finish))
+    starting = StartingDevice(device, ClinicMaterials(single.parent).load()[0])
+    foot = first_taken(examine_scan(single)).foot
+
+    assert starting.design(left_foot).finish.expansion_mm == 2.0
+    design = starting.design(foot)
+    assert design.finish.expansion_mm == 0.0
+    asked = replace(design, finish=replace(design.finish, expansion_mm=2.0))
+    warned = [warning.sentence for warning in finish_warnings(build_insole(foot, asked))]
+    assert any("spread already" in sentence for sentence in warned)
+
+
+def test_a_case_keeps_the_form_of_its_scan(single, tmp_path):
+    scanned = first_taken(examine_scan(single))
+    record = CaseRecord.of_foot(FootRecord.begun(scanned.foot, scanned.source))
+
+    write_case(record, tmp_path / "case.insole")
+    kept = read_case(tmp_path / "case.insole")
+
+    assert kept.source.form is Form.IMPRINT
+    assert kept.foot.form is Form.IMPRINT

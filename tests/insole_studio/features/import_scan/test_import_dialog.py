@@ -1,0 +1,198 @@
+"""The user opens a scan whose file does not tell how it is to be read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from asked_scan import asked_scan
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from insole_core.export.ply import write_ply
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.simulate.foam_box import DOUBLE_MM, FoamBox, press_feet, pressing
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.import_scan.import_dialog import ImportDialog
+from insole_studio.features.import_scan.size_fields import SizeFields
+
+LEFT = Qt.MouseButton.LeftButton
+Open = Callable[[TriangleMesh], ImportDialog | None]
+
+
+@pytest.fixture(scope="module")
+def right_foot() -> TriangleMesh:
+    return build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(2), cell_mm=4.0).mesh
+
+
+@pytest.fixture
+def open_scan(app: Application, settle: Callable[[], None], tmp_path: Path) -> Open:
+    """Open a surface as the file of another scanner, and return the dialog if one is asked."""
+
+    def open_it(mesh: TriangleMesh, side: Side | None = None) -> ImportDialog | None:
+        path = tmp_path / "scan.ply"
+        write_ply(mesh, path)
+        app.features.case_files.opener.open_path(path, side)
+        settle()
+        return asked_scan(app)
+
+    return open_it
+
+
+def choose_size(fields: SizeFields, kind: str) -> None:
+    fields.kind.setFocus()
+    fields.kind.setCurrentIndex(fields.kind.findData(kind))
+    fields.kind.activated.emit(fields.kind.currentIndex())
+
+
+def test_return_takes_the_side_that_the_shape_tells(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    assert "right foot by its shape" in dialog.finding.text()
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.side is Side.RIGHT
+    assert asked_scan(app) is None
+
+
+def test_the_other_side_is_opened_only_if_the_user_insists(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert app.case.foot is None
+    assert "looks like a right foot" in dialog.doubts.text()
+    assert "--" not in dialog.doubts.text()
+    assert dialog.open_button.text() == "Open anyway"
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.side is Side.LEFT
+
+
+def test_a_contradicted_side_is_put_right_with_one_press(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(right_foot, Side.LEFT)  # type: ignore[call-arg]
+    assert dialog is not None
+    assert "looks like a right foot" in dialog.doubts.text()
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    assert not dialog.doubts.isVisible()
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.side is Side.RIGHT
+
+
+def test_nothing_is_asked_of_a_scan_whose_side_is_known(
+    app: Application, open_scan: Open, right_foot: TriangleMesh
+) -> None:
+    assert open_scan(right_foot, Side.RIGHT) is None  # type: ignore[call-arg]
+    assert app.case.foot is not None
+
+
+def test_escape_leaves_everything_as_it_was(
+    app: Application, open_scan: Open, right_foot: TriangleMesh
+) -> None:
+    record = app.case.record
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    assert asked_scan(app) is None
+    assert app.case.record is record
+    assert not app.jobs.is_running()
+
+
+def test_a_scan_of_no_foots_size_is_asked_for_its_unit(
+    app: Application,
+    open_scan: Open,
+    settle: Callable[[], None],
+    make_foot: Callable[[Side], Foot],
+) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    half = replace(mesh, vertices=mesh.vertices / 2 / 25.4)  # of a foot in inches: no length tells
+    dialog = open_scan(half)
+    assert dialog is not None
+    choose_size(dialog.size_fields, "mm")
+    settle()
+    assert "read in millimetres" in dialog.doubts.text()
+    assert not dialog.open_button.isEnabled()
+    choose_size(dialog.size_fields, "inch")
+    settle()
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert "no proportions of a foot" in dialog.doubts.text()  # a plate of 80 × 250 mm
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert app.case.foot is not None
+    length_mm = np.ptp(app.case.foot.mesh.vertices[:, 1])
+    assert length_mm == pytest.approx(np.ptp(mesh.vertices[:, 1]) / 2, abs=2.0)
+
+
+def test_what_is_no_foot_is_not_opened_at_the_first_press(
+    app: Application, open_scan: Open, settle: Callable[[], None]
+) -> None:
+    angles = np.linspace(0, 2 * np.pi, 60)
+    rings = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    tube = np.concatenate([np.column_stack([60 * rings, np.full(60, z)]) for z in (0.0, 250.0)])
+    n = np.arange(59)
+    triangles = np.concatenate(
+        [np.stack([n, n + 1, n + 60], 1), np.stack([n + 1, n + 61, n + 60], 1)]
+    )
+    dialog = open_scan(TriangleMesh(tube, triangles.astype(np.int32)))
+    assert dialog is not None
+    if dialog.feet.count():
+        QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+        QTest.mouseClick(dialog.open_button, LEFT)
+        settle()
+    assert dialog.doubts.isVisible()
+    assert app.case.foot is None
+
+
+def test_two_scans_opened_one_after_the_other_show_the_newer(
+    app: Application,
+    settle: Callable[[], None],
+    right_foot: TriangleMesh,
+    tmp_path: Path,
+) -> None:
+    turn = rigid(rotation_about(np.array([1.0, 1.0, 0.0]), 70.0), np.array([5.0, 0.0, 300.0]))
+    for name, mesh in (("first", right_foot), ("second", right_foot.transformed(turn))):
+        write_ply(mesh, tmp_path / f"{name}.ply")
+        app.features.case_files.opener.open_path(tmp_path / f"{name}.ply")
+    settle()
+    dialogs = [dialog for dialog in app.window.findChildren(ImportDialog) if dialog.isVisible()]
+    assert [dialog.windowTitle() for dialog in dialogs] == ["Open the scan second.ply"]
+
+
+@pytest.mark.slow
+def test_both_feet_of_a_foam_box_are_opened_at_once(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    left_foot = build_foot(FootShape(side=Side.LEFT), np.random.default_rng(2), cell_mm=4.0).mesh
+    pressed = [
+        foot.transformed(pressing(28.0, (x_mm, 0.0)))
+        for foot, x_mm in ((left_foot, -80.0), (right_foot, 80.0))
+    ]
+    dialog = open_scan(press_feet(pressed, FoamBox(DOUBLE_MM), np.random.default_rng(1)))
+    assert dialog is not None
+    assert dialog.feet.count() == 2
+    QTest.keyClick(dialog.feet, Qt.Key.Key_Down)
+    assert "right foot" in dialog.finding.text()
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert [foot.side for foot in app.case.record.feet] == [Side.LEFT, Side.RIGHT]
