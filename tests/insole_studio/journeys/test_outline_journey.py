@@ -20,6 +20,8 @@ from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.slow
+
 RIGHT = Qt.MouseButton.RightButton
 
 
