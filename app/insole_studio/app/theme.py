@@ -172,6 +172,7 @@ def _box_sheet(colors: Colors) -> str:
         background: {colors.base}; }}
     QCheckBox::indicator:checked, QAbstractItemView::indicator:checked {{
         background: {colors.accent}; border-color: {colors.accent}; image: url("{check}"); }}
+    QRadioButton {{ border: 2px solid transparent; padding: 2px; }}
     QRadioButton::indicator {{
         width: 14px; height: 14px; border: 1px solid {colors.quiet}; border-radius: 8px;
         background: {colors.base}; }}

@@ -133,3 +133,14 @@ def test_a_case_keeps_the_form_of_its_scan(single, tmp_path):
 
     assert kept.source.form is Form.IMPRINT
     assert kept.foot.form is Form.IMPRINT
+
+
+@pytest.mark.parametrize("lifted_deg", [3.0, -3.0])
+def test_an_end_that_was_hardly_pressed_in_is_told(left_mesh, written, lifted_deg):
+    lift = rotation_about(np.array([1.0, 0.0, 0.0]), lifted_deg)
+    tilted = left_mesh.transformed(rigid(lift, np.zeros(3)))
+    standing = tilted.transformed(rigid(np.eye(3), -tilted.bounds_mm[0] * [0, 0, 1]))
+
+    (found,) = examine_scan(written(single_box(standing, 16.0, cell_mm=1.5))).feet
+
+    assert any("hardly pressed in" in doubt for doubt in found.doubts)
