@@ -30,6 +30,7 @@ from postgres_server import binaries, running_server
 
 from benchmarks._large_record import BEGUN, fill_record
 from benchmarks._measure import median_ms, print_table, resident_mb
+from benchmarks._window_search import searches_in_window
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
 from insole_core.foot.foot_placement import place_foot
@@ -40,7 +41,7 @@ from insole_core.records.duplicates import find_duplicates
 from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
-from insole_core.records.search_text import fold
+from insole_core.records.search_text import search_words
 from insole_core.records.visit import Visit
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
@@ -61,6 +62,7 @@ def main() -> None:
         folder = Path(name)
         if "SQLite" in kinds:
             rows += _measured("SQLite", RecordsPlace.local(folder / "local"), count)
+            rows += _in_window(folder / "local")
             rows += _peer(folder / "local" / "records.sqlite3", folder / "peer.sqlite3")
         if "PostgreSQL" in kinds and binaries() is None:
             print("PostgreSQL is not installed.")
@@ -94,6 +96,12 @@ def _measured(kind: str, place: RecordsPlace, count: int) -> Iterator[list[objec
     yield [kind, "memory, MB more than before", f"{resident_mb() - before_mb:.0f}", "", ""]
     yield from _case(kind, records, ids[0])
     records.close()
+
+
+def _in_window(folder: Path) -> Iterator[list[object]]:
+    for typed, times in searches_in_window(folder, TYPED):
+        what = f"search “{typed}” in the window"
+        yield ["SQLite", what, f"{np.median(times):.1f}", f"{max(times):.1f}", SEARCH_MS]
 
 
 def _filled(place: RecordsPlace, count: int) -> list[str]:
@@ -201,7 +209,7 @@ def _peer(database: Path, copy: Path) -> Iterator[list[object]]:
             "INSERT INTO found (rowid, search_text) SELECT rowid, search_text FROM persons"
         )
         for typed in TYPED:
-            words = [word for word in fold(typed).split() if len(word) > 2]
+            words = [word for word in search_words(typed) if len(word) > 2]
             if not words:
                 continue  # it knows nothing shorter
             query = " AND ".join(f'"{word}"' for word in words)

@@ -20,6 +20,7 @@ LAST_HOUR = 23
 Theme = Literal["system", "light", "dark"]
 Language = Literal["system", "en", "sv"]
 BackupDay = Literal["never", "daily", "0", "1", "2", "3", "4", "5", "6"]
+BackupKeep = Literal["all", "months", "year"]
 
 
 @dataclass
@@ -32,7 +33,11 @@ class Settings:
     folder of their kind; `number_kind` is that of new personal numbers. `record_database` is the
     address of a shared record without its password, empty for the record of this computer;
     `record_contents` is the folder of its large files. Backups go to `backup_folder` at
-    `backup_hour` of every day ("daily") or of a day of the week (0 for Monday), or on demand only.
+    `backup_hour` of every day ("daily") or of a day of the week (0 for Monday), or on demand only;
+    `backup_keep` says which of them stay: all, or those of 30 days and then one of each month, of
+    all months or of the last twelve. `backup_used_folder` had a backup before, so that an empty one
+    in its place is a disk that is not connected. Nobody is reminded of backups before
+    `backup_reminder_from`, a day as in ISO 8601.
     A view is refused if its pose exceeds the largest residuals or displacement.
     """
 
@@ -51,6 +56,9 @@ class Settings:
     backup_folder: str = ""
     backup_day: BackupDay = "never"
     backup_hour: int = 12
+    backup_keep: BackupKeep = "months"
+    backup_used_folder: str = ""
+    backup_reminder_from: str = ""
     recent: list[str] = field(default_factory=list)
     cases_folder: str = ""
     scans_folder: str = ""

@@ -35,6 +35,13 @@ class PoseClicks:
     toe: Point
     sole: Point
 
+    def scaled(self, factor: float) -> PoseClicks:
+        """Return the same places on a surface that was scaled by a factor."""
+        (a, b, c), (d, e, f), (g, h, i) = (
+            (x * factor, y * factor, z * factor) for x, y, z in (self.heel, self.toe, self.sole)
+        )
+        return PoseClicks((a, b, c), (d, e, f), (g, h, i))
+
 
 @dataclass(frozen=True)
 class CutLeg:

@@ -294,7 +294,10 @@ def _with_other_ways(
             break
         if _differ(pose.source2rough, tried):
             tried.append(pose.source2rough)
-            way = _best(found.even, points, [pose], pose.side, normals)
+            try:
+                way = _best(found.even, points, [pose], pose.side, normals)
+            except InputError:  # nothing faces the ground: it cannot lie like this
+                continue
             if way.dissimilarity <= limit:
                 ways.append(way)
     return replace(found, candidates=tuple(sorted(ways, key=lambda one: one.dissimilarity)))
@@ -350,8 +353,8 @@ def _pose_note(clicks: PoseClicks | None) -> Message:
 def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[TriangleMesh, bool]:
     """Flip an open surface whose sole faces into the foot, which only the pose can show."""
     up = source2rough[2, :3]
-    height = mesh.vertices @ up
-    low = mesh.part(height < height.min() + OUTLINE_HEIGHT_MM)
+    height = mesh.vertices @ up - float((mesh.vertices @ up).min())
+    low = mesh.part(height < min(OUTLINE_HEIGHT_MM, height.max() / 2))  # below the lid of a cast
     faces_up = bool(low.vertex_areas @ (low.vertex_normals @ up) > 0)
     return (mesh.flipped() if faces_up else mesh), faces_up
 
@@ -407,7 +410,10 @@ def _by_second_toe(surface: EvenSurface, foot: FootCandidate) -> FootCandidate:
         return foot
     for yaw_deg in _TOE_YAWS_DEG:
         turned = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg), np.zeros(3))
-        other = level(surface, foot.side, turned @ foot.source2insole)
+        try:
+            other = level(surface, foot.side, turned @ foot.source2insole)
+        except InputError:
+            return foot
         if other.second_toe_found:
             return replace(
                 foot,

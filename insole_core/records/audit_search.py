@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, time, timedelta
-from typing import Any
+from typing import Any, Final
 
 from sqlalchemy import CompoundSelect, Connection, Select, func, select, union_all
 
@@ -12,6 +15,7 @@ from insole_core.errors import RecordsError
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLine, AuditLog, AuditReport
 from insole_core.records.context import RecordsContext
+from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require
 from insole_core.records.schema import (
     accounts,
@@ -24,6 +28,10 @@ from insole_core.records.schema import (
     visits,
 )
 from insole_core.records.times import TIME_FORMAT
+
+_ID: Final = re.compile(r"[0-9a-f]{8}-[0-9a-f-]{27}|[0-9a-f]{64}|age1\w{58}")
+"""Of a row, the SHA-256 of a file, or the public key of backups."""
+_SHOWN_DIGITS: Final = 8
 
 
 @dataclass(frozen=True)
@@ -54,11 +62,15 @@ class ShownLine:
     Parameters
     ----------
     subject
-        The pseudonym of a person, the name of an account; else the beginning of the id.
+        The pseudonym of the person whose row it is, the name of an account, the number of an
+        order; the beginning of an id that is not known any more.
+    details
+        Those of the line, with the same names.
     """
 
     line: AuditLine
     subject: str
+    details: Mapping[str, str]
 
 
 def search_audit(
@@ -89,9 +101,18 @@ def search_audit(
         before=before,
         limit=limit,
     )
+    details = [_details_of(line) for line in lines]
+    told = {str(value) for values in details for value in values.values()}
     with context.database.reading() as connection:
-        names = _names(connection, {line.subject_id for line in lines})
-    return [ShownLine(line, names.get(line.subject_id, line.subject_id[:8])) for line in lines]
+        names = _names(connection, {line.subject_id for line in lines} | told)
+    return [
+        ShownLine(
+            line,
+            _named(line.subject_id, names),
+            {key: _named(str(value), names) for key, value in values.items()},
+        )
+        for line, values in zip(lines, details, strict=True)
+    ]
 
 
 def authors_of_audit(context: RecordsContext) -> list[str]:
@@ -144,9 +165,7 @@ def _all_of(person_id: str) -> Select[Any]:
     """Return the query of the ids of a person and of all that hangs on them."""
     of_visits = select(visits.c.id).where(visits.c.person_id == person_id)
     parts: CompoundSelect[Any] = union_all(
-        select(persons.c.id).where(
-            (persons.c.id == person_id) | (persons.c.merged_into == person_id)
-        ),
+        ids_of_joined(person_id),
         of_visits,
         *(
             select(table.c.id).where(table.c.visit_id.in_(of_visits))
@@ -176,10 +195,36 @@ def _begin(day: date) -> str:
     return moment.strftime(TIME_FORMAT)
 
 
+def _details_of(line: AuditLine) -> dict[str, Any]:
+    """Return the details of a line, also of one that somebody has changed to what is no JSON."""
+    try:
+        values = json.loads(line.details)
+    except ValueError:
+        return {"?": line.details}
+    return values if isinstance(values, dict) else {"?": line.details}
+
+
+def _named(text: str, names: Mapping[str, str]) -> str:
+    """Return what an id is called; the beginning of one that nothing has; other texts as is."""
+    if text in names:
+        return names[text]
+    return text[:_SHOWN_DIGITS] if _ID.fullmatch(text) else text
+
+
 def _names(connection: Connection, ids: set[str]) -> dict[str, str]:
-    """Return pseudonyms of persons and names of accounts by id."""
-    found: dict[str, str] = {}
-    for key, name in ((persons.c.id, persons.c.pseudonym), (accounts.c.id, accounts.c.name)):
-        rows = connection.execute(select(key, name).where(key.in_(ids)))
-        found |= {row[0]: row[1] for row in rows}
-    return found
+    """Return pseudonyms of persons and of those whose row it is, names of accounts, by id."""
+    of_visit = select(visits.c.id, persons.c.pseudonym).join(persons)
+    queries = [
+        select(persons.c.id, persons.c.pseudonym).where(persons.c.id.in_(ids)),
+        select(accounts.c.id, accounts.c.name).where(accounts.c.id.in_(ids)),
+        select(orders.c.id, orders.c.number).where(orders.c.id.in_(ids)),
+        of_visit.where(visits.c.id.in_(ids)),
+        *(
+            select(table.c.id, persons.c.pseudonym)
+            .join(visits, visits.c.id == table.c.visit_id)
+            .join(persons, persons.c.id == visits.c.person_id)
+            .where(table.c.id.in_(ids))
+            for table in (captures, prescription_versions)
+        ),
+    ]
+    return {row[0]: row[1] for query in queries for row in connection.execute(query)}

@@ -55,6 +55,7 @@ class Database:
         self.problem = problem
         self.schema: str | None = None
         """Revision of the schema that this program writes; None does not check it."""
+        self._is_closed = False
         self._snapshots = threading.local()
         self.engine = _engine(place, self.is_read_only)
 
@@ -126,7 +127,8 @@ class Database:
             yield connection
 
     def close(self) -> None:
-        """Close all connections."""
+        """Close all connections; one that is in use is closed after its transaction."""
+        self._is_closed = True
         self.engine.dispose()
 
     def _check_schema(self, connection: Connection) -> None:
@@ -148,8 +150,12 @@ class Database:
         try:
             with self.engine.connect() as connection:
                 connection.execution_options(**options)
-                with connection.begin():
-                    yield connection
+                try:
+                    with connection.begin():
+                        yield connection
+                finally:
+                    if self._is_closed:
+                        connection.detach()  # its pool, which is gone, would keep it open
         except DBAPIError as error:
             raise self._noted(described(self.place, error)) from error
         except PoolTimeoutError as error:

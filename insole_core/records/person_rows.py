@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import fields
-from typing import Final
+from typing import Any, Final
 
-from sqlalchemy import Connection, select, update
+from sqlalchemy import Connection, Select, select, update
 
 from insole_core.errors import RecordsError
 from insole_core.records.person import Person
@@ -45,6 +45,13 @@ def locked_person(connection: Connection, person_id: str) -> Person:
     if person.is_erased:
         raise RecordsError("The data of this person were erased; nothing can be added to them.")
     return person
+
+
+def ids_of_joined(person_id: str) -> Select[Any]:
+    """Return the query of the ids of a person and of all merged into them, also through others."""
+    joined = select(persons.c.id).where(persons.c.id == person_id).cte("joined", recursive=True)
+    merged = select(persons.c.id).join(joined, persons.c.merged_into == joined.c.id)
+    return select(joined.union(merged).c.id)
 
 
 def write_search_text(connection: Connection, person_id: str) -> None:

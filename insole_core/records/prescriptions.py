@@ -28,7 +28,7 @@ from insole_core.records.person import new_id
 from insole_core.records.prescription import Base, VersionSummary
 from insole_core.records.program_version import program_version
 from insole_core.records.rights import Right
-from insole_core.records.schema import captures, prescription_versions
+from insole_core.records.schema import captures, prescription_versions, visits
 from insole_core.records.signing import Signature, sign
 from insole_core.records.stored_contents import refer_to
 from insole_core.records.times import utc_now
@@ -157,6 +157,48 @@ class Prescriptions:
             raise _gone()
         return self.foot_of(row)
 
+    def last_prescribed(self, person_id: str) -> list[FootRecord]:
+        """Return for each foot of a person the last version that prescribes something.
+
+        It may be of any visit; of other versions, no surface is read.
+
+        Raises
+        ------
+        RecordsError
+            When a surface is missing or was changed on the disk.
+        """
+        query = (
+            select(prescription_versions)
+            .join(visits, visits.c.id == _VERSIONS.visit_id)
+            .where(visits.c.person_id == person_id)
+            .order_by(visits.c.visited_on.desc(), visits.c.created_at.desc())
+            .order_by(_VERSIONS.number.desc())
+        )
+        newest: dict[tuple[str, str], Row[Any]] = {}
+        with self._context.reading() as connection:
+            for row in connection.execute(query):
+                newest.setdefault((row.visit_id, row.side), row)
+        last: dict[str, Row[Any]] = {}
+        for row in newest.values():
+            if row.side not in last and _prescribes(row):
+                last[row.side] = row
+        return [self.foot_of(row) for row in last.values()]
+
+    def packed_surface(self, version_id: str) -> bytes:
+        """Return the surface of a version's foot as it is stored: an ``.npz`` of a case file.
+
+        Raises
+        ------
+        RecordsError
+            As for `read`.
+        """
+        with self._context.reading() as connection:
+            query = select(_VERSIONS.mesh_sha256).where(_VERSIONS.id == version_id)
+            sha256 = connection.execute(query).scalar()
+        if sha256 is None:
+            raise _gone()
+        return self._context.contents.read(sha256)
+
     def close(self, version_id: str, reason: str) -> None:
         """Keep a version as it is, for a reason.
 
@@ -192,8 +234,7 @@ class Prescriptions:
 
     def foot_of(self, row: Row[Any]) -> FootRecord:
         """Return the foot of a row of the table."""
-        name = f"{row.side}, version {row.number}"
-        document = JsonObject.parse(name, row.document.encode())
+        document = _document_of(row)
         packed = self._context.contents.read(row.mesh_sha256)
         foot = foot_from_json(document, lambda side: unpack_mesh(f"{side}.npz", packed))
         self._meshes.remember(foot.foot.mesh, row.mesh_sha256, len(packed))
@@ -307,6 +348,21 @@ class _StoredMeshes:
         """Note that a surface is stored."""
         with self._lock:
             self._known[mesh] = sha256, size
+
+
+def _document_of(row: Row[Any]) -> JsonObject:
+    return JsonObject.parse(f"{row.side}, version {row.number}", row.document.encode())
+
+
+def _prescribes(row: Row[Any]) -> bool:
+    """Return whether a version holds corrections, or those of a scan before it."""
+    document = _document_of(row)
+    chosen = document.text("chosen")
+    return document.has("earlier") or any(
+        variant.object("design").items("corrections")
+        for variant in document.objects("variants")
+        if variant.text("name") == chosen
+    )
 
 
 def summary_of(row: Row[Any]) -> VersionSummary:

@@ -15,7 +15,10 @@ from insole_core.records.times import TIME_FORMAT, utc_now
 from insole_core.records.upsert import upsert
 
 STALE_S: Final = 90.0
-"""A station that has not said so for so long has left, or was switched off."""
+"""A station that has not said so for so long has left, or was switched off.
+
+The same holds for one that has said so in the future, before a clock was put back.
+"""
 
 
 @dataclass(frozen=True)
@@ -81,11 +84,15 @@ class Presence:
 
     def _present(self, visit_id: str) -> list[Present]:
         with self._context.reading() as connection:
-            limit = datetime.strptime(self._now(connection), TIME_FORMAT)
-            oldest = (limit - timedelta(seconds=STALE_S)).strftime(TIME_FORMAT)
+            now = datetime.strptime(self._now(connection), TIME_FORMAT)
+            first, last = (
+                (now + timedelta(seconds=seconds)).strftime(TIME_FORMAT)
+                for seconds in (-STALE_S, STALE_S)
+            )
+            is_recent = presence.c.seen_at.between(first, last)
             query = select(
                 presence.c.visit_id, presence.c.author, presence.c.station, presence.c.since
-            ).where(presence.c.visit_id == visit_id, presence.c.seen_at >= oldest)
+            ).where(presence.c.visit_id == visit_id, is_recent)
             rows = connection.execute(query.order_by(presence.c.since)).all()
         return [Present(**row._mapping) for row in rows]
 

@@ -35,6 +35,7 @@ from insole_core.records.author import Author
 from insole_core.records.clinic import setting_of
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
+from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require
 from insole_core.records.schema import (
     captures,
@@ -270,7 +271,7 @@ def erase_identity(connection: Connection, person_id: str) -> None:
     now = utc_now()
     connection.execute(
         update(persons)
-        .where((persons.c.id == person_id) | (persons.c.merged_into == person_id))
+        .where(persons.c.id.in_(ids_of_joined(person_id)))
         .values(
             name=persons.c.pseudonym,
             search_text="",

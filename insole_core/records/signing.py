@@ -80,11 +80,6 @@ class SignatureReport:
     unlogged: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
 
-    @property
-    def are_valid(self) -> bool:
-        """Whether everything that is signed is what was signed."""
-        return not (self.changed or self.unlogged or self.missing)
-
 
 def digest_of(version: Mapping[str, Any]) -> str:
     """Return the digest that a signature of a version is: SHA-256 of a JSON array in ASCII.

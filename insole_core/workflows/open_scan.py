@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from insole_core.errors import UsageError
@@ -10,8 +11,8 @@ from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
-from insole_core.scans.mesh_file import Unit
-from insole_core.workflows.import_scan import ImportChoice, examine_scan, take_foot
+from insole_core.scans.scan_folder import holds_scans
+from insole_core.workflows.import_scan import NOTHING_SAID, ImportChoice, examine_scan, take_foot
 from insole_core.workflows.make_foot import make_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot
 
@@ -20,8 +21,7 @@ def open_scan(
     path: Path,
     side: Side | None = None,
     *,
-    unit: Unit | None = None,
-    force: bool = False,
+    choice: ImportChoice = NOTHING_SAID,
     progress: Progress = SILENT,
 ) -> ScannedFoot:
     """Make a foot from a recorded session, or from a mesh file in any pose.
@@ -30,41 +30,44 @@ def open_scan(
     ----------
     side
         Required for a mesh; a session states its own.
-    unit
-        Of a mesh; None to conclude it from the size. A session is in mm.
-    force
-        Continue although the shape looks like the other foot, or has no proportions of one.
+    choice
+        What else was said of a mesh. Of a session, only `force` counts.
 
     Raises
     ------
     UsageError
-        When the side is missing or contradicts the session, or a session is given a unit.
+        When the side is missing or contradicts the session, or more is said of a session.
     SideMismatchError
-        When the shape is that of the other foot, unless `force`.
+        When the shape is that of the other foot, unless forced.
     ProportionsError
-        When the surface is no foot by its proportions, unless `force`.
+        When the surface is no foot by its proportions, unless forced.
     DoubtfulScanError
-        When it is not sure how the foot lies or whether it is one, unless `force`.
+        When it is not sure how the foot lies or whether it is one, unless forced.
     InputError
         When the file cannot be read.
     ReconstructionError
         When no view of a session can be used.
     Cancelled
     """
-    if is_session(path):
-        scanned = _session_foot(path, side, unit, force, progress)
+    if is_session(path) and not holds_scans(path):
+        scanned = _session_foot(path, side, choice, progress)
     else:
-        scanned = _mesh_foot(path, side, unit, force, progress)
+        scanned = _mesh_foot(path, side, choice, progress)
     progress.step(1.0, "Foot ready")
     return scanned
 
 
 def _session_foot(
-    path: Path, side: Side | None, unit: Unit | None, force: bool, progress: Progress
+    path: Path, side: Side | None, choice: ImportChoice, progress: Progress
 ) -> ScannedFoot:
-    if unit is not None:
+    if choice.unit is not None or choice.known_size is not None:
         raise UsageError(
             "{path} is a session, which is always in millimetres; leave out the unit.", path=path
+        )
+    if choice.form is not None or choice.pose is not None:
+        raise UsageError(
+            "{path} is a session, which says how the foot lies; leave out form and points.",
+            path=path,
         )
     opened = open_session(path, progress)
     recorded = opened.session.manifest.side
@@ -76,23 +79,23 @@ def _session_foot(
             path=path,
             recorded=recorded,
         )
-    return make_foot(opened, progress=progress.part(0.05, 1.0), force=force).scan
+    return make_foot(opened, progress=progress.part(0.05, 1.0), force=choice.force).scan
 
 
 def _mesh_foot(
-    path: Path, side: Side | None, unit: Unit | None, force: bool, progress: Progress
+    path: Path, side: Side | None, choice: ImportChoice, progress: Progress
 ) -> ScannedFoot:
     if side is None:
         raise UsageError(
             "{path} is a mesh, which does not say which foot it is; add --side.", path=path
         )
-    choice = ImportChoice(side=side, unit=unit, force=force)
+    choice = replace(choice, side=side)
     examination = examine_scan(path, choice, progress)
     feet = examination.feet
     found = next((foot for foot in feet if foot.candidates[0].side is side), feet[0])
     candidate = next(one for one in found.candidates if one.side is side)
     scanned = take_foot(examination, found, candidate, choice)
-    if found.doubts and not force:
+    if found.doubts and not choice.force:
         raise DoubtfulScanError(
             "{path} is doubtful: {doubts} Open it in the window, or insist with --force.",
             path=path,

@@ -7,25 +7,83 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import InputError
+from insole_core.errors import InputError, UsageError
 from insole_core.geometry.side import Side
+from insole_core.imprints.form import Form
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
+    from insole_core.workflows.import_scan import ImportChoice
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what can be said of a foot's scan, besides its path."""
     parser.add_argument("--side", choices=[side.value for side in Side], help="needed for a mesh")
-    parser.add_argument(
-        "--unit", choices=["mm", "cm", "m", "inch"],
-        help="of a mesh (default: the one in which it is as large as a foot)",
-    )  # fmt: skip
+    add_scan_arguments(parser)
     parser.add_argument(
         "--force", action="store_true",
         help="go on although the shape looks like the other foot, or has no proportions of one",
     )  # fmt: skip
+
+
+def add_scan_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what can be said of a mesh besides its side."""
+    size = parser.add_mutually_exclusive_group()
+    size.add_argument(
+        "--unit", choices=["mm", "cm", "m", "inch"],
+        help="of a mesh (default: the one in which it is as large as a foot)",
+    )  # fmt: skip
+    size.add_argument(
+        "--length-mm", type=number, metavar="L", help="length of the foot, where no unit is known"
+    )
+    size.add_argument(
+        "--shoe-size", type=number, metavar="EU", help="its shoe size, where no unit is known"
+    )
+    parser.add_argument(
+        "--form", choices=[form.value for form in Form],
+        help="what a mesh shows: a foot, an imprint such as a foam box, or a cast",
+    )  # fmt: skip
+    for name, place in (
+        ("heel", "the end of the heel"),
+        ("toe", "the tip of a toe"),
+        ("sole", "the sole under the ball"),
+    ):
+        parser.add_argument(
+            f"--{name}", type=number, nargs=3, metavar=("X", "Y", "Z"),
+            help=f"{place}, mm, as a mesh lies; all three tell how",
+        )  # fmt: skip
+
+
+def said_of_scan(arguments: argparse.Namespace, *, force: bool = False) -> ImportChoice:
+    """Return what the arguments of `add_scan_arguments` say.
+
+    Raises
+    ------
+    UsageError
+        When some of the three points are missing.
+    """
+    from insole_core.foot.foot_candidate import PoseClicks
+    from insole_core.scans.scale import KnownFootLength, KnownShoeSize
+    from insole_core.workflows.import_scan import ImportChoice
+
+    points = [arguments.heel, arguments.toe, arguments.sole]
+    given = [tuple(point) for point in points if point is not None]
+    if len(given) not in (0, 3):
+        raise UsageError("Give all three points of the foot: --heel, --toe and --sole.")
+    size: KnownFootLength | KnownShoeSize | None = None
+    if arguments.length_mm is not None:
+        size = KnownFootLength(arguments.length_mm)
+    elif arguments.shoe_size is not None:
+        size = KnownShoeSize(arguments.shoe_size)
+    return ImportChoice(
+        unit=arguments.unit,
+        known_size=size,
+        form=None if arguments.form is None else Form(arguments.form),
+        pose=PoseClicks(*given) if given else None,
+        force=force,
+    )
 
 
 def read_foot(
@@ -51,9 +109,8 @@ def read_foot(
     from insole_core.workflows.open_scan import open_scan
 
     try:
-        scanned = open_scan(
-            path, side, unit=arguments.unit, force=arguments.force, progress=progress
-        )
+        choice = said_of_scan(arguments, force=arguments.force)
+        scanned = open_scan(path, side, choice=choice, progress=progress)
     except SideMismatchError as error:
         raise InputError(
             "{finding} Here: --side {shape_side}, or --force.",

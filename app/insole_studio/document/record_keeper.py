@@ -92,6 +92,8 @@ class RecordKeeper(QObject):
         self._patient_conflict: PatientConflict | None = None
         self._then: Then | None = None
         self._reason = ""
+        self._told = ""
+        """The last refusal that the user was told: each change after it would tell it again."""
         self.state = KeepState.NOTHING
         self.trouble = ""
         """Why the case is not in the record yet; empty if it is, or about to be."""
@@ -151,7 +153,7 @@ class RecordKeeper(QObject):
 
     def keep_version(self, reason: str) -> None:
         """Keep the feet as they are as a version of their own, for a reason."""
-        self._reason = reason
+        self._reason, self._told = reason, ""
         self._save()
 
     @property
@@ -215,7 +217,8 @@ class RecordKeeper(QObject):
 
     def _begin(self) -> None:
         self._timer.stop()
-        self._reason, self._conflict, self._patient_conflict = "", None, None
+        self._reason, self._told = "", ""
+        self._conflict = self._patient_conflict = None
         is_changed = self._case.has_unsaved_changes
         state = KeepState.CHANGED if is_changed else KeepState.SAVED
         self._set_state(state if self.is_keeping else KeepState.NOTHING)
@@ -292,6 +295,7 @@ class RecordKeeper(QObject):
             self._set_state(KeepState.CHANGED)
             self._timer.start(0 if self._then is not None else SAVE_AFTER_MS)
         else:
+            self._told = ""
             self._set_state(KeepState.SAVED)
             self._go_on()
 
@@ -309,7 +313,9 @@ class RecordKeeper(QObject):
         else:
             self._then = None
             self._set_state(KeepState.REFUSED)
-            self.failed.emit(error)
+            if self._told != str(error):
+                self._told = str(error)
+                self.failed.emit(error)
 
     def _leave_unsaved(self) -> None:
         """Leave the case for another one, once its journal is safe."""

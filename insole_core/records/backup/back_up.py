@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+import logging
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ from typing import Final
 
 from sqlalchemy import Connection, Table, func, select
 
-from insole_core.errors import RecordsError
+from insole_core.errors import OutputError, RecordsError
 from insole_core.export.temporary import is_temporary
 from insole_core.given_file import read_given
 from insole_core.progress import SILENT, Progress
@@ -24,15 +25,21 @@ from insole_core.records.backup.backup_folder import BackupFolder, BackupWriter,
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
 from insole_core.records.backup.portable_rows import pieces_of, tables_of
+from insole_core.records.backup.pruning import KeepRule, superfluous
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.content_store import ContentStore, DamagedContent
 from insole_core.records.context import RecordsContext
 from insole_core.records.migrate import schema_of
 from insole_core.records.rights import Right, require
-from insole_core.records.schema import contents, persons
+from insole_core.records.schema import audit, contents, persons
+
+log = logging.getLogger(__name__)
 
 KEY_VALUE: Final = "backup_key"
 """Key of the clinic's settings."""
+BACKED_UP: Final = "backed up"
+RESTORED: Final = "restored"
+"""In the audit log."""
 _MOST_SETTINGS_BYTES: Final = 2**30
 _SUBJECT: Final = "record"
 
@@ -48,6 +55,8 @@ class BackupReport:
     damaged
         SHA-256 of large files that were missing or damaged in the record: they are not in the
         backup.
+    removed_snapshots
+        How many old backups were removed.
     """
 
     snapshot: SnapshotName
@@ -57,6 +66,7 @@ class BackupReport:
     written_objects: int
     written_bytes: int
     damaged: tuple[str, ...]
+    removed_snapshots: int = 0
 
 
 def key_of_backups(context: RecordsContext) -> BackupKey | None:
@@ -64,6 +74,17 @@ def key_of_backups(context: RecordsContext) -> BackupKey | None:
     with context.database.reading() as connection:
         values = setting_of(connection, KEY_VALUE)
     return None if values is None else BackupKey.from_json(values)
+
+
+def last_backup_at(context: RecordsContext) -> datetime | None:
+    """Return when the record was in a backup last, by its audit log; None for never.
+
+    Any station may have made it; a record that was restored was in one by then.
+    """
+    query = select(audit.c.at).where(audit.c.action.in_((BACKED_UP, RESTORED)))
+    with context.database.reading() as connection:
+        at = connection.execute(query.order_by(audit.c.seq.desc()).limit(1)).scalar()
+    return None if at is None else datetime.fromisoformat(at)
 
 
 def set_up_backups(context: RecordsContext, key: BackupKey) -> None:
@@ -84,6 +105,8 @@ def back_up(
     folder: Path,
     settings: Mapping[str, Path] | None = None,
     progress: Progress = SILENT,
+    *,
+    keep: KeepRule | None = None,
 ) -> BackupReport:
     """Add a snapshot of the record to a folder, which grows by what is new.
 
@@ -95,6 +118,8 @@ def back_up(
     ----------
     settings
         Folders with the settings of the program, by name; those that are absent are left out.
+    keep
+        Which of the backups before stay; None for all.
 
     Raises
     ------
@@ -113,15 +138,17 @@ def back_up(
             require(connection, context.author, Right.BACK_UP)
             source = _Source(connection, context.contents, writer)
             manifest = source.write_all(made_at, settings or {}, progress)
-        snapshot = writer.finish(made_at, manifest.as_json())
+        snapshot = writer.finish(made_at, manifest.as_json(), len(manifest.damaged))
+        removed = 0 if keep is None else _prune(writer, keep, made_at)
     with context.database.writing() as connection:
         context.log(
             connection,
-            "backed up",
+            BACKED_UP,
             _SUBJECT,
             f"snapshot {snapshot.number}",
             audit_seq=manifest.audit_seq,
             damaged=len(manifest.damaged),
+            removed=removed,
         )
     return BackupReport(
         snapshot,
@@ -131,7 +158,17 @@ def back_up(
         writer.written_objects,
         writer.written_bytes,
         manifest.damaged,
+        removed,
     )
+
+
+def _prune(writer: BackupWriter, keep: KeepRule, now: datetime) -> int:
+    """Remove old backups; the new one is made, also where they cannot be removed."""
+    try:
+        return writer.prune(partial(superfluous, rule=keep, now=now))
+    except OutputError as error:
+        log.warning("old backups were not removed: %s", error)
+        return 0
 
 
 @dataclass(frozen=True)

@@ -10,19 +10,20 @@ from __future__ import annotations
 
 import hashlib
 import json
+import logging
 import os
 import re
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, BinaryIO, Final
+from typing import Any, BinaryIO, Final, Self
 
 import pyrage
 
-from insole_core.errors import InputError, OutputError, RecordsError
+from insole_core.errors import InputError, InsoleError, OutputError, RecordsError
 from insole_core.export.atomic import make_private_folder, write_text
 from insole_core.export.file_lock import FileLock
 from insole_core.export.sync import sync
@@ -40,14 +41,18 @@ from insole_core.records.content_store import MOST_BYTES
 from insole_core.regular_file import blocks_of, open_regular
 from insole_core.strict_json import load_strictly
 
+log = logging.getLogger(__name__)
+
 FORMAT: Final = 1
 HEAD_FILE: Final = "insole-studio-backup.json"
 OBJECTS: Final = "objects"
 SNAPSHOTS: Final = "snapshots"
+LISTS: Final = "lists"
 _HEAD_BYTES: Final = 2**20
 _SNAPSHOT_BYTES: Final = 2**30
 _OBJECT: Final = re.compile(r"([0-9a-f]{64})-(\d{1,15})-([0-9a-f]{32})\.age")
 _SNAPSHOT: Final = re.compile(r"(\d{6})-(\d{4}-\d\d-\d\dT\d\d-\d\d-\d\dZ)\.age")
+_LIST_SUFFIX: Final = ".objects"
 _TIME: Final = "%Y-%m-%dT%H-%M-%SZ"
 
 
@@ -70,6 +75,63 @@ class SnapshotName:
     def file_name(self) -> str:
         """Name of its file."""
         return f"{self.number:06}-{self.made_at.strftime(_TIME)}.age"
+
+    @property
+    def list_name(self) -> str:
+        """Name of the file that lists its objects."""
+        return f"{self.file_name.removesuffix('.age')}{_LIST_SUFFIX}"
+
+
+@dataclass(frozen=True)
+class ObjectList:
+    """What a snapshot refers to, for those who make backups and cannot read them.
+
+    Parameters
+    ----------
+    objects
+        First parts of their names.
+    damaged
+        Number of large files that the record had lost.
+    """
+
+    objects: frozenset[str]
+    damaged: int
+
+    def as_json(self) -> bytes:
+        """Return the list as its file holds it."""
+        values = {"format": FORMAT, "damaged": self.damaged, "objects": sorted(self.objects)}
+        return json.dumps(values).encode("ascii")
+
+    @classmethod
+    def from_json(cls, content: bytes, name: str) -> Self:
+        """Read a list that was authenticated.
+
+        Raises
+        ------
+        DamagedBackup
+            When it is none that this program knows.
+        """
+        try:
+            values = json.loads(content)
+            if values["format"] != FORMAT:
+                raise damaged(name)
+            return cls(frozenset(values["objects"]), int(values["damaged"]))
+        except (ValueError, KeyError, TypeError) as error:
+            raise damaged(name) from error
+
+
+@dataclass(frozen=True)
+class KnownSnapshot:
+    """A snapshot, and whether it can be restored as far as is known without its passphrase.
+
+    Parameters
+    ----------
+    is_good
+        Whether all that it refers to is there, and the record had lost nothing when it was made.
+    """
+
+    name: SnapshotName
+    is_good: bool
 
 
 @dataclass(frozen=True)
@@ -167,6 +229,7 @@ class BackupWriter:
         self._recipients = [pyrage.x25519.Recipient.from_str(key.recipient)]
         self._lock = FileLock(folder.path / ".lock")
         self._known: dict[str, Path] = {}
+        self._used: set[str] = set()
         self._unsynced: set[Path] = set()
         self.written_objects = 0
         self.written_bytes = 0
@@ -182,7 +245,7 @@ class BackupWriter:
             )
         try:
             self._check_head()
-            for name in (OBJECTS, SNAPSHOTS):
+            for name in (OBJECTS, SNAPSHOTS, LISTS):
                 with output_errors(path / name):
                     make_private_folder(path / name)
             self._known = self._folder.objects()
@@ -235,19 +298,83 @@ class BackupWriter:
         """
         self._put(sha256, lambda file: self._encrypt_file(opened, file))
 
-    def finish(self, made_at: datetime, manifest: bytes) -> SnapshotName:
-        """Write the snapshot, once all that it refers to is on the disk."""
+    def finish(self, made_at: datetime, manifest: bytes, lost: int) -> SnapshotName:
+        """Write the snapshot, once all that it refers to is on the disk.
+
+        Parameters
+        ----------
+        lost
+            Number of large files that the record had lost.
+        """
         last = max((snapshot.number for snapshot in self._folder.snapshots()), default=0)
         name = SnapshotName(last + 1, made_at)
         content = self._encrypted(sealed(manifest, self._key.mac_key))
-        self._sync_folders()
-        path = self._folder.path / SNAPSHOTS / name.file_name
-        self._write(path.parent, lambda file: file.write(content), lambda _s, _d: path)
-        self._sync_folders()
+        listed = sealed(ObjectList(frozenset(self._used), lost).as_json(), self._key.mac_key)
+        self._write_at(self._folder.path / LISTS / name.list_name, listed)
+        self._write_at(self._folder.path / SNAPSHOTS / name.file_name, content)
         return name
+
+    def _write_at(self, path: Path, content: bytes) -> None:
+        self._write(path.parent, lambda file: file.write(content), lambda _size, _digest: path)
+        self._sync_folders()
+
+    def prune(self, choose: Callable[[list[KnownSnapshot]], list[SnapshotName]]) -> int:
+        """Remove old snapshots, and what none refers to since they were removed last.
+
+        What only the removed ones refer to goes the next time: whoever restores one of them at
+        this moment can finish.
+
+        Parameters
+        ----------
+        choose
+            Returns those of all snapshots that are to go.
+
+        Returns
+        -------
+        int
+            How many snapshots were removed.
+        """
+        lists = {name: self._read_list(name) for name in self._folder.snapshots()}
+        known = [KnownSnapshot(name, self._is_good(found)) for name, found in lists.items()]
+        with output_errors(self._folder.path):
+            self._remove_unused(lists)
+            going = choose(known)
+            for name in going:
+                (self._folder.path / SNAPSHOTS / name.file_name).unlink(missing_ok=True)
+                (self._folder.path / LISTS / name.list_name).unlink(missing_ok=True)
+        return len(going)
+
+    def _read_list(self, name: SnapshotName) -> ObjectList | None:
+        """Return the objects of a snapshot; None where an older program has not listed them."""
+        path = self._folder.path / LISTS / name.list_name
+        try:
+            content = read_given(path, _SNAPSHOT_BYTES)
+            return ObjectList.from_json(unsealed(content, self._key.mac_key, path.name), path.name)
+        except InsoleError as error:
+            log.warning("the objects of %s are not known, so all are kept: %s", path.name, error)
+            return None
+
+    def _is_good(self, found: ObjectList | None) -> bool:
+        return found is not None and found.damaged == 0 and found.objects <= self._known.keys()
+
+    def _remove_unused(self, lists: Mapping[SnapshotName, ObjectList | None]) -> None:
+        """Remove objects and lists that no snapshot refers to, if all of these are known."""
+        listed = [found.objects for found in lists.values() if found is not None]
+        if len(listed) < len(lists):
+            return
+        used = frozenset().union(*listed)
+        for name, path in list(self._known.items()):
+            if name not in used:
+                path.unlink(missing_ok=True)
+                del self._known[name]
+        names = {name.list_name for name in lists}
+        for path in (self._folder.path / LISTS).glob(f"*{_LIST_SUFFIX}"):
+            if path.name not in names:
+                path.unlink(missing_ok=True)
 
     def _put(self, sha256: str, write: Callable[[BinaryIO], Any]) -> None:
         name = object_name(self._key.mac_key, sha256)
+        self._used.add(name)
         if name in self._known:
             return
         folder = self._folder.path / OBJECTS / name[:2]

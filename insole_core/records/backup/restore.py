@@ -16,7 +16,7 @@ from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
-from sqlalchemy import Connection, Table, func, select
+from sqlalchemy import Connection, Table, and_, func, select
 from sqlalchemy.exc import SQLAlchemyError
 
 from insole_core.errors import InsoleError, RecordsError
@@ -25,9 +25,11 @@ from insole_core.export.file_mode import PRIVATE_FILE
 from insole_core.export.sync import sync
 from insole_core.export.temporary import make_file, release, remove
 from insole_core.export.write_errors import output_errors
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLog, AuditReport, head_of, verify_chain
 from insole_core.records.author import Author
+from insole_core.records.backup.back_up import BACKED_UP, RESTORED
 from insole_core.records.backup.backup_folder import SnapshotName
 from insole_core.records.backup.backup_key import damaged
 from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
@@ -39,10 +41,12 @@ from insole_core.records.database import Database
 from insole_core.records.migrate import check_schema, migrate, schema_of
 from insole_core.records.place import RecordsPlace
 from insole_core.records.retention import ErasureReason, erase_in
-from insole_core.records.schema import contents, persons
+from insole_core.records.schema import audit, contents, persons
 
 log = logging.getLogger(__name__)
 
+_NO_CHANGE = (BACKED_UP, RESTORED, "signed in", "refused", "seen", "exported", "swept")
+"""What the audit log tells without a change of the record."""
 _BESIDE = ("-wal", "-shm")
 """Files that SQLite keeps beside a database."""
 
@@ -137,7 +141,7 @@ def _restore_file(
     path = place.database_file
     make_output_folder(path.parent)
     if path.exists() and path.stat().st_size > 0 and not replace_existing:
-        raise _taken(place, manifest)
+        _check_empty(place, manifest)
     with output_errors(path):
         beside = make_file(path.parent, path)
     try:
@@ -157,11 +161,8 @@ def _restore_file(
 
 
 def _restore_server(place: RecordsPlace, manifest: Manifest, fill: _Fill) -> RestoreReport:
+    _check_empty(place, manifest)
     with _opened(place) as database:
-        with database.reading() as connection:
-            is_empty = schema_of(connection) is None or head_of(connection)[0] == 0
-        if not is_empty:
-            raise _taken(place, manifest)
         return fill(database)
 
 
@@ -199,7 +200,7 @@ def _fill(
     migrate(database)
     with database.writing() as connection:
         erased = _erase_again(connection, opened, who)
-        AuditLog.append(connection, who, "restored", "record", f"snapshot {opened.snapshot.number}")
+        AuditLog.append(connection, who, RESTORED, "record", f"snapshot {opened.snapshot.number}")
     return replace(report, erased_again=erased)
 
 
@@ -277,31 +278,60 @@ def _inner_path(file: SavedFile) -> PurePosixPath:
     return path
 
 
-def _taken(place: RecordsPlace, manifest: Manifest) -> PlaceTaken:
-    """Return the error about a record that is there, which may be newer than the backup."""
-    lines = _lines_of(place)
-    if lines is not None and lines > manifest.audit_seq:
-        return PlaceTaken(
-            "{place} holds a record that is newer than the backup: {count} entries of its audit "
-            "log are not in it. Restore to an empty place, or let this record be set aside.",
-            place=place.name,
-            count=lines - manifest.audit_seq,
-        )
-    return PlaceTaken(
-        "{place} holds a record already; restore to an empty place, or let this record be set "
-        "aside.",
-        place=place.name,
-    )
+def _check_empty(place: RecordsPlace, manifest: Manifest) -> None:
+    """Refuse to replace a record, unless nothing was ever entered: that of a new machine.
 
-
-def _lines_of(place: RecordsPlace) -> int | None:
-    """Return the length of the audit log of a record; None if it cannot be read."""
+    Raises
+    ------
+    PlaceTaken
+    """
     try:
         with _opened(place) as database, database.reading() as connection:
-            return head_of(connection)[0]
+            if schema_of(connection) is None or head_of(connection)[0] == 0:
+                return
+            comparison = _compared(connection, place, manifest)
     except (InsoleError, SQLAlchemyError) as error:
         log.warning("%s cannot be read before it is replaced: %s", place.name, error)
-        return None
+        comparison = Message("{place} holds a record that cannot be read.", place=place.name)
+    if place.is_local:
+        raise PlaceTaken(
+            "{comparison} Restore to an empty place, or let this record be set aside.",
+            comparison=comparison,
+        )
+    raise PlaceTaken("{comparison} Restore to an empty database.", comparison=comparison)
+
+
+def _compared(connection: Connection, place: RecordsPlace, manifest: Manifest) -> Message:
+    """Say which of record and backup is newer, and by what; backups and readings are no change."""
+    seq = manifest.audit_seq
+    head_seq, _ = head_of(connection)
+    if head_seq < seq:
+        return Message(
+            "{place} holds a record with {count} entries fewer in its audit log than the backup.",
+            place=place.name,
+            count=seq - head_seq,
+        )
+    last_common = select(audit.c.hash).where(audit.c.seq == seq)
+    if connection.execute(last_common).scalar() not in (None, manifest.audit_hash):
+        return Message("{place} holds another record than the backup.", place=place.name)
+    newer = and_(audit.c.seq > seq, audit.c.action.not_in(_NO_CHANGE))
+    query = select(func.count(), func.max(audit.c.at)).where(newer)
+    count, last_at = connection.execute(query).one()
+    if count == 0:
+        return Message(
+            "{place} holds the record as the backup has it: nothing was changed since.",
+            place=place.name,
+        )
+    kinds = select(audit.c.subject_kind, func.count()).where(newer).group_by(audit.c.subject_kind)
+    by_kind = connection.execute(kinds.order_by(func.count().desc())).all()
+    return Message(
+        "{place} holds a record that is newer than the backup: {count} entries of its audit log "
+        "are not in it, the last of {last_at} UTC ({kinds}).",
+        place=place.name,
+        count=count,
+        last_at=str(last_at)[:16].replace("T", " "),
+        kinds=joined([Message("{what} {count}", what=kind, count=n) for kind, n in by_kind]),
+    )
 
 
 def _set_aside(path: Path) -> Path:

@@ -8,6 +8,10 @@
             <translation> min</translation>
         </message>
         <message>
+            <source> years after the last entry</source>
+            <translation> år efter den sista posten</translation>
+        </message>
+        <message>
             <source>A folder on a share that all stations reach</source>
             <translation>En mapp på en delad plats som alla stationer når</translation>
         </message>
@@ -46,6 +50,22 @@
         <message>
             <source>Administrator's account</source>
             <translation>Administratörens konto</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>Alla</translation>
+        </message>
+        <message>
+            <source>All of 30 days, then one of each month</source>
+            <translation>Alla i 30 dagar, sedan en för varje månad</translation>
+        </message>
+        <message>
+            <source>All of 30 days, then one of each month for a year</source>
+            <translation>Alla i 30 dagar, sedan en för varje månad i ett år</translation>
+        </message>
+        <message>
+            <source>All that the record holds of the {count} listed patients goes.</source>
+            <translation>Allt som journalen innehåller om de {count} patienterna i listan försvinner.</translation>
         </message>
         <message>
             <source>All {lines} lines are what was written, and none is missing.</source>
@@ -188,8 +208,16 @@
             <translation>Radera en patient…</translation>
         </message>
         <message>
+            <source>Erase all listed…</source>
+            <translation>Radera alla i listan…</translation>
+        </message>
+        <message>
             <source>Erase for good</source>
             <translation>Radera för alltid</translation>
+        </message>
+        <message>
+            <source>Erase {count} patients for good</source>
+            <translation>Radera {count} patienter för gott</translation>
         </message>
         <message>
             <source>Erased are name, birth date, personal number, contact and all notes, and captures that no insole was made from.</source>
@@ -344,6 +372,10 @@
             <translation>Ingen verkar finnas två gånger i journalen. Två personer hittas genom sina namn.</translation>
         </message>
         <message>
+            <source>Nobody's time of keeping is over.</source>
+            <translation>Ingens bevarandetid har gått ut.</translation>
+        </message>
+        <message>
             <source>None yet</source>
             <translation>Ingen än</translation>
         </message>
@@ -354,6 +386,14 @@
         <message>
             <source>Nothing was written that fits.</source>
             <translation>Inget som passar har skrivits.</translation>
+        </message>
+        <message>
+            <source>Old backups</source>
+            <translation>Gamla kopior</translation>
+        </message>
+        <message>
+            <source>Old backups removed: {count}.</source>
+            <translation>Gamla kopior som togs bort: {count}.</translation>
         </message>
         <message>
             <source>Older lines</source>
@@ -404,8 +444,8 @@
             <translation>Lösenord</translation>
         </message>
         <message>
-            <source>Patients whose time of keeping is over; Enter takes one:</source>
-            <translation>Patienter vars bevarandetid är slut; Enter väljer en:</translation>
+            <source>Patients erased: {count}.</source>
+            <translation>Raderade patienter: {count}.</translation>
         </message>
         <message>
             <source>Present password</source>
@@ -528,6 +568,10 @@
             <translation>Databasen svarar och är tom: en ny journal skulle börja där.</translation>
         </message>
         <message>
+            <source>The last backup is of {moment}; what was entered since is in no other place.</source>
+            <translation>Den senaste säkerhetskopian är från {moment}; det som har förts in sedan dess finns ingen annanstans.</translation>
+        </message>
+        <message>
             <source>The law keeps what documents the devices, under the pseudonym, until {day} (Regulation (EU) 2017/745, Annex XIII).</source>
             <translation>Lagen bevarar det som dokumenterar hjälpmedlen, under pseudonymen, till {day} (förordning (EU) 2017/745, bilaga XIII).</translation>
         </message>
@@ -552,6 +596,10 @@
             <translation>Journalen är som den var {moment}: {rows} poster och {files} filer.</translation>
         </message>
         <message>
+            <source>The record is kept for</source>
+            <translation>Journalen sparas i</translation>
+        </message>
+        <message>
             <source>The same</source>
             <translation>Detsamma</translation>
         </message>
@@ -568,8 +616,16 @@
             <translation>Bevarandetiden är slut</translation>
         </message>
         <message>
+            <source>The time of keeping is over for these; nobody is erased by itself. Enter takes one:</source>
+            <translation>Bevarandetiden har gått ut för dessa; ingen raderas av sig själv. Enter väljer en:</translation>
+        </message>
+        <message>
             <source>The window is locked</source>
             <translation>Fönstret är låst</translation>
+        </message>
+        <message>
+            <source>There is no backup yet: what is in the record is lost if its disk fails.</source>
+            <translation>Det finns ingen säkerhetskopia än: det som finns i journalen går förlorat om dess disk går sönder.</translation>
         </message>
         <message>
             <source>These may be the same person. Two others are found by typing their names below.</source>
@@ -706,6 +762,10 @@
         <message>
             <source>{count} patients were erased after the backup, and now again.</source>
             <translation>{count} patienter raderades efter säkerhetskopian och nu igen.</translation>
+        </message>
+        <message>
+            <source>{newest}; backups in the folder: {count}, the oldest of {oldest}</source>
+            <translation>{newest}; kopior i mappen: {count}, den äldsta från {oldest}</translation>
         </message>
         <message>
             <source>{other} is now part of {kept}.</source>

@@ -4,6 +4,10 @@
     <context>
         <name>studio</name>
         <message>
+            <source>&amp;New orders are due after</source>
+            <translation>&amp;Nya beställningar ska vara klara efter</translation>
+        </message>
+        <message>
             <source>A copy was written: {name}</source>
             <translation>En kopia skrevs: {name}</translation>
         </message>
@@ -60,6 +64,10 @@
             <translation>Alla patienter</translation>
         </message>
         <message>
+            <source>An administrator looks after accounts, backups and the audit log, and sees no patients; whoever treats patients signs in with an account of their own.</source>
+            <translation>En administratör sköter konton, säkerhetskopior och loggen och ser inga patienter; den som behandlar patienter loggar in med ett eget konto.</translation>
+        </message>
+        <message>
             <source>Another scan</source>
             <translation>En annan skanning</translation>
         </message>
@@ -94,6 +102,14 @@
         <message>
             <source>Captured</source>
             <translation>Avbildad</translation>
+        </message>
+        <message>
+            <source>Captured {time}; calibration of the sensors not recorded</source>
+            <translation>Avbildad {time}; sensorernas kalibrering är inte antecknad</translation>
+        </message>
+        <message>
+            <source>Captured {time}; sensors calibrated {day}</source>
+            <translation>Avbildad {time}; sensorerna kalibrerade {day}</translation>
         </message>
         <message>
             <source>Cases in files can be opened as before.</source>
@@ -344,6 +360,10 @@
             <translation>Beställning {number} finns i journalen, med sina filer.</translation>
         </message>
         <message>
+            <source>Order {number} is in the record, with its files; it is due {day}.</source>
+            <translation>Beställning {number} finns i journalen med sina filer; den ska vara klar {day}.</translation>
+        </message>
+        <message>
             <source>Orders</source>
             <translation>Beställningar</translation>
         </message>
@@ -400,6 +420,10 @@
             <translation>Kom ihåg den förra ordinationen</translation>
         </message>
         <message>
+            <source>Remind me in a week</source>
+            <translation>Påminn mig om en vecka</translation>
+        </message>
+        <message>
             <source>Returned</source>
             <translation>Returnerad</translation>
         </message>
@@ -410,6 +434,10 @@
         <message>
             <source>Saving…</source>
             <translation>Sparar…</translation>
+        </message>
+        <message>
+            <source>Scan {name}, {time}</source>
+            <translation>Skanning {name}, {time}</translation>
         </message>
         <message>
             <source>Search for a patient; today's visits and open orders</source>
@@ -566,6 +594,14 @@
         <message>
             <source>Without a patient, or from files</source>
             <translation>Utan patient, eller från filer</translation>
+        </message>
+        <message>
+            <source>days</source>
+            <translation>dagar</translation>
+        </message>
+        <message>
+            <source>no due date</source>
+            <translation>inget datum</translation>
         </message>
         <message>
             <source>signed by {name}</source>

@@ -17,6 +17,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
 from insole_core.geometry.side import Side
 from insole_core.resources import resource_path
+from insole_core.workflows.import_scan import ImportChoice
 from insole_core.workflows.open_scan import open_scan
 
 
@@ -160,7 +161,7 @@ def test_a_session_of_the_reference_is_presentable(shared_data: Path) -> None:
     ],
 )
 def test_foreign_scans_hardly_change(shared_data: Path, scan: str, side: Side) -> None:
-    mesh = open_scan(shared_data / scan, side, force=True).foot.mesh
+    mesh = open_scan(shared_data / scan, side, choice=ImportChoice(force=True)).foot.mesh
     shown = display_surface(mesh).mesh
     assert abs(shown.area_mm2 / mesh.area_mm2 - 1) < 0.005
     assert np.abs(shown.bounds_mm - mesh.bounds_mm).max() < 1.5

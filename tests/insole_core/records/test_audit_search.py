@@ -34,9 +34,18 @@ def test_lines_about_a_person_are_those_about_their_visits_too(records: Records)
     found = search_audit(records.context, AuditFilter(pseudonym=anna.pseudonym))
     assert [s.line.subject_kind for s in found] == ["visit", "person"]
     assert found[-1].subject == anna.pseudonym
+    assert (found[0].subject, found[0].details) == (anna.pseudonym, {"person": anna.pseudonym})
     assert "Anna" not in "".join(found[-1].line.details)
     with pytest.raises(RecordsError, match="P-NOBODY"):
         search_audit(records.context, AuditFilter(pseudonym="P-NOBODY"))
+
+
+def test_lines_about_those_merged_through_others_are_found(records: Records) -> None:
+    anna, berit, carin = (records.persons.add(Person(n)) for n in ("Anna", "Berit", "Carin"))
+    records.persons.merge(berit.id, carin.id)
+    records.persons.merge(anna.id, berit.id)
+    found = actions(records, pseudonym=anna.pseudonym)
+    assert sorted(found) == [("added", "person")] * 3 + [("merged", "person")] * 2
 
 
 def test_lines_are_found_by_author_and_day(stations: Stations) -> None:

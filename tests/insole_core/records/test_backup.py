@@ -46,9 +46,12 @@ from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
 from insole_core.records.backup.schedule import BackupSchedule
 from insole_core.records.backup.snapshot import open_snapshot
+from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext
+from insole_core.records.database import Database
 from insole_core.records.migrate import SCHEMA
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import Records
 from insole_core.records.signing import SignatureReport, verify_signatures
 
 NOT_COMPARED = {"audit", "audit_head", "clinic"}
@@ -96,6 +99,24 @@ def test_a_restored_record_equals_the_one_that_was_backed_up(
     restored.database.close()
 
 
+@pytest.mark.parametrize("tables", ["0001", SCHEMA])
+def test_persons_of_a_restored_record_are_found(tables: str, folder: Path, tmp_path: Path) -> None:
+    place = RecordsPlace.local(tmp_path)
+    sample = Path(__file__).parent / "schemas" / f"{tables}.sqlite.sql"
+    with closing(sqlite3.connect(place.database_file)) as connection:
+        connection.executescript(sample.read_text("utf-8"))
+    older = RecordsContext(Database(place), ContentStore(place.contents), ANNA)
+    set_up_backups(older, BackupKey.for_recipients([RECIPIENT]))
+    back_up(older, folder)
+    older.database.close()
+    assert open_snapshot(folder, SECRET).manifest.schema == tables
+    restored, told = restored_at(folder, tmp_path / "new")
+    assert told.audit.is_intact
+    found = Records(restored.database, restored.contents, ANNA).persons.search("berg 1970-02")
+    assert [person.name for person in found] == ["Anna Berg"]
+    restored.database.close()
+
+
 def test_a_restored_record_can_be_worked_on_and_backed_up_again(
     context: RecordsContext, folder: Path, tmp_path: Path
 ) -> None:
@@ -119,9 +140,9 @@ def test_the_folder_grows_by_what_is_new(context: RecordsContext, folder: Path) 
     second = back_up(context, folder)
     after = files_in(folder)
     assert {name: after[name] for name in before} == before
-    # The audit log with its head and the snapshot itself; none of the large files.
+    # The audit log with its head, the snapshot itself and its list; none of the large files.
     assert second.written_bytes < 10_000
-    assert len(after) - len(before) == second.written_objects <= 3
+    assert len(after) - len(before) == second.written_objects <= 4
 
 
 def test_a_new_row_of_a_large_table_writes_one_new_piece(
@@ -138,7 +159,8 @@ def test_a_new_row_of_a_large_table_writes_one_new_piece(
     with context.database.writing() as connection:
         connection.execute(text("UPDATE persons SET name = 'Eva' WHERE id = 'p77'"))
     second = back_up(context, folder)
-    assert second.written_objects <= 4  # one piece of persons, the audit log, its head, itself
+    # One piece of persons, the audit log with its head, the snapshot itself and its list.
+    assert second.written_objects <= 5
 
 
 def test_nothing_in_a_backup_can_be_read_without_its_key(
@@ -150,7 +172,7 @@ def test_nothing_in_a_backup_can_be_read_without_its_key(
     for name, content in files_in(folder).items():
         for secret in (b"Zo\xc3\xab", b"Fotkliniken", b"solid left", b"anna", b"26-A", b"persons"):
             assert secret not in content, name
-        if name != HEAD_FILE:
+        if name != HEAD_FILE and not name.startswith("lists"):
             assert content.startswith(b"age-encryption.org/v1")
         for digest in context.contents.digests():
             assert digest not in name
@@ -429,9 +451,47 @@ def test_a_newer_record_is_not_replaced_without_a_word(
     add_person(context, "new")
     place = context.database.place
     before = all_rows(context)
-    with pytest.raises(PlaceTaken, match=r"newer than the backup: 2 entries"):
+    found = r"newer than the backup: 1 entries .* the last of \d{4}-\d\d-\d\d .* \(person 1\)"
+    with pytest.raises(PlaceTaken, match=found):
         restore(folder, SECRET, place, ANNA)
     assert all_rows(context) == before
+
+
+def test_a_record_with_nothing_new_in_it_is_said_to_have_nothing_new(
+    context: RecordsContext, folder: Path
+) -> None:
+    """That it was backed up twice is no change."""
+    back_up(context, folder)
+    back_up(context, folder)
+    with pytest.raises(PlaceTaken, match="nothing was changed since"):
+        restore(folder, SECRET, context.database.place, ANNA, number=1)
+
+
+def test_another_record_is_told_from_an_older_state_of_the_same(
+    context: RecordsContext, folder: Path, tmp_path: Path, migrated_file: Path
+) -> None:
+    back_up(context, folder)
+    other = make_record(migrated_file, tmp_path / "another")
+    for number in range(4):
+        add_person(other, f"person {number}")
+    other.database.close()
+    with pytest.raises(PlaceTaken, match="holds another record than the backup"):
+        restore(folder, SECRET, other.database.place, ANNA)
+
+
+def test_the_empty_record_of_a_new_machine_makes_room(
+    context: RecordsContext, folder: Path, tmp_path: Path, migrated_file: Path
+) -> None:
+    back_up(context, folder)
+    place = RecordsPlace.local(tmp_path / "new machine")
+    place.database_file.parent.mkdir()
+    place.database_file.write_bytes(migrated_file.read_bytes())
+    report = restore(folder, SECRET, place, ANNA)
+    assert report.set_aside is not None
+    assert report.set_aside.exists()
+    restored = context_of(place)
+    equal_rows(context, restored)
+    restored.database.close()
 
 
 def test_an_older_record_is_not_replaced_either(
@@ -442,10 +502,13 @@ def test_an_older_record_is_not_replaced_either(
     other.mkdir()
     place = RecordsPlace.local(other)
     place.database_file.write_bytes(migrated_file.read_bytes())
-    with pytest.raises(PlaceTaken, match="holds a record already"):
+    older = context_of(place)
+    add_person(older, "early")
+    older.database.close()
+    with pytest.raises(PlaceTaken, match=r"a record with \d entries fewer in its audit log"):
         restore(folder, SECRET, place, ANNA)
     place.database_file.write_bytes(b"no database at all")
-    with pytest.raises(PlaceTaken, match="holds a record already"):
+    with pytest.raises(PlaceTaken, match="holds a record that cannot be read"):
         restore(folder, SECRET, place, ANNA)
 
 
@@ -510,7 +573,8 @@ def equal_rows(context: RecordsContext, other: RecordsContext) -> None:
     # The backup was made before the line that tells of it.
     assert after["audit"][: len(before["audit"]) - 1] == before["audit"][:-1]
     assert AuditLog(other.database).verify().is_intact
-    assert verified_signatures(other).are_valid
+    signatures = verified_signatures(other)
+    assert signatures == SignatureReport(signatures.checked)
 
 
 def verified_signatures(context: RecordsContext) -> SignatureReport:
@@ -541,7 +605,7 @@ def test_a_server_is_restored_to_only_while_it_is_empty(
     shared = context_of(server_place)
     add_person(shared, "new")
     for replace_existing in (False, True):
-        with pytest.raises(PlaceTaken, match="holds a record already"):
+        with pytest.raises(PlaceTaken, match="entries fewer"):
             restore(folder, SECRET, server_place, ANNA, replace_existing=replace_existing)
     assert len(all_rows(shared)["persons"]) == 1
     shared.database.close()

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from datetime import date
+from dataclasses import replace
+from datetime import date, datetime, timedelta, tzinfo
 
 import pytest
 from stations import ANNA, BEN, Stations
 
+from insole_core.cases.case_record import FootRecord
+from insole_core.geometry.side import Side
 from insole_core.records import presence as presence_module
+from insole_core.records import times
 from insole_core.records.person import Person
+from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 
@@ -62,11 +67,67 @@ def test_a_station_that_was_switched_off_is_forgotten(
     visit = added_visit(desk)
     room.presence.enter(visit.id)
     assert len(desk.presence.enter(visit.id)) == 1
-    monkeypatch.setattr(presence_module, "STALE_S", 0.0)
+    monkeypatch.setattr(presence_module, "STALE_S", -1.0)  # also those of this moment
     assert desk.presence.others(visit.id) == []
     monkeypatch.undo()
     [other] = room.presence.enter(visit.id)
     assert other.author == "anna"
+
+
+class Clock:
+    """The clock of a computer, which can be put forward and back."""
+
+    def __init__(self) -> None:
+        self.ahead = timedelta()
+
+    def now(self, zone: tzinfo) -> datetime:
+        return datetime.now(zone) + self.ahead
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+    clock = Clock()
+    monkeypatch.setattr(times, "datetime", clock)
+    return clock
+
+
+def test_a_clock_that_jumps_changes_no_order(
+    stations: Stations, foot_record: FootRecord, clock: Clock
+) -> None:
+    desk = stations.open(ANNA)
+    mark, visit, base = desk.mark(), added_visit(desk), None
+    for ahead, thickness_mm in ((0, 3.0), (365, 4.0), (-1, 5.0)):
+        clock.ahead = timedelta(days=ahead)
+        foot = foot_record.with_design(replace(foot_record.design, thickness_mm=thickness_mm))
+        base = desk.prescriptions.save(visit.id, foot, base, reason=f"clock {ahead}")
+        desk.persons.open(desk.persons.add(Person(f"Clock {ahead}")).id)
+    versions = desk.prescriptions.versions(visit.id, Side.LEFT)
+    assert [version.number for version in versions] == [3, 2, 1]
+    opened = desk.visits.open_case(visit.id).record.of_side(Side.LEFT)
+    assert opened is not None
+    assert opened.design.thickness_mm == 5.0
+    names = [person.name for person in desk.persons.recent()]
+    assert names == ["Anna Berg", "Clock -1", "Clock 365", "Clock 0"]
+    seqs = [change.seq for change in desk.changes_since(mark).changes]
+    assert seqs == sorted(seqs)
+    assert desk.audit.verify().is_intact
+
+
+def test_who_was_here_before_a_clock_was_put_back_is_forgotten(
+    local_place: RecordsPlace, clock: Clock
+) -> None:
+    stations = Stations(local_place, [])
+    desk, room = stations.open(ANNA), stations.open(BEN)
+    visit = added_visit(desk)
+    clock.ahead = timedelta(days=365)
+    room.presence.enter(visit.id)
+    assert len(desk.presence.others(visit.id)) == 1
+    clock.ahead = timedelta(days=-1)
+    assert desk.presence.others(visit.id) == []
+    room.presence.enter(visit.id)
+    assert len(desk.presence.others(visit.id)) == 1
+    desk.close()
+    room.close()
 
 
 def test_a_snapshot_sees_one_moment(stations: Stations) -> None:

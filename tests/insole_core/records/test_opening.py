@@ -7,6 +7,7 @@ import sqlite3
 import subprocess
 import sys
 import threading
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.records import database as database_module
 from insole_core.records import migrate as migrate_module
 from insole_core.records.author import Role
+from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase, FullDatabase
 from insole_core.records.migrate import SCHEMA, schema_of
@@ -100,6 +102,38 @@ def test_an_older_program_writes_nothing_to_a_record_that_was_migrated(
     with pytest.raises(RecordsError, match=r"changed .* meanwhile; install the newest version"):
         old.persons.add(Person("Anna"))
     assert old.persons.recent() == []
+
+
+@pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
+def test_a_migration_waits_for_an_older_program_that_writes_and_then_stops_it(
+    tmp_path: Path, request: pytest.FixtureRequest, kind: str
+) -> None:
+    place = _place_of_sample(SCHEMAS / f"0001.{kind}.sql", tmp_path, request)
+    older = Database(place)
+    older.schema = "0001"
+    has_written, ended = threading.Event(), []
+
+    def write() -> None:
+        with older.writing() as connection:
+            write_setting(connection, "of_older", True)
+            has_written.set()
+            time.sleep(0.5)  # while the other one wants to migrate
+            ended.append(time.monotonic())
+
+    writing = threading.Thread(target=write)
+    writing.start()
+    has_written.wait()
+    newer = open_records(place, ANNA)
+    assert ended
+    writing.join()
+    assert newer.clinic.get("of_older", False) is True
+    with pytest.raises(RecordsError, match="install the newest version"), older.writing():
+        pass
+    with older.reading() as connection:
+        assert setting_of(connection, "of_older") is True
+    newer.persons.add(Person("Ben"))
+    older.close()
+    newer.close()
 
 
 _KILLED_MIGRATION = """

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sqlite3
 from dataclasses import replace
-from datetime import date
+from datetime import date, timedelta
 
 import numpy as np
 import pytest
-from sqlalchemy import text
+from sqlalchemy import select, text
 from stations import ANNA, BEN, Stations
 
 from insole_core.cases.case_json import case_to_json
@@ -22,11 +22,12 @@ from insole_core.cases.case_record import (
 )
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design import HeelLift, InsoleDesign
 from insole_core.records.content_store import DamagedContent
-from insole_core.records.person import Person
+from insole_core.records.person import Person, new_id
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
+from insole_core.records.schema import prescription_versions
 from insole_core.records.visit import Visit
 
 TODAY = date.today()
@@ -263,3 +264,29 @@ def test_a_failed_audit_line_undoes_its_change(
     monkeypatch.undo()
     assert records.prescriptions.versions(visit.id, Side.LEFT) == []
     assert records.mark() == mark
+
+
+def test_the_last_prescription_is_found_and_no_other_surface_is_read(
+    records: Records, visit: Visit, foot_record: FootRecord, right_record: FootRecord
+) -> None:
+    design = foot_record.design.with_added(HeelLift(height_mm=6.0))
+    before = replace(visit, id=new_id(), visited_on=TODAY - timedelta(days=30))
+    before = records.visits.add(before)
+    records.prescriptions.save(before.id, foot_record.with_design(design), None)
+    moved = replace(foot_record.foot.mesh, vertices=foot_record.foot.mesh.vertices + 1.0)
+    scanned = replace(foot_record, foot=replace(foot_record.foot, mesh=moved))
+    records.prescriptions.save(visit.id, scanned, None)
+    records.prescriptions.save(visit.id, right_record, None)
+    kept = records.prescriptions.versions(before.id, Side.LEFT)[0]
+    for path in records.contents.folder.glob("??/*"):
+        if path.name != content_of(records, kept.id):
+            path.unlink()
+    (found,) = records.prescriptions.last_prescribed(visit.person_id)
+    assert found.design == design
+
+
+def content_of(records: Records, version_id: str) -> str:
+    versions = prescription_versions.c
+    with records.context.database.reading() as connection:
+        query = select(versions.mesh_sha256).where(versions.id == version_id)
+        return str(connection.execute(query).scalar_one())

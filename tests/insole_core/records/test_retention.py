@@ -22,7 +22,10 @@ from insole_core.records.backup.restore import restore
 from insole_core.records.clinic import write_setting
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
+from insole_core.records.merging import Merge
+from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import Records
 from insole_core.records.retention import (
     YEARS_VALUE,
     Erasure,
@@ -34,7 +37,8 @@ from insole_core.records.retention import (
     over_retention_named,
     sweep_contents,
 )
-from insole_core.records.signing import verify_signatures
+from insole_core.records.signing import SignatureReport, verify_signatures
+from insole_core.records.visit import Visit
 
 TODAY = date(2026, 11, 22)
 MUCH_LATER = date(2040, 1, 1)
@@ -94,7 +98,7 @@ def test_on_request_the_device_stays_under_the_pseudonym(context: RecordsContext
     # The scan that the device was made from stays; the other capture documents no device.
     assert [row.id for row in rows(context, schema.captures)] == ["c"]
     with context.database.reading() as connection:
-        assert verify_signatures(connection).are_valid
+        assert verify_signatures(connection) == SignatureReport(checked=1)
     assert AuditLog(context.database).verify().is_intact
 
 
@@ -106,8 +110,7 @@ def test_after_the_time_of_keeping_nothing_stays_but_the_fact(context: RecordsCo
         assert rows(context, table) == []
     assert [word for word in PERSONAL if word in everything(context)] == []
     with context.database.reading() as connection:
-        report = verify_signatures(connection)
-    assert (report.are_valid, report.checked) == (True, 0)
+        assert verify_signatures(connection) == SignatureReport(checked=0)
     lines = AuditLog(context.database).lines()
     assert (lines[0].action, lines[0].subject_id, lines[0].author) == ("erased", "kept", "anna")
     assert '"reason":"retention over"' in lines[0].details
@@ -240,3 +243,35 @@ def test_who_may_be_erased_is_found_by_the_pseudonym_without_a_name(
         find_erasable(context, pseudonym)
     with pytest.raises(RecordsError, match="nobody to erase"):
         find_erasable(context, "P-UNKNOWN")
+
+
+def merged_in_a_row(records: Records) -> tuple[list[Person], list[Merge]]:
+    """Return three persons, the last one merged into the second, and that one into the first."""
+    people = [
+        records.persons.add(Person(name, contact=f"{name} street", notes=f"of {name}"))
+        for name in ("Disa", "Berit", "Carin")
+    ]
+    for person in people:
+        records.visits.add(Visit(person.id, TODAY, findings=f"foot of {person.name}"))
+    disa, berit, carin = (person.id for person in people)
+    return people, [records.persons.merge(berit, carin), records.persons.merge(disa, berit)]
+
+
+def test_erasure_reaches_those_merged_through_others(records: Records) -> None:
+    people, merges = merged_in_a_row(records)
+    erase_person(records.context, people[0].id, REQUEST, TODAY)
+    stated = everything(records.context)
+    assert [p.name for p in people if p.name in stated or p.name.lower() in stated] == []
+    assert all(row.is_erased for row in rows(records.context, schema.persons))
+    with pytest.raises(RecordsError, match="cannot be undone"):
+        records.persons.undo_merge(merges[1])
+
+
+def test_erasure_spares_who_was_taken_apart_again(records: Records) -> None:
+    (disa, *others), merges = merged_in_a_row(records)
+    records.persons.undo_merge(merges[1])
+    erase_person(records.context, others[0].id, REQUEST, TODAY)
+    stated = everything(records.context)
+    assert [p.name for p in others if p.name in stated or p.name.lower() in stated] == []
+    assert records.persons.get(disa.id).contact == "Disa street"
+    assert [v.findings for v in records.visits.of_person(disa.id)] == ["foot of Disa"]

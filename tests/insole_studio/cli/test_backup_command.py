@@ -87,7 +87,7 @@ def test_a_record_that_is_there_is_set_aside_only_on_request(
     assert back_up(folder) == 0
     restore = ["records", "restore", str(folder), "--private-key", str(key)]
     assert run(restore) == 1
-    assert "holds a record that is newer than the backup" in capsys.readouterr().err
+    assert "as the backup has it: nothing was changed since" in capsys.readouterr().err
     assert run([*restore, "--set-aside", "--snapshot", "1"]) == 0
     assert "the record before is kept as" in capsys.readouterr().out
     assert len(list(record.glob("records until *.sqlite3"))) == 1

@@ -46,6 +46,9 @@ from insole_studio.scene.view_camera import Preset
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.slider_field import SliderField
+from insole_studio.widgets.tab_order import tab_stops
+
+pytestmark = pytest.mark.slow
 
 
 def act(app: Application, key: str) -> None:
@@ -289,8 +292,8 @@ def slider(app: Application, key: str) -> SliderField:
 
 def test_cup_flange_and_fill_are_the_first_controls(designed: Application) -> None:
     act(designed, "tool_orbit")
-    fields = designed.stage.parameters.findChildren(NumberField)
-    keys = [field.property("key") for field in fields]
+    stops = tab_stops(designed.stage.parameters)
+    keys = [stop.property("key") for stop in stops if stop.property("key")]
     assert keys[:3] == ["device.cup", "device.flange", "device.fill"]
 
 

@@ -151,7 +151,7 @@ def _search(records: Records, wanted: AuditFilter, before: int | None) -> list[S
 def _row(shown: ShownLine) -> TableRow:
     line = shown.line
     subject = f"{translate_core_message(line.subject_kind)} {shown.subject}"
-    details = "" if line.details == "{}" else line.details.strip("{}").replace('"', "")
+    details = ", ".join(f"{key.replace('_', ' ')}: {text}" for key, text in shown.details.items())
     cells = (
         str(line.seq),
         moment_text(line.at),

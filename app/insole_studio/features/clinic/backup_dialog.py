@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QSpinBox,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -33,11 +32,11 @@ from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.jobs import JobProgress
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.user_messages import UserMessages
-from insole_studio.settings import LAST_HOUR, BackupDay, Settings
-from insole_studio.texts import tr
+from insole_studio.settings import LAST_HOUR, BackupDay, BackupKeep, Settings
+from insole_studio.texts import fill, tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
-from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.message_label import ProgressBar
 
 if TYPE_CHECKING:
     from insole_core.records.backup.back_up import BackupReport
@@ -79,10 +78,28 @@ class BackupDialog(RecordDialog):
         self.hour.setAccessibleName(tr("Hour of the backup"))
         self.hour.setValue(settings.backup_hour)
         self.hour.editingFinished.connect(self._keep_plan)
+        self.keep = ComboBox(_keeps())
+        self.keep.setAccessibleName(tr("Old backups"))
+        self.keep.show_value(settings.backup_keep)
+        self.keep.edited.connect(lambda keep: backups.set_keep(cast("BackupKeep", keep)))
         self.last = QLabel()
         self.last.setWordWrap(True)
-        self._secret = self._make_secret()
-        self._secret.hide()
+        self.words = QLabel(
+            tr(
+                "Backups are encrypted. Choose a passphrase of four words or more, and keep it on "
+                "paper where the backup is not: without it nobody can restore the record."
+            )
+        )
+        self.words.setWordWrap(True)
+        self.kind = ComboBox(
+            [
+                (_PASSPHRASE, tr("Passphrase")),
+                (_RECIPIENT, tr("Public key of age (age1…)")),
+            ]
+        )
+        self.kind.edited.connect(lambda _kind: self._show_secret(True))
+        self.passphrase = PasswordFields()
+        self.recipient = QLineEdit()
         self.progress = ProgressBar()
         self.now = self.add_button(tr("Back up now"), self._begin)
         self.make_primary(self.now)
@@ -100,39 +117,6 @@ class BackupDialog(RecordDialog):
         folder = self._folder
         self.ask(lambda records: read_state(records, folder), self._show)
 
-    def _make_secret(self) -> QWidget:
-        """Return the fields that are asked once, before the first backup."""
-        words = MessageLabel()
-        words.say(
-            tr(
-                "Backups are encrypted. Choose a passphrase of four words or more, and keep it on "
-                "paper where the backup is not: without it nobody can restore the record."
-            )
-        )
-        self.kind = ComboBox(
-            [
-                (_PASSPHRASE, tr("Passphrase")),
-                (_RECIPIENT, tr("Public key of age (age1…)")),
-            ]
-        )
-        self.kind.edited.connect(lambda _kind: self._show_kind())
-        self.passphrase = PasswordFields()
-        self.recipient = QLineEdit()
-        self._secret_form = form = QFormLayout()
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow(tr("Opened by"), self.kind)
-        self.passphrase.add_to(form, tr("Passphrase"))
-        form.addRow(tr("Public key"), self.recipient)
-        mark_labels(form)
-        box = QWidget()
-        layout = QVBoxLayout(box)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(12)
-        layout.addWidget(words)
-        layout.addLayout(form)
-        self._show_kind()
-        return box
-
     def _lay_out(self) -> None:
         folder = QHBoxLayout()
         folder.addWidget(self.folder, 1)
@@ -141,15 +125,29 @@ class BackupDialog(RecordDialog):
         when.addWidget(self.day)
         when.addWidget(self.hour)
         when.addStretch(1)
-        form = QFormLayout()
+        self._form = form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(tr("Folder"), folder)
         form.addRow(tr("When"), when)
+        form.addRow(tr("Old backups"), self.keep)
         form.addRow(tr("Last backup"), self.last)
+        form.addRow(self.words)
+        form.addRow(tr("Opened by"), self.kind)
+        self.passphrase.add_to(form, tr("Passphrase"))
+        form.addRow(tr("Public key"), self.recipient)
         mark_labels(form)
         self.content.addLayout(form)
-        self.content.addWidget(self._secret)
         self.content.addWidget(self.progress)
+        self._show_secret(False)
+
+    def _show_secret(self, asks: bool) -> None:
+        """Show the fields that are asked once, before the first backup."""
+        is_passphrase = self.kind.currentData() == _PASSPHRASE
+        for row in (self.words, self.kind):
+            self._form.setRowVisible(row, asks)
+        for line in (self.passphrase.first, self.passphrase.again):
+            self._form.setRowVisible(line, asks and is_passphrase)
+        self._form.setRowVisible(self.recipient, asks and not is_passphrase)
 
     @property
     def _folder(self) -> Path | None:
@@ -158,19 +156,10 @@ class BackupDialog(RecordDialog):
 
     def _show(self, state: BackupState) -> None:
         self._state = state
-        self._secret.setVisible(not state.opened_by)
-        if state.newest is None:
-            self.last.setText(tr("None yet"))
-        else:
-            self.last.setText(moment_text(state.newest))
+        self._show_secret(not state.opened_by)
+        self.last.setText(_snapshots_text(state))
         self.adjustSize()
         self._allow()
-
-    def _show_kind(self) -> None:
-        is_passphrase = self.kind.currentData() == _PASSPHRASE
-        for line in (self.passphrase.first, self.passphrase.again):
-            self._secret_form.setRowVisible(line, is_passphrase)
-        self._secret_form.setRowVisible(self.recipient, not is_passphrase)
 
     def _allow(self) -> None:
         is_running = self._backups.is_running
@@ -218,7 +207,7 @@ class BackupDialog(RecordDialog):
 
     def _start_first(self) -> None:
         self.passphrase.clear()
-        self._secret.hide()
+        self._show_secret(False)
         self._start()
         self.read()
 
@@ -226,6 +215,7 @@ class BackupDialog(RecordDialog):
         self.say("")
         self._backups.begin(is_first=True)
         self._allow()
+        self.cancel.setFocus()
 
     def _cancel(self) -> None:
         self._backups.cancel()
@@ -239,7 +229,10 @@ class BackupDialog(RecordDialog):
     def _end(self, channel: str) -> None:
         if channel == BACKUP:
             self.progress.show_work(0, "")
+            had_focus = self.cancel.hasFocus()
             self._allow()
+            if had_focus:
+                self.now.setFocus()
 
     def _finish(self, report: BackupReport) -> None:
         sentences = [report_text(report)]
@@ -261,6 +254,30 @@ def _set_up(records: Records, kind: str, secret: str) -> None:
     else:
         key = BackupKey.with_passphrase(secret)
     set_up_backups(records.context, key)
+
+
+def _snapshots_text(state: BackupState) -> str:
+    """Return when the last backup was made, and how many there are."""
+    if not state.snapshots:
+        return tr("None yet")
+    newest = moment_text(state.snapshots[-1])
+    if len(state.snapshots) == 1:
+        return newest
+    return fill(
+        tr("{newest}; backups in the folder: {count}, the oldest of {oldest}"),
+        newest=newest,
+        count=len(state.snapshots),
+        oldest=moment_text(state.snapshots[0]),
+    )
+
+
+def _keeps() -> list[tuple[str, str]]:
+    """Return key and name of the rules by which old backups go."""
+    return [
+        ("months", tr("All of 30 days, then one of each month")),
+        ("year", tr("All of 30 days, then one of each month for a year")),
+        ("all", tr("All")),
+    ]
 
 
 def _days() -> list[tuple[str, str]]:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import logging
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
-from datetime import datetime, timedelta
+from datetime import date, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,19 +16,31 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from insole_core.errors import InputError, InsoleError
 from insole_core.messages import Message
 from insole_core.progress import Progress
+from insole_studio.features.clinic.backup_reminder import (
+    WEEK,
+    BackupFacts,
+    read_facts,
+    reminder_text,
+)
 from insole_studio.jobs import Jobs
 from insole_studio.services.app_services import AppServices
-from insole_studio.settings import BackupDay
+from insole_studio.settings import BackupDay, BackupKeep
 from insole_studio.texts import fill, tr, translate_core_message
 
 if TYPE_CHECKING:
     from insole_core.records.backup.back_up import BackupReport
+    from insole_core.records.backup.pruning import KeepRule
     from insole_core.records.backup.schedule import BackupSchedule
     from insole_core.records.records import Records
 
-BACKUP, LOOK = "backup", "backup-look"
+log = logging.getLogger(__name__)
+
+BACKUP, LOOK, REMIND = "backup", "backup-look", "backup-remind"
 NOTICE = "backup-missing"
 LOOK_EVERY_MS = 60_000
+REMIND_EVERY_MS = 60 * LOOK_EVERY_MS
+WAIT_S = 0.1
+MONTHS_OF_YEAR = 12
 RETRY_AFTER = timedelta(minutes=30)
 MEGABYTE = 1e6
 
@@ -37,12 +53,12 @@ class BackupState:
     ----------
     opened_by
         What opens them: "passphrase" or "private key"; empty until they are set up.
-    newest
-        When the last one in the folder was made; None when there is none, or it cannot be read.
+    snapshots
+        When those in the folder were made, the oldest first; none when it cannot be read.
     """
 
     opened_by: str
-    newest: datetime | None
+    snapshots: tuple[datetime, ...]
 
 
 class Backups(QObject):
@@ -52,6 +68,8 @@ class Backups(QObject):
     """Emitted with the `BackupReport`."""
     failed = Signal(object)
     settings_requested = Signal()
+    reminder_changed = Signal(str)
+    """Emitted with what the start page says about backups; empty while all is well."""
 
     def __init__(self, services: AppServices) -> None:
         super().__init__(services.window)
@@ -59,10 +77,16 @@ class Backups(QObject):
         self._settings = services.settings
         self.jobs = Jobs(self)
         self._retry_at: datetime | None = None
+        self._one_at_a_time = threading.Lock()
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_EVERY_MS)
         self._timer.timeout.connect(self.look)
+        self._hourly = QTimer(self)
+        self._hourly.setInterval(REMIND_EVERY_MS)
+        self._hourly.timeout.connect(self.remind)
+        self._hourly.start()
         services.clinic.state_changed.connect(self.look)
+        services.clinic.state_changed.connect(self.remind)
 
     @property
     def is_running(self) -> bool:
@@ -84,6 +108,50 @@ class Backups(QObject):
             return None
         return BackupSchedule(None if day == "daily" else int(day), self._settings.backup_hour)
 
+    @property
+    def keep_rule(self) -> KeepRule | None:
+        """Which backups stay; None for all."""
+        from insole_core.records.backup.pruning import KeepRule
+
+        rules = {"all": None, "months": KeepRule(), "year": KeepRule(months=MONTHS_OF_YEAR)}
+        return rules[self._settings.backup_keep]
+
+    @contextmanager
+    def alone(self, progress: Progress) -> Iterator[None]:
+        """Let backups and restoring wait for each other, also for one that is being stopped.
+
+        Called in the thread of a job.
+
+        Raises
+        ------
+        Cancelled
+        """
+        while not self._one_at_a_time.acquire(timeout=WAIT_S):
+            progress.step(0.0, "Waiting until the backup has stopped")
+        try:
+            yield
+        finally:
+            self._one_at_a_time.release()
+
+    def remind(self) -> None:
+        """Let the start page say if the record has not been backed up for long."""
+        clinic = self._services.clinic
+        if clinic.is_open and not clinic.is_read_only:
+            clinic.ask(REMIND, read_facts, self._show_reminder, self._note_no_facts)
+        else:
+            self.reminder_changed.emit("")
+
+    def put_off_reminder(self) -> None:
+        """Say nothing of backups for a week."""
+        self._settings.backup_reminder_from = (date.today() + WEEK).isoformat()
+        self._services.save_settings()
+        self.reminder_changed.emit("")
+
+    def set_keep(self, keep: BackupKeep) -> None:
+        """Keep which of the backups stay; the next backup removes the others."""
+        self._settings.backup_keep = keep
+        self._services.save_settings()
+
     def set_plan(
         self, folder: Path | None, day: BackupDay, hour: int, *, is_ready: bool = True
     ) -> None:
@@ -98,6 +166,7 @@ class Backups(QObject):
         self._settings.backup_day, self._settings.backup_hour = day, hour
         self._services.save_settings()
         self._retry_at = None
+        self.remind()
         if is_ready:
             self.look()
 
@@ -125,21 +194,25 @@ class Backups(QObject):
         Parameters
         ----------
         is_first
-            Whether the folder may be without backups; else a disk that is not connected is told,
-            and nothing written into the empty folder that stands in its place.
+            Whether a folder that has not been used before may be without backups; else a disk that
+            is not connected is told, and nothing written into the empty folder that stands in its
+            place.
         """
         folder = self.folder
         if folder is None or self.is_running:
             return
         records = self._services.clinic.ask_now(lambda found: found)
         saved = self._services.paths.backed_up_folders
+        may_begin = is_first and self._settings.backup_used_folder != str(folder)
+        keep = self.keep_rule
 
         def run(progress: Progress) -> BackupReport:
             from insole_core.records.backup.back_up import back_up
 
-            if not is_first:
-                _check_there(folder)
-            return back_up(records.context, folder, saved, progress)
+            with self.alone(progress):
+                if not may_begin:
+                    _check_there(folder)
+                return back_up(records.context, folder, saved, progress, keep=keep)
 
         self.jobs.start(BACKUP, run, self._finish, self._note_failure)
 
@@ -150,19 +223,32 @@ class Backups(QObject):
     def close(self) -> None:
         """Stop all jobs, and look no more."""
         self._timer.stop()
+        self._hourly.stop()
         self.jobs.close()
 
     def _go_on(self, newest: datetime | None) -> None:
         schedule = self.schedule
-        if schedule is None:
-            return
+        if schedule is None or not self._services.clinic.is_open:
+            return  # as while it is restored
         if schedule.is_due(newest, datetime.now().astimezone()):
             self.begin()
         else:
             self._services.notices.drop(NOTICE)
 
+    def _show_reminder(self, facts: BackupFacts) -> None:
+        put_off = date.today().isoformat() < self._settings.backup_reminder_from
+        now = datetime.now().astimezone()
+        text = "" if put_off else reminder_text(facts, self._settings.backup_day, now)
+        self.reminder_changed.emit(text)
+
+    def _note_no_facts(self, error: Exception) -> None:
+        log.info("it is not known when the last backup was made: %s", error)
+
     def _finish(self, report: BackupReport) -> None:
         self._retry_at = None
+        self._settings.backup_used_folder = self._settings.backup_folder
+        self._services.save_settings()
+        self.remind()
         self._services.notices.drop(NOTICE)
         self._services.messages.say(report_text(report))
         if report.damaged:
@@ -202,15 +288,17 @@ def newest_in(folder: Path) -> datetime | None:
 def read_state(records: Records, folder: Path | None) -> BackupState:
     """Return what is known of the backups of a record."""
     from insole_core.records.backup.back_up import key_of_backups
+    from insole_core.records.backup.backup_folder import BackupFolder
 
     key = key_of_backups(records.context)
-    newest = None if folder is None or not folder.is_dir() else newest_in(folder)
-    return BackupState("" if key is None else key.opened_by, newest)
+    found = [] if folder is None or not folder.is_dir() else BackupFolder(folder).snapshots()
+    made = tuple(snapshot.made_at for snapshot in found)
+    return BackupState("" if key is None else key.opened_by, made)
 
 
 def report_text(report: BackupReport) -> str:
     """Say what a backup has written; all of it was read again."""
-    return fill(
+    sentence = fill(
         tr(
             "Backup {number} is made: {rows} entries and {files} files, {new_mb:.1f} MB of them "
             "new. All that was written has been read again and is right."
@@ -220,6 +308,10 @@ def report_text(report: BackupReport) -> str:
         files=report.contents,
         new_mb=report.written_bytes / MEGABYTE,
     )
+    if report.removed_snapshots:
+        removed = tr("Old backups removed: {count}.").format(count=report.removed_snapshots)
+        return f"{sentence} {removed}"
+    return sentence
 
 
 def damaged_text(report: BackupReport) -> str:

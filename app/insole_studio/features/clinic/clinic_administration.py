@@ -156,9 +156,10 @@ class ClinicAdministration(QObject):
     def _show_restore(self) -> None:
         from insole_studio.features.clinic.restore_dialog import RestoreDialog
 
-        dialog = RestoreDialog(self._services, self.backups.jobs)
+        dialog = RestoreDialog(self._services, self.backups)
         dialog.closing_requested.connect(self._let_go)
         dialog.restored.connect(self._note_restored)
+        self.lock.ask_after(dialog)
         dialog.open()
 
     def _let_go(self, then: Then) -> None:

@@ -1,13 +1,15 @@
-"""Erasing a patient on request, and those whose time of keeping is over."""
+"""How long the record is kept; erasing a patient on request, and those whose time is over."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QWidget
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton, QSpinBox, QWidget
 
-from insole_core.records.retention import ErasureReason
+from insole_core.records.retention import LEAST_YEARS, YEARS_VALUE, ErasureReason
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import fill, tr
@@ -23,6 +25,22 @@ if TYPE_CHECKING:
 _SIZE = (680, 520)
 _MOST_LETTERS = 60
 _NO_REASON = ""
+_MOST_YEARS = 100
+_MOST_LISTED = 100
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """What the dialog shows before anybody is looked up.
+
+    Parameters
+    ----------
+    over
+        Those whose time of keeping is over, the oldest first, at most `_MOST_LISTED`.
+    """
+
+    years: int
+    over: list[Erasable]
 
 
 class EraseDialog(RecordDialog):
@@ -38,13 +56,18 @@ class EraseDialog(RecordDialog):
         super().__init__(tr("Erase a patient"), clinic, parent)
         self.resize(*_SIZE)
         self._found: Erasable | None = None
+        self._over: list[Erasable] = []
+        self._is_asked = False
         self._today = date.today()
+        self._years = LEAST_YEARS
         self.pseudonym = QLineEdit(pseudonym)
         self.pseudonym.setMaxLength(_MOST_LETTERS)
         self.pseudonym.setPlaceholderText(tr("As it stands on the patient's page: P-…"))
         self.pseudonym.textEdited.connect(lambda _text: self._forget())
         self.pseudonym.returnPressed.connect(self.look_up)
-        self.find_button = self.add_button(tr("Show what is erased"), self.look_up)
+        self.find_button = QPushButton(tr("Show what is erased"))
+        self.find_button.setAutoDefault(False)
+        self.find_button.clicked.connect(self.look_up)
         self.reason = ComboBox(
             [
                 (_NO_REASON, tr("Choose why")),
@@ -53,14 +76,21 @@ class EraseDialog(RecordDialog):
             ]
         )
         self.reason.edited.connect(lambda _reason: self._allow())
+        self.years = QSpinBox()
+        self.years.setRange(LEAST_YEARS, _MOST_YEARS)
+        self.years.setSuffix(tr(" years after the last entry"))
+        self.years.editingFinished.connect(self._keep_years)
         self.means = MessageLabel()
+        self.words = MessageLabel("quiet")
         self.over = RowTable((tr("Pseudonym"), tr("Visits"), tr("Orders"), tr("Kept until")))
         self.over.setAccessibleName(tr("The time of keeping is over"))
         self.over.chosen.connect(self._take)
+        self.erase_all = self.add_button("", self._erase_all)
         self.erase = self.add_button(tr("Erase for good"), self._erase)
         self._lay_out()
+        self._ask_before_all()
         self._allow()
-        self.ask(_read_over, self._show_over)
+        self.ask(_read, self._show_over)
 
     def look_up(self) -> None:
         """Show what erasing the patient with this pseudonym would mean."""
@@ -78,17 +108,68 @@ class EraseDialog(RecordDialog):
         form.addRow(tr("Pseudonym"), row)
         form.addRow(tr("Reason"), self.reason)
         mark_labels(form)
-        words = MessageLabel("quiet")
-        words.say(tr("Patients whose time of keeping is over; Enter takes one:"))
+        keeping = QFormLayout()
+        keeping.addRow(tr("The record is kept for"), self.years)
+        mark_labels(keeping)
         self.content.addLayout(form)
         self.content.addWidget(self.means)
-        self.content.addWidget(words)
+        self.content.addLayout(keeping)
+        self.content.addWidget(self.words)
         self.content.addWidget(self.over, 1)
+        self.content.addStretch()  # takes the space of a list that is not there
 
-    def _show_over(self, found: list[Erasable]) -> None:
-        self.over.show_rows([_row(erasable) for erasable in found])
+    def _show_over(self, shown: _Shown) -> None:
+        self._over = shown.over
+        self.years.setValue(shown.years)
+        self._years = shown.years
+        self.over.show_rows([_row(erasable) for erasable in shown.over])
+        self.over.setVisible(bool(shown.over))
+        self.words.say(_over_text(len(shown.over)))
+        self._ask_before_all()
         if self.pseudonym.text():
             self.look_up()
+
+    def _keep_years(self) -> None:
+        years = self.years.value()
+        if years == self._years:
+            return
+        self._years = years
+
+        def keep(records: Records) -> _Shown:
+            records.clinic.set(YEARS_VALUE, years)
+            return _read(records)
+
+        self.change(keep, self._show_over)
+
+    def _ask_before_all(self) -> None:
+        """Let the button ask first, for those who are listed now."""
+        self._is_asked = False
+        self.erase_all.setText(tr("Erase all listed…"))
+        self.erase_all.setVisible(bool(self._over))
+
+    def _erase_all(self) -> None:
+        """Erase all who are listed, once it has been said what that means."""
+        if not self._is_asked:
+            self._is_asked = True
+            count = len(self._over)
+            self.erase_all.setText(tr("Erase {count} patients for good").format(count=count))
+            self.say_all(
+                [
+                    tr("All that the record holds of the {count} listed patients goes.").format(
+                        count=count
+                    ),
+                    tr("This cannot be undone; backups made before still hold the patient."),
+                ],
+                warns=True,
+            )
+            return
+        listed, today = self._over, self._today
+
+        def done(shown: _Shown) -> None:
+            self._show_over(shown)
+            self.say(tr("Patients erased: {count}.").format(count=len(listed)))
+
+        self.change(lambda records: _erase_listed(records, listed, today), done)
 
     def _take(self, pseudonym: str) -> None:
         self.pseudonym.setText(pseudonym)
@@ -98,6 +179,7 @@ class EraseDialog(RecordDialog):
     def _show(self, found: Erasable) -> None:
         self._found = found
         self.means.say_all(_meaning(found, self._today))
+        self.make_room()
         self._allow()
 
     def _forget(self) -> None:
@@ -112,6 +194,7 @@ class EraseDialog(RecordDialog):
     def refuse(self, error: Exception) -> None:
         """Tell why nobody was found or erased."""
         super().refuse(error)
+        self._ask_before_all()
         self._forget()
 
     def _erase(self) -> None:
@@ -119,18 +202,16 @@ class EraseDialog(RecordDialog):
         assert found is not None
         reason = ErasureReason(self.reason.currentData())
 
-        def erase(records: Records) -> tuple[Erasure, list[Erasable]]:
+        def erase(records: Records) -> tuple[Erasure, _Shown]:
             from insole_core.records.retention import erase_person
 
-            return erase_person(records.context, found.person_id, reason, today), _read_over(
-                records
-            )
+            return erase_person(records.context, found.person_id, reason, today), _read(records)
 
-        def done(answer: tuple[Erasure, list[Erasable]]) -> None:
-            erasure, over = answer
+        def done(answer: tuple[Erasure, _Shown]) -> None:
+            erasure, shown = answer
             self._forget()
             self.pseudonym.clear()
-            self.over.show_rows([_row(erasable) for erasable in over])
+            self._show_over(shown)
             self.say(_result(found.pseudonym, erasure))
 
         self.change(erase, done)
@@ -142,10 +223,26 @@ def _find(records: Records, pseudonym: str) -> Erasable:
     return find_erasable(records.context, pseudonym)
 
 
-def _read_over(records: Records) -> list[Erasable]:
+def _read(records: Records) -> _Shown:
     from insole_core.records.retention import over_retention_named
 
-    return over_retention_named(records.context, date.today())
+    years = records.clinic.get(YEARS_VALUE, LEAST_YEARS)
+    return _Shown(years, over_retention_named(records.context, date.today(), _MOST_LISTED))
+
+
+def _erase_listed(records: Records, listed: Sequence[Erasable], today: date) -> _Shown:
+    from insole_core.records.retention import erase_person
+
+    for erasable in listed:
+        reason = ErasureReason.RETENTION_OVER
+        erase_person(records.context, erasable.person_id, reason, today)
+    return _read(records)
+
+
+def _over_text(count: int) -> str:
+    if count == 0:
+        return tr("Nobody's time of keeping is over.")
+    return tr("The time of keeping is over for these; nobody is erased by itself. Enter takes one:")
 
 
 def _row(erasable: Erasable) -> TableRow:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, TypeVar
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
 from shiboken6 import isValid
 
@@ -12,6 +14,7 @@ from insole_core.errors import InsoleError
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.texts import tr
 from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.tab_order import tab_stops
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
@@ -45,6 +48,7 @@ class RecordDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.setSpacing(12)
         layout.addLayout(self.content, 1)
+        layout.addStretch()  # so that the message stays small where there is nothing else
         layout.addWidget(self.message)
         layout.addWidget(self.buttons)
         self.finished.connect(self.deleteLater)
@@ -71,6 +75,35 @@ class RecordDialog(QDialog):
         self.message.setObjectName("warning" if warns else "")
         self.message.style().polish(self.message)  # the style sheet depends on the name
         self.message.say_all(sentences)
+        self.make_room()
+
+    def make_room(self) -> None:
+        """Grow by what has come into the dialog, so that its fields keep their height."""
+        layout = self.layout()
+        if layout is None or not self.isVisible():
+            return
+        layout.activate()
+        needed = layout.totalHeightForWidth(self.width())
+        if needed > self.height():
+            self.resize(self.width(), needed)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Let Enter press the button that has the focus, and not the one for Enter in a line."""
+        focused = self.focusWidget()
+        is_enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        if is_enter and isinstance(focused, QPushButton):
+            focused.click()
+        else:
+            super().keyPressEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Give the focus to the first field, unless the dialog has chosen one."""
+        super().showEvent(event)
+        if isinstance(self.focusWidget(), QPushButton | None):
+            stops = tab_stops(self)
+            field = next((stop for stop in stops if not isinstance(stop, QPushButton)), None)
+            if field is not None:
+                field.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def ask(self, question: Callable[[Records], Answer], done: Done[Answer]) -> None:
         """Ask the record; a later question of the same kind of dialog replaces this one."""

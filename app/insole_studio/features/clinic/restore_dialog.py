@@ -13,10 +13,11 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton
 
 from insole_core.progress import Progress
 from insole_studio.document.record_location import RecordLocation
+from insole_studio.features.clinic.backups import Backups
 from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.password_fields import secret_line
 from insole_studio.features.clinic.record_dialog import RecordDialog
-from insole_studio.jobs import JobProgress, Jobs, Result, Task
+from insole_studio.jobs import JobProgress, Result, Task
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
 from insole_studio.texts import fill, tr, translate_core_message
@@ -50,8 +51,8 @@ class RestoreDialog(RecordDialog):
 
     Parameters
     ----------
-    jobs
-        Those of the backups.
+    backups
+        One that is being stopped is waited for.
     """
 
     closing_requested = Signal(object)
@@ -59,18 +60,20 @@ class RestoreDialog(RecordDialog):
     restored = Signal(object)
     """Emitted with the `RestoreReport`."""
 
-    def __init__(self, services: AppServices, jobs: Jobs) -> None:
+    def __init__(self, services: AppServices, backups: Backups) -> None:
         super().__init__(tr("Restore from a backup"), services.clinic, services.window)
         self.resize(*_SIZE)
-        self._jobs = jobs
+        self._backups = backups
+        self._jobs = jobs = backups.jobs
         self._settings = services.paths.backed_up_folders
         self._messages = services.messages
         folder = services.settings.backup_folder
+        self._listed: Path | None = None
         self._replaces = False
         self._is_opened = False
         self._stop = Event()
         self.folder = QLineEdit(folder)
-        self.folder.editingFinished.connect(self.list_snapshots)
+        self.folder.editingFinished.connect(self._note_folder)
         self.choose = QPushButton(tr("Choose…"))
         self.choose.setAutoDefault(False)
         self.choose.clicked.connect(self._choose_folder)
@@ -100,7 +103,7 @@ class RestoreDialog(RecordDialog):
 
     def list_snapshots(self) -> None:
         """Show the backups in the folder, the newest first; this needs no passphrase."""
-        folder = self._folder
+        self._listed = folder = self._folder
         if folder is None:
             self.table.show_rows([])
             return
@@ -123,11 +126,32 @@ class RestoreDialog(RecordDialog):
         self._stop = stop = Event()
 
         def run() -> None:
-            self._run(_RESTORE, lambda p: _restore(plan, replaces, p, stop), self._finish)
+            self._run(_RESTORE, lambda p: self._restore(plan, replaces, p, stop), self._finish)
             self.cancel.setEnabled(True)
             self._allow()
+            self.cancel.setFocus()
 
         self.closing_requested.emit(run)
+
+    def _restore(
+        self, plan: _Plan, replaces: bool, progress: Progress, stop: Event
+    ) -> RestoreReport:
+        """Restore, in the thread of a job."""
+        from insole_core.records.author import Author
+        from insole_core.records.backup.restore import restore
+
+        stoppable = Progress(progress.report, stop.is_set)
+        with self._backups.alone(stoppable):
+            return restore(
+                plan.folder,
+                plan.secret,
+                plan.location.place(),
+                Author.of_user(),
+                number=plan.number,
+                replace_existing=replaces,
+                settings=plan.settings,
+                progress=stoppable,
+            )
 
     def _lay_out(self) -> None:
         row = QHBoxLayout()
@@ -161,6 +185,11 @@ class RestoreDialog(RecordDialog):
 
     def _run(self, channel: str, task: Task[Result], done: Callable[[Result], None]) -> None:
         self._jobs.start(channel, task, self.while_open(done), self.while_open(self.refuse))
+
+    def _note_folder(self) -> None:
+        """List another folder; the focus that only leaves the line changes nothing."""
+        if self._folder != self._listed:
+            self.list_snapshots()
 
     def _choose_folder(self) -> None:
         path = self._messages.questions.on(self).folder_to_open(
@@ -206,6 +235,7 @@ class RestoreDialog(RecordDialog):
                 )
             )
         self.contents.say_all(lines)
+        self.make_room()
         self._is_opened = True
         self._allow()
         self.restore_button.setFocus()
@@ -240,7 +270,10 @@ class RestoreDialog(RecordDialog):
 
     def _end(self, channel: str) -> None:
         self.progress.show_work(0, "")
+        had_focus = self.cancel.hasFocus()
         self._allow()
+        if had_focus:
+            self.close_button.setFocus()
         if channel == _RESTORE:
             self.clinic.open()
             if self._stop.is_set():
@@ -255,6 +288,7 @@ class RestoreDialog(RecordDialog):
             self.contents.say("")
         if isinstance(error, PlaceTaken) and not self.clinic.location.is_shared:
             self._set_replaces(True)
+            self.restore_button.setFocus()
 
     def _finish(self, report: RestoreReport) -> None:
         self.restored.emit(report)
@@ -309,19 +343,3 @@ def _opened(plan: _Plan) -> Manifest:
     from insole_core.records.backup.snapshot import open_snapshot
 
     return open_snapshot(plan.folder, plan.secret, plan.number).manifest
-
-
-def _restore(plan: _Plan, replaces: bool, progress: Progress, stop: Event) -> RestoreReport:
-    from insole_core.records.author import Author
-    from insole_core.records.backup.restore import restore
-
-    return restore(
-        plan.folder,
-        plan.secret,
-        plan.location.place(),
-        Author.of_user(),
-        number=plan.number,
-        replace_existing=replaces,
-        settings=plan.settings,
-        progress=Progress(progress.report, stop.is_set),
-    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from insole_core.geometry.side import Side
 
@@ -62,6 +62,11 @@ class FieldSpec:
     slider: bool = False
     least_known: float = 0.0
 
+    @property
+    def shape(self) -> FieldSpec:
+        """The same without value and range."""
+        return replace(self, value=0.0, least=0.0, greatest=0.0)
+
 
 @dataclass(frozen=True)
 class ChoiceSpec:
@@ -72,6 +77,11 @@ class ChoiceSpec:
     value: str
     options: tuple[tuple[str, str], ...]
     tip: str = ""
+
+    @property
+    def shape(self) -> ChoiceSpec:
+        """The same without the value."""
+        return replace(self, value="")
 
 
 @dataclass(frozen=True)
@@ -97,7 +107,6 @@ class FieldGroup:
     caption: str = ""
 
     @property
-    def shape(self) -> tuple[object, ...]:
-        """Everything except the values; groups of equal shape can share fields."""
-        fields = tuple((f.key, getattr(f, "options", ())) for f in self.fields)
-        return (self.title, fields, self.offers, self.note)
+    def shape(self) -> FieldGroup:
+        """The same without values and ranges; groups of equal shape can share fields."""
+        return replace(self, fields=tuple(field.shape for field in self.fields))

@@ -108,9 +108,12 @@ class ImportDialog(QDialog):
         if anew:
             self.model.look_at_whole(mesh.bounds_mm)
 
-    def show_side(self, side: Side | None, mesh: TriangleMesh | None) -> None:
+    def show_side(
+        self, side: Side | None, mesh: TriangleMesh | None, *, can_be_chosen: bool
+    ) -> None:
         """Show which foot it is, with the anatomical directions; None where that is open."""
         for one, button in self.sides.items():
+            button.setVisible(can_be_chosen)
             with QSignalBlocker(button):
                 button.setChecked(one is side)
             button.setStyleSheet(_chosen_style(one) if one is side else "")
@@ -131,6 +134,7 @@ class ImportDialog(QDialog):
             for number, text in enumerate(rows):
                 self.feet.item(number).setText(text)
             self.feet.setCurrentRow(shown)
+        _fit(self.feet)
 
     def is_marked(self, number: int) -> bool:
         """Return whether a foot of the list is to be opened."""
@@ -144,6 +148,7 @@ class ImportDialog(QDialog):
             self.candidates.clear()
             self.candidates.addItems(list(rows))
             self.candidates.setCurrentRow(chosen)
+        _fit(self.candidates)
 
     def show_clicks(self, hint: str, points: Sequence[MarkedPoint], *, is_on: bool) -> None:
         """Show the clicked points, and say which comes next; an empty hint says nothing."""
@@ -230,9 +235,14 @@ def _list(name: str) -> QListWidget:
     rows = QListWidget()
     rows.setAccessibleName(name)
     rows.setToolTip(name)
-    rows.setMaximumHeight(_ROWS * rows.fontMetrics().lineSpacing() * 2)
     rows.hide()
     return rows
+
+
+def _fit(rows: QListWidget) -> None:
+    """Make a list as high as its rows, up to a few."""
+    shown = max(1, min(rows.count(), _ROWS))
+    rows.setFixedHeight(shown * rows.sizeHintForRow(0) + 2 * rows.frameWidth())
 
 
 def _button(text: str, run: object) -> QPushButton:

@@ -78,6 +78,7 @@ class PatientRecords(QObject):
     action_requested = Signal(str)
     """A button of a page asks for an action of any feature."""
     recent_file_chosen = Signal(str)
+    reminder_put_off = Signal()
     compared = Signal(object, object)
     """Emitted with two visits to compare, the newer one first: name and case of each."""
 
@@ -88,6 +89,7 @@ class PatientRecords(QObject):
         self._keeper = services.keeper
         self._leave_case = leave_case
         self.start: StartPage | None = None
+        self._reminder = ""
         self.person: PersonPage | None = None
         self.orders: OrdersPage | None = None
         self._start_presenter: StartPresenter | None = None
@@ -115,6 +117,12 @@ class PatientRecords(QObject):
         self.page_requested.emit(self.start)
         self.start.begin()
         self._start_presenter.refresh()
+
+    def show_reminder(self, sentence: str) -> None:
+        """Show a quiet sentence on the start page; an empty one hides it."""
+        self._reminder = sentence
+        if self.start is not None:
+            self.start.show_reminder(sentence)
 
     def show_person(self, person_id: str) -> None:
         """Show a person and their visits."""
@@ -155,10 +163,11 @@ class PatientRecords(QObject):
         return self._transfer
 
     def export_patient(self) -> None:
-        """Export the patient on the page, or the one whose visit is open."""
-        person = None if self._person_presenter is None else self._person_presenter.person
+        """Export the patient whose page is shown, or else the one whose visit is open."""
+        is_on_page = self.person is not None and self.person.isVisible()
         kept = self._services.case.kept
-        person = person or (None if kept is None else kept.person)
+        person = None if kept is None else kept.person
+        person = self._shown_person if is_on_page else person
         if person is None:
             self._services.messages.say(tr("Open a patient first."))
             return
@@ -467,6 +476,8 @@ class PatientRecords(QObject):
         page.order_chosen.connect(self._open_order)
         page.action_requested.connect(self.action_requested)
         page.recent_file_chosen.connect(self.recent_file_chosen)
+        page.reminder_put_off.connect(self.reminder_put_off)
+        page.show_reminder(self._reminder)
         self._show_recent_files()
 
     def _make_person(self) -> None:

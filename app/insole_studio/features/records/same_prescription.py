@@ -71,13 +71,6 @@ class SamePrescription(QObject):
 
 def last_prescriptions(records: Records, person_id: str) -> dict[Side, Template]:
     """Return the last prescription of each foot of a person, on whichever visit it was."""
-    found: dict[Side, Template] = {}
-    for visit in records.visits.of_person(person_id):
-        for side in Side:
-            versions = [] if side in found else records.prescriptions.versions(visit.id, side)
-            template = last_design(records.prescriptions.read(versions[0].id)) if versions else None
-            if template is not None:
-                found[side] = template
-        if len(found) == len(Side):
-            break
-    return found
+    feet = records.prescriptions.last_prescribed(person_id)
+    templates = {foot.side: last_design(foot) for foot in feet}
+    return {side: template for side, template in templates.items() if template is not None}

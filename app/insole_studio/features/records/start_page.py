@@ -36,6 +36,7 @@ class StartPage(QWidget):
     order_chosen = Signal(str)
     action_requested = Signal(str)
     recent_file_chosen = Signal(str)
+    reminder_put_off = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -65,6 +66,10 @@ class StartPage(QWidget):
         self.message = MessageLabel("warning")
         self.remedies: dict[str, QPushButton] = {}
         """Buttons beside the message, by their action."""
+        self.reminder = MessageLabel("quiet")
+        self.back_up = self._button("", tr("Backup…"), "backup")
+        self.put_off = QPushButton(tr("Remind me in a week"))
+        self.put_off.clicked.connect(self.reminder_put_off)
         self._files: dict[str, QPushButton] = {}
         self._recent_row = QHBoxLayout()
         self._of_record = QWidget()
@@ -88,7 +93,9 @@ class StartPage(QWidget):
         self.today.show_rows(today)
         self.orders.show_rows(orders)
 
-    def show_message(self, sentences: Sequence[str], remedies: Sequence[str] = ()) -> None:
+    def show_message(
+        self, sentences: Sequence[str], remedies: Sequence[str] = (), *, warns: bool = True
+    ) -> None:
         """Say why the record is not there and what to do; nothing where all is well.
 
         Parameters
@@ -96,13 +103,22 @@ class StartPage(QWidget):
         remedies
             Actions that may help, each a button below the sentences.
         """
+        self.message.setObjectName("warning" if warns else "quiet")
+        self.message.style().polish(self.message)  # the style sheet depends on the name
         self.message.say_all(sentences)
         for action, button in self.remedies.items():
             button.setVisible(action in remedies)
 
-    def show_usable(self, usable: bool) -> None:
-        """Show whether patients can be looked for; files can always be opened."""
+    def show_reminder(self, sentence: str) -> None:
+        """Remind quietly of something to be done by and by; an empty sentence hides it."""
+        self.reminder.say(sentence)
+        for button in (self.back_up, self.put_off):
+            button.setVisible(bool(sentence))
+
+    def show_usable(self, usable: bool, *, changeable: bool) -> None:
+        """Show whether patients can be looked for and added; files can always be opened."""
         self._of_record.setEnabled(usable)
+        self.new_patient.setEnabled(changeable)
 
     def show_recent_files(self, files: Sequence[tuple[str, str]]) -> None:
         """Offer the files opened last, each as path and name."""
@@ -176,6 +192,7 @@ class StartPage(QWidget):
         layout.setSpacing(8)
         layout.addWidget(self.message)
         layout.addLayout(self._remedy_row())
+        layout.addLayout(self._reminder_row())
         layout.addWidget(self._of_record, 1)
         layout.addWidget(_heading(tr("Without a patient, or from files")))
         layout.addLayout(self._file_row())
@@ -186,6 +203,8 @@ class StartPage(QWidget):
         row.setSpacing(8)
         for action, text in (
             ("lock", tr("Sign in…")),
+            ("accounts", tr("Accounts…")),
+            ("audit_log", tr("Audit log…")),
             ("retry_record", tr("Try again")),
             ("restore_record", tr("Restore from a backup…")),
             ("record_place", tr("Where the record is…")),
@@ -194,6 +213,15 @@ class StartPage(QWidget):
             button.hide()
             row.addWidget(button)
         row.addStretch(1)
+        return row
+
+    def _reminder_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self.reminder, 1)
+        for button in (self.back_up, self.put_off):
+            button.hide()
+            row.addWidget(button)
         return row
 
     def _file_row(self) -> QHBoxLayout:

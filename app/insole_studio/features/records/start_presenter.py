@@ -48,18 +48,24 @@ class StartPresenter:
 
     def refresh(self) -> None:
         """Show what has changed in the record."""
-        if self._clinic.is_open and self._page.isVisible():
+        is_shown = self._clinic.is_open and self._page.isVisible()
+        if is_shown and self._clinic.may_show_patients:
             self._search()
             self._clinic.ask(LISTS, _lists, self._show_lists, self._show_failure)
 
     def show_state(self) -> None:
         """Show whether the record can be asked."""
         state = self._clinic.state
-        self._page.show_usable(state in (RecordState.OPEN, RecordState.AWAY))
-        self._page.show_message(self._sentences(state), _remedies(self._clinic))
-        if state is RecordState.SIGNED_OUT:
+        is_usable = state in (RecordState.OPEN, RecordState.AWAY)
+        self._page.show_usable(
+            is_usable and self._clinic.may_show_patients,
+            changeable=not self._clinic.is_read_only,
+        )
+        warns = bool(self._clinic.trouble) or self._clinic.problem is not None
+        self._page.show_message(self._sentences(state), _remedies(self._clinic), warns=warns)
+        if state is RecordState.SIGNED_OUT or not self._clinic.may_show_patients:
             self._forget()
-        if state is RecordState.OPEN:
+        elif state is RecordState.OPEN:
             self.refresh()
             if self._page.isVisible() and not self._page.search.hasFocus():
                 self._page.search.setFocus()
@@ -77,6 +83,13 @@ class StartPresenter:
             sentences.append(
                 tr("Sign in to see the clinic's patients; files can be opened without.")
             )
+        elif not self._clinic.may_show_patients:
+            sentences.append(
+                tr(
+                    "An administrator looks after accounts, backups and the audit log, and sees no "
+                    "patients; whoever treats patients signs in with an account of their own."
+                )
+            )
         return sentences
 
     def _search(self) -> None:
@@ -91,6 +104,8 @@ class StartPresenter:
             self._clinic.ask(SEARCH, find, self._show_found, self._show_failure)
 
     def _show_found(self, found: list[PersonSummary]) -> None:
+        if not self._clinic.may_show_patients:  # what somebody asked who has left meanwhile
+            return
         title = tr("Found patients") if self._typed else tr("Recent patients")
         nothing = (
             tr("Nobody is found. Check the spelling, or add a new patient.")
@@ -100,6 +115,8 @@ class StartPresenter:
         self._page.show_found(title, person_rows(found), nothing)
 
     def _show_lists(self, lists: _Lists) -> None:
+        if not self._clinic.may_show_patients:
+            return
         self._page.show_day(visit_rows(lists.today), order_rows(lists.orders, date.today()))
 
     def _forget(self) -> None:
@@ -120,7 +137,8 @@ def _remedies(clinic: ClinicRecord) -> tuple[str, ...]:
         return ("retry_record", "restore_record", "record_place")
     sign_in = ("lock",) if clinic.state is RecordState.SIGNED_OUT else ()
     restore = ("restore_record",) if clinic.is_read_only else ()
-    return (*sign_in, *restore)
+    administer = () if clinic.may_show_patients else ("accounts", "audit_log")
+    return (*sign_in, *administer, *restore)
 
 
 def _lists(records: Records) -> _Lists:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import sqlite3
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
+from types import SimpleNamespace
 
+import pyrage
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, Dialog, shown
 from argon2 import PasswordHasher
@@ -26,6 +29,20 @@ from insole_studio.document.clinic_record import RecordState
 def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
     """Hash passwords in less time than the product takes to."""
     monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
+
+
+@pytest.fixture(autouse=True)
+def quick_passphrases(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a passphrase open a key in no time: age makes it as slow as a second on any machine."""
+    known: dict[str, pyrage.x25519.Identity] = defaultdict(pyrage.x25519.Identity.generate)
+
+    def encrypt(content: bytes, phrase: str) -> bytes:
+        return pyrage.encrypt(content, [known[phrase].to_public()])
+
+    def decrypt(content: bytes, phrase: str) -> bytes:
+        return pyrage.decrypt(content, [known[phrase]])
+
+    monkeypatch.setattr(pyrage, "passphrase", SimpleNamespace(encrypt=encrypt, decrypt=decrypt))
 
 
 @pytest.fixture

@@ -168,3 +168,46 @@ def test_older_lines_come_on_request(
     rest()
     assert len(dialog.table.rows) == 250
     assert not dialog.more.isEnabled()
+
+
+def test_those_whose_time_is_over_are_listed_and_erased_once_that_was_confirmed(
+    clinic: Application, records: Records, run: Run, rest: Callable[[], None]
+) -> None:
+    """The clinic keeps its record for twelve years: for two of three that is over."""
+    today = date.today()
+    added = []
+    for number, years in enumerate((13, 14, 11)):
+        person = records.persons.add(Person(f"Patient {number}"))
+        records.visits.add(Visit(person.id, today.replace(day=1, year=today.year - years)))
+        added.append(person)
+    with records.context.database.writing() as connection:
+        connection.exec_driver_sql("UPDATE persons SET created_at = '2000-01-01T00:00:00'")
+    dialog = run("erase_patient", EraseDialog)
+    assert isinstance(dialog, EraseDialog)
+    assert len(dialog.over.rows) == 3
+    dialog.years.setFocus()
+    dialog.years.selectAll()
+    QTest.keyClicks(dialog.years, "12")
+    QTest.keyClick(dialog.years, Qt.Key.Key_Tab)
+    rest()
+    oldest_first = [added[1].pseudonym, added[0].pseudonym]
+    assert [row.cells[0] for row in dialog.over.rows] == oldest_first
+    assert dialog.erase_all.text() == "Erase all listed…"
+    dialog.erase_all.click()
+    rest()
+    assert dialog.erase_all.text() == "Erase 2 patients for good"
+    assert "the 2 listed patients goes" in dialog.message.text()
+    assert not any(records.persons.get(person.id).is_erased for person in added)
+    dialog.erase_all.click()
+    rest()
+    assert [records.persons.get(person.id).is_erased for person in added] == [True, True, False]
+    assert "Patients erased: 2." in dialog.message.text()
+    assert "Nobody's time of keeping is over." in dialog.words.text()
+    assert not dialog.erase_all.isVisible()
+
+
+def test_the_record_is_kept_no_shorter_than_the_law_asks_for(clinic: Application, run: Run) -> None:
+    dialog = run("erase_patient", EraseDialog)
+    assert isinstance(dialog, EraseDialog)
+    dialog.years.setValue(3)
+    assert dialog.years.value() == 10

@@ -356,6 +356,20 @@ def test_a_journal_that_somebody_else_has_overtaken_stays_in_the_history(
     assert 5.5 in thicknesses
 
 
+def test_work_stays_here_when_a_newer_program_has_changed_the_tables(
+    opened: Application, other_station: Records, qtbot: QtBot
+) -> None:
+    with other_station.context.database.writing() as connection:
+        connection.exec_driver_sql("UPDATE alembic_version SET version_num = '9999'")
+    keeper = opened.services.keeper
+    for thickness_mm in (5.5, 6.0):
+        thicken(opened, thickness_mm)
+        qtbot.waitUntil(lambda: keeper.state is KeepState.REFUSED, timeout=20_000)
+    assert opened.case.has_unsaved_changes
+    (dialog,) = opened.services.messages.dialogs  # which tells it once
+    assert "install the newest version on this computer, too" in dialog.text()
+
+
 def test_what_the_record_refuses_can_be_saved_as_a_file(
     opened: Application,
     questions,

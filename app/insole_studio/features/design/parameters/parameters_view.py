@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -36,6 +37,15 @@ CHOICE_PX = 116
 LEAST_PX, MOST_PX = 112, 176
 
 
+@dataclass(frozen=True)
+class _LaidOutGroup:
+    """The widget of a group, and its fields by their keys."""
+
+    shape: FieldGroup
+    widget: QWidget
+    fields: dict[str, ValueField]
+
+
 class ParametersView(QScrollArea):
     """Groups of fields side by side, wrapped at the width of the panel."""
 
@@ -48,7 +58,7 @@ class ParametersView(QScrollArea):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._groups: Sequence[FieldGroup] = ()
-        self._shape: tuple[object, ...] = ()
+        self._laid_out: list[_LaidOutGroup] = []
         self._fields: dict[str, ValueField] = {}
         self._rows = ROWS
         self._restyled = QTimer(self)
@@ -57,15 +67,17 @@ class ParametersView(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumHeight(LEAST_PX)
+        content = QWidget()
+        self._flow = FlowLayout(content, margin_px=4, gap_px=12)
+        self._flow.setContentsMargins(8, 4, 4, 4)  # aligned with the titles of the panels
+        self.setWidget(content)
         scroll_by_finger(self)
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None:
-        """Show the groups; if only values changed, the fields are reused."""
+        """Show the groups; the fields of a group of which only values changed are reused."""
         self._groups = groups
-        shape = tuple(group.shape for group in groups)
-        if shape != self._shape:
-            self._shape = shape
-            self._lay_out(groups)
+        if [group.shape for group in groups] != [shown.shape for shown in self._laid_out]:
+            self._lay_out(groups, self._laid_out)
         for group in groups:
             for spec in group.fields:
                 self._show_value(spec)
@@ -78,14 +90,8 @@ class ParametersView(QScrollArea):
 
     def _fit_rows(self) -> None:
         if self._rows != self._rows_now:
-            self._shape = ()
+            self._lay_out(self._groups, [])
             self.show_groups(self._groups)
-
-    def _focused_key(self) -> str:
-        """Return the key of the field that has the keyboard focus; empty if none has."""
-        focused = QApplication.focusWidget()
-        is_here = focused is not None and self.isAncestorOf(focused)
-        return str(focused.property("key") or "") if is_here and focused is not None else ""
 
     def _show_value(self, spec: FieldSpec | ChoiceSpec) -> None:
         field = self._fields[spec.key]
@@ -96,27 +102,41 @@ class ParametersView(QScrollArea):
         else:
             field.show_value(str(spec.value))
 
-    def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
-        self._fields = {}
+    def _lay_out(self, groups: Sequence[FieldGroup], reusable: Sequence[_LaidOutGroup]) -> None:
         self._rows = self._rows_now
-        content = QWidget()
-        flow = FlowLayout(content, margin_px=4, gap_px=12)
-        flow.setContentsMargins(8, 4, 4, 4)  # aligned with the titles of the panels
-        for group in groups:
-            flow.addWidget(self._group(group))
-        focused = self._focused_key()
-        before = self.takeWidget()
-        self.setWidget(content)
-        if before is not None:
-            before.deleteLater()  # one of its fields may be in the midst of a key
-        if focused in self._fields:
-            self._fields[focused].setFocus()
-        for widget in content.findChildren(QWidget):
-            widget.ensurePolished()  # its size for touch comes from the style
+        before, unused = self._laid_out, list(reusable)
+        self._laid_out = [_taken(unused, group) or self._group(group) for group in groups]
+        self._fields = {
+            key: field for shown in self._laid_out for key, field in shown.fields.items()
+        }
+        while self._flow.takeAt(0) is not None:
+            pass
+        for shown in self._laid_out:
+            self._flow.addWidget(shown.widget)
+            shown.widget.show()
+        for gone in before:
+            if gone not in self._laid_out:
+                self._remove(gone.widget)
+        for shown in self._laid_out:
+            if shown not in before:
+                for widget in shown.widget.findChildren(QWidget):
+                    widget.ensurePolished()  # its size for touch comes from the style
         # The first line is always fully visible, with touch as well.
-        self.setMinimumHeight(min(max(flow.minimumSize().height() + 8, LEAST_PX), MOST_PX))
+        self.setMinimumHeight(min(max(self._flow.minimumSize().height() + 8, LEAST_PX), MOST_PX))
 
-    def _group(self, group: FieldGroup) -> QWidget:
+    def _remove(self, group: QWidget) -> None:
+        """Remove a group; its field that has the keyboard focus hands it to the one of its key."""
+        focused = QApplication.focusWidget()
+        if focused is not None and group.isAncestorOf(focused):
+            successor = self._fields.get(str(focused.property("key") or ""))
+            if successor is None:
+                focused.clearFocus()  # else the next field would take what is typed
+            else:
+                successor.setFocus()
+        group.hide()
+        group.deleteLater()  # one of its fields may be in the midst of a key
+
+    def _group(self, group: FieldGroup) -> _LaidOutGroup:
         widget = QWidget()
         column = QVBoxLayout(widget)
         column.setContentsMargins(0, 0, 0, 0)
@@ -128,12 +148,14 @@ class ParametersView(QScrollArea):
         for row in range(self._rows):
             grid.setRowMinimumHeight(row, ROW_HEIGHT_PX)
         before = self._add_offers(grid, group)
-        for number, spec in enumerate(group.fields):
-            self._add_field(grid, spec, number, before)
+        fields = {
+            spec.key: self._add_field(grid, spec, number, before)
+            for number, spec in enumerate(group.fields)
+        }
         grid.setColumnStretch(grid.columnCount(), 1)
         column.addLayout(grid)
         column.addStretch(1)
-        return widget
+        return _LaidOutGroup(group.shape, widget, fields)
 
     @property
     def _rows_now(self) -> int:
@@ -143,7 +165,7 @@ class ParametersView(QScrollArea):
 
     def _add_field(
         self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
-    ) -> None:
+    ) -> ValueField:
         field = _make_field(spec)
         field.setProperty("key", spec.key)
         _describe(field, spec)
@@ -156,7 +178,6 @@ class ParametersView(QScrollArea):
             field.number.setProperty("key", spec.key)
             field.moved.connect(self._moved)
             field.cancelled.connect(self.move_cancelled)
-        self._fields[spec.key] = field
         label = QLabel(spec.label)
         label.setBuddy(field)
         label.setToolTip(spec.tip)
@@ -164,6 +185,7 @@ class ParametersView(QScrollArea):
         row, column = number % self._rows, before + 2 * (number // self._rows)
         grid.addWidget(label, row, column)
         grid.addWidget(field, row, column + 1)
+        return field
 
     def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> int:
         """Add the buttons before the fields; return the number of columns they take."""
@@ -193,6 +215,14 @@ class ParametersView(QScrollArea):
 
     def _choose(self) -> None:
         self.proposal_chosen.emit(self.sender().property("offer"))
+
+
+def _taken(unused: list[_LaidOutGroup], group: FieldGroup) -> _LaidOutGroup | None:
+    """Take out and return one of the same shape; None if there is none."""
+    for number, shown in enumerate(unused):
+        if shown.shape == group.shape:
+            return unused.pop(number)
+    return None
 
 
 def _heading(group: FieldGroup) -> QHBoxLayout:
