@@ -808,6 +808,10 @@
             <translation>Fotens häl och trampdyna ligger i en omöjlig ordning, så ingen form ur biblioteket kan läggas på den; välj foten som bas eller skanna igen.</translation>
         </message>
         <message>
+            <source>Heel and toe were clicked {length_mm:.0f} mm from each other, which is no foot; click the end of the heel, the tip of a toe and the sole again.</source>
+            <translation>Häl och tå klickades {length_mm:.0f} mm från varandra, vilket inte är någon fot; klicka på hälens ände, en tåspets och sulan igen.</translation>
+        </message>
+        <message>
             <source>Heel cup</source>
             <translation>Hälskål</translation>
         </message>
@@ -1844,8 +1848,20 @@
             <translation>Foten är klar</translation>
         </message>
         <message>
+            <source>The foot lies as heel, toe and sole were clicked.</source>
+            <translation>Foten ligger så som häl, tå och sula klickades.</translation>
+        </message>
+        <message>
+            <source>The foot may lie in another way as well: taken is a {side} foot of {length_mm:.0f} mm, turned otherwise it is a {other_side} one of {other_mm:.0f} mm; see that heel, toes and sole are right.</source>
+            <translation>Foten kan ligga även på ett annat sätt: vald är en {side} fot på {length_mm:.0f} mm, vänd annorlunda är det en {other_side} på {other_mm:.0f} mm; se efter att häl, tår och sula stämmer.</translation>
+        </message>
+        <message>
             <source>The foot was pressed into foam, so its tissue is spread by weight already: no expansion is proposed.</source>
             <translation>Foten har tryckts ner i skum, så dess vävnad är redan utbredd av belastningen: inget mjukdelstillägg föreslås.</translation>
+        </message>
+        <message>
+            <source>The foot would be {length_mm:.0f} mm long, which few feet are; check the unit.</source>
+            <translation>Foten skulle vara {length_mm:.0f} mm lång, vilket få fötter är; kontrollera enheten.</translation>
         </message>
         <message>
             <source>The foot's shape is a {shape_side} one, but a {side} foot is to be simulated; give both the same side.</source>
@@ -2108,6 +2124,10 @@
             <translation>Programmet som läser sensorerna har inte svarat på {seconds:.0f} s och avslutades; färdiga vyer är sparade. Sök efter sensorer igen.</translation>
         </message>
         <message>
+            <source>The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; see that it is one whole foot.</source>
+            <translation>Proportionerna är ovanliga för en fot: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {midfoot_mm:.0f} mm på mitten, {heel_mm:.0f} mm vid hälen; se efter att det är en hel fot.</translation>
+        </message>
+        <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
             <translation>Bakfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
         </message>
@@ -2172,6 +2192,10 @@
             <translation>Sessionen säger att det är en {side} fot, men formen ser ut som en {shape_side}; fråga vilken fot det är, och rätta ”side” i manifest.json vid behov.</translation>
         </message>
         <message>
+            <source>The shape does not tell left from right (a left foot of {left_mm:.0f} mm, or a right one of {right_mm:.0f} mm); say which foot it is.</source>
+            <translation>Formen skiljer inte vänster från höger (en vänsterfot på {left_mm:.0f} mm eller en högerfot på {right_mm:.0f} mm); ange vilken fot det är.</translation>
+        </message>
+        <message>
             <source>The shape does not tell left from right; taken as a {side} foot as asked.</source>
             <translation>Formen skiljer inte vänster från höger; tas som en {side} fot som angivet.</translation>
         </message>
@@ -2222,6 +2246,10 @@
         <message>
             <source>The surface is flat, which is no foot; export the scan again.</source>
             <translation>Ytan är plan, vilket ingen fot är; exportera skanningen igen.</translation>
+        </message>
+        <message>
+            <source>The surface is no foot by its shape: {length_mm:.0f} mm long, but {toe_mm:.0f} mm high where the toes would be, and feet are {usual_mm:.0f} mm there at most; check that the file holds one whole foot or its sole, and nothing else.</source>
+            <translation>Ytan har inte formen av en fot: {length_mm:.0f} mm lång men {toe_mm:.0f} mm hög där tårna skulle vara, och fötter är högst {usual_mm:.0f} mm där; kontrollera att filen innehåller en hel fot eller dess sula och inget annat.</translation>
         </message>
         <message>
             <source>The surface is only {thickness_mm:.0f} mm thick on average at a length of {length_mm:.0f} mm, as if it were an insole; choose the scan of the foot.</source>
@@ -5838,6 +5866,10 @@
         <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
+        </message>
+        <message>
+            <source>{path} is doubtful: {doubts} Open it in the window, or insist with --force.</source>
+            <translation>{path} är osäker: {doubts} Öppna den i fönstret, eller insistera med --force.</translation>
         </message>
         <message>
             <source>{path} is empty; choose a table with one row for a person.</source>
