@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.geometry.arrays import FloatArray
@@ -34,6 +34,13 @@ class PoseClicks:
     heel: Point
     toe: Point
     sole: Point
+
+    def scaled(self, factor: float) -> PoseClicks:
+        """Return the points of the scan that was made larger about its origin."""
+        heel, toe, sole = (
+            (x * factor, y * factor, z * factor) for x, y, z in (self.heel, self.toe, self.sole)
+        )
+        return PoseClicks(heel, toe, sole)
 
 
 @dataclass(frozen=True)
@@ -80,6 +87,12 @@ class FootCandidate:
     covered: float = 1.0
     second_toe_found: bool = True
     leg: CutLeg | None = None
+
+    def scaled(self, factor: float) -> FootCandidate:
+        """Return the same way for the scan that was made larger about its origin."""
+        source2insole = self.source2insole.copy()
+        source2insole[:3, 3] *= factor
+        return replace(self, source2insole=source2insole, length_mm=self.length_mm * factor)
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,9 +11,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
-from insole_core.foot.foot_placement import placed_foot
-from insole_core.foot.foot_proportions import check_length, check_proportions
-from insole_core.foot.pose import surface_points
+from insole_core.foot.foot_placement import find_foot, placed_foot
+from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
@@ -62,10 +61,8 @@ class ScanExamination:
     Parameters
     ----------
     path
-    surface : mm, source frame
-        All that was read.
-    unit
-        As given or concluded.
+    read
+        What was read, at its final scale, without what surrounds the feet.
     form
         As given or concluded.
     feet
@@ -77,8 +74,7 @@ class ScanExamination:
     """
 
     path: Path
-    surface: TriangleMesh
-    unit: Unit
+    read: ReadMesh
     form: Form
     feet: tuple[FoundFoot, ...]
     notes: tuple[str, ...] = ()
@@ -160,14 +156,21 @@ def examine_surface(
     form, known_size = choice.form, choice.known_size
     box = find_imprinted_feet(read, form, choice.side, known_size)
     if box is None:
-        read, left_out, feet = find_scanned_feet(read, known_size, form is Form.FOOT)
+
+        def find(mesh: TriangleMesh, factor: float) -> FoundFoot:
+            pose = None if choice.pose is None else choice.pose.scaled(factor)
+            return find_foot(mesh, choice.side, pose)
+
+        read, left_out, feet = find_scanned_feet(
+            read, known_size, find=find, is_foot=form is Form.FOOT
+        )
         if form is None and len(feet) == 1:
             feet = (with_rimless_doubt(read, feet[0]),)
         form = form or Form.FOOT
     else:
         read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
     notes = read.notes if read.second is None else ()
-    return ScanExamination(path, read.mesh, read.unit, form, feet, notes, left_out)
+    return ScanExamination(path, read, form, feet, notes, left_out)
 
 
 def take_foot(
@@ -199,7 +202,7 @@ def take_foot(
     foot = placed_foot(found, candidate, force=choice.force)
     check_length(foot.length_mm)
     if not choice.force:
-        check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
+        check_proportions(proportions(foot.mesh, foot.length_mm))
     form = examination.form
     notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
     source = mesh_source(found.path or examination.path, form)

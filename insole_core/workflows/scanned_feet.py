@@ -2,26 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from insole_core.foot.foot_candidate import FoundFoot
-from insole_core.foot.foot_placement import find_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
 from insole_core.scans.surroundings import second_foot, without_surroundings
 
+FindFoot = Callable[[TriangleMesh, float], FoundFoot]
+"""Finds a foot in a surface that was made larger by a factor since it was read."""
 _SCALE_ROUNDS, _SCALE_ERROR = 4, 0.002
 
 
 def find_scanned_feet(
-    read: ReadMesh, known_size: KnownSize | None = None, is_foot: bool = False
+    read: ReadMesh,
+    known_size: KnownSize | None = None,
+    *,
+    find: FindFoot,
+    is_foot: bool = False,
 ) -> tuple[ReadMesh, tuple[str, ...], tuple[FoundFoot, ...]]:
     """Leave out what surrounds the feet in a scan, find them, and scale them to a known length.
 
     Parameters
     ----------
+    find
+        Finds a foot in a surface.
     is_foot
         Whether the user has said that it is a foot, and no imprint.
 
@@ -40,35 +48,37 @@ def find_scanned_feet(
         When it does not look like a foot.
     """
     scan = without_surroundings(read.mesh, is_foot=is_foot)
-    read, feet = _in_scale(replace(read, mesh=scan.mesh), known_size)
+    read, feet = _in_scale(replace(read, mesh=scan.mesh), known_size, find)
     if read.second is None:
         return read, scan.left_out, feet
-    second, others, more = find_scanned_feet(read.second, known_size, is_foot)
+    second, others, more = find_scanned_feet(read.second, known_size, find=find, is_foot=is_foot)
     named = (named_foot(feet[0], read), named_foot(more[0], second))
     return read, (*scan.left_out, *others), named
 
 
-def _in_scale(read: ReadMesh, known: KnownSize | None) -> tuple[ReadMesh, tuple[FoundFoot, ...]]:
+def _in_scale(
+    read: ReadMesh, known: KnownSize | None, find: FindFoot
+) -> tuple[ReadMesh, tuple[FoundFoot, ...]]:
     """Return the scan at the scale at which the first foot has its known length, and the feet."""
-    feet = _feet_in(read.mesh)
+    feet = _feet_in(read.mesh, find, 1.0)
     if known is None or isinstance(known, KnownDistance):
         return read, feet
-    length_mm = known_length_mm(known)
+    length_mm, total = known_length_mm(known), 1.0
     for _ in range(_SCALE_ROUNDS):
         factor = length_mm / feet[0].candidates[0].length_mm
         if abs(factor - 1) < _SCALE_ERROR:
             break
-        read = read.scaled(factor)
-        feet = _feet_in(read.mesh)
+        read, total = read.scaled(factor), total * factor
+        feet = _feet_in(read.mesh, find, total)
     return read, feet
 
 
-def _feet_in(mesh: TriangleMesh) -> tuple[FoundFoot, ...]:
+def _feet_in(mesh: TriangleMesh, find: FindFoot, factor: float) -> tuple[FoundFoot, ...]:
     """Return the foot in a scan, or both where two stand in it without touching."""
     is_second = second_foot(mesh)
     if is_second is None:
-        return (find_foot(mesh),)
-    first, second = find_foot(mesh.part(~is_second)), find_foot(mesh.part(is_second))
+        return (find(mesh, factor),)
+    first, second = (find(mesh.part(part), factor) for part in (~is_second, is_second))
     if first.told_side is not None and first.told_side is second.told_side:
         doubt = Message(
             "Both feet in the scan look like a {side} one; say which foot is which.",
