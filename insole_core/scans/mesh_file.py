@@ -172,15 +172,21 @@ def _checked(raw: RawSurface, path: Path) -> RawSurface:
             "{path} names corners that it does not hold; it is damaged, so export it again.",
             path=path,
         )
-    is_number = np.asarray(np.isfinite(raw.vertices).all(axis=1))
-    is_number &= (np.abs(raw.vertices) < _MOST_COORDINATE).all(axis=1)
-    wrong = not (is_number.all() or (len(raw.triangles) and is_number[raw.triangles].all()))
-    if wrong:
+    if not _are_numbers(raw):
         raise InputError(
             "{path} holds coordinates that are not numbers; it is damaged, so export it again.",
             path=path,
         )
     return raw
+
+
+def _are_numbers(raw: RawSurface) -> bool:
+    """Return whether all coordinates are lengths; vertices without triangle do not count."""
+    least, greatest = raw.vertices.min(), raw.vertices.max()  # not a number if one of them is none
+    if least > -_MOST_COORDINATE and greatest < _MOST_COORDINATE:
+        return True
+    is_number = np.asarray((np.abs(raw.vertices) < _MOST_COORDINATE).all(axis=1))
+    return len(raw.triangles) > 0 and bool(is_number[raw.triangles].all())
 
 
 def _too_large(path: Path) -> InputError:
