@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import PurePath
 from typing import Any, TypeAlias
 
+Translate: TypeAlias = Callable[[str], str]
+"""Returns a message in another language; `str` leaves it in English."""
 Value: TypeAlias = str | float | PurePath
 """Value of a placeholder; no objects that hold arrays or tracebacks, which it would keep alive."""
 

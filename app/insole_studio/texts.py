@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from string import Formatter
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
-from insole_core.messages import Message
+from insole_core.messages import Message, Translate
 from insole_core.resources import resource_path
 
 CONTEXT = "studio"
@@ -20,11 +21,14 @@ def tr(text: str) -> str:
 
 
 class _Localised(Formatter):
-    """Fills placeholders; numbers get the decimal sign of the window's language."""
+    """Fills placeholders; numbers get the decimal sign of a language, by default the window's."""
+
+    def __init__(self, locale: QLocale | None = None) -> None:
+        self._locale = QLocale() if locale is None else locale
 
     def format_field(self, value: object, format_spec: str) -> str:
         text: str = super().format_field(value, format_spec)
-        return text.replace(".", QLocale().decimalPoint()) if isinstance(value, float) else text
+        return text.replace(".", self._locale.decimalPoint()) if isinstance(value, float) else text
 
 
 def fill(template: str, **values: object) -> str:
@@ -42,14 +46,54 @@ def translate_core_message(sentence: str) -> str:
 
     What is in no catalogue stays as it is: numbers, names, and texts of the window itself.
     """
+    return _translated(sentence, partial(QCoreApplication.translate, CORE_CONTEXT), QLocale())
+
+
+def _translated(sentence: str, look_up: Translate, locale: QLocale) -> str:
     if not isinstance(sentence, Message) or not sentence.values:
-        return QCoreApplication.translate(CORE_CONTEXT, str(sentence))
-    template = QCoreApplication.translate(CORE_CONTEXT, sentence.template)
+        return look_up(str(sentence))
     values = {
-        name: translate_core_message(value) if isinstance(value, str) else value
+        name: _translated(value, look_up, locale) if isinstance(value, str) else value
         for name, value in sentence.values.items()
     }
-    return fill(template, **values)
+    return _Localised(locale).vformat(look_up(sentence.template), (), values)
+
+
+def translation_into(language: str) -> Translate:
+    """Return what translates messages of the core, whatever the window's language is.
+
+    Parameters
+    ----------
+    language
+        As for `load_language`.
+    """
+    code = language_code(language)
+    translators = [QTranslator() for _ in _catalogues(code)]
+    for translator, catalogue in zip(translators, _catalogues(code), strict=True):
+        translator.load(str(catalogue))
+
+    def look_up(text: str) -> str:
+        found = (translator.translate(CORE_CONTEXT, text) for translator in translators)
+        return next(filter(None, found), text)
+
+    locale = QLocale(code)
+    return lambda sentence: _translated(sentence, look_up, locale)
+
+
+def language_code(language: str) -> str:
+    """Return the code of a language that has texts: "en" for all others.
+
+    Parameters
+    ----------
+    language
+        A code such as "sv", or "system".
+    """
+    wanted = QLocale.system().name()[:2] if language == "system" else language
+    return wanted if _catalogues(wanted) else "en"
+
+
+def _catalogues(code: str) -> list[Path]:
+    return sorted((resource_path("translations") / code).glob("*.qm"))
 
 
 def load_language(application: QCoreApplication, language: str) -> None:
@@ -61,9 +105,9 @@ def load_language(application: QCoreApplication, language: str) -> None:
     for translator in application.findChildren(QTranslator):
         application.removeTranslator(translator)
         translator.deleteLater()
-    wanted = QLocale.system().name()[:2] if language == "system" else language
-    catalogues = sorted((resource_path("translations") / wanted).glob("*.qm"))
-    QLocale.setDefault(QLocale(wanted if catalogues else "en"))
+    wanted = language_code(language)
+    catalogues = _catalogues(wanted)
+    QLocale.setDefault(QLocale(wanted))
     if catalogues:
         own = Path(QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))
         catalogues.append(own / f"qtbase_{wanted}.qm")

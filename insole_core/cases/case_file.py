@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import json
 import zipfile
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from insole_core.cases.case_json import FORMAT, VERSION, case_from_json, case_to_json
 from insole_core.cases.case_record import CaseRecord
@@ -29,8 +31,15 @@ _PARTS = (CASE_NAME, FOOT_NAME_1, *FOOT_NAMES.values())
 _WHEN = (1980, 1, 1, 0, 0, 0)
 
 
-def write_case(record: CaseRecord, path: Path) -> str:
+def write_case(
+    record: CaseRecord, path: Path, packed: Mapping[Side, bytes] = MappingProxyType({})
+) -> str:
     """Write a case atomically; equal cases give equal files.
+
+    Parameters
+    ----------
+    packed
+        Surfaces that `pack_mesh` has packed before, which takes seconds.
 
     Returns
     -------
@@ -47,7 +56,8 @@ def write_case(record: CaseRecord, path: Path) -> str:
             text = json.dumps(case_to_json(record), indent=1, ensure_ascii=False)
             _add(archive, CASE_NAME, text.encode("utf-8"))
             for foot in record.feet:
-                _add(archive, FOOT_NAMES[foot.side], pack_mesh(foot.foot.mesh))
+                surface = packed.get(foot.side) or pack_mesh(foot.foot.mesh)
+                _add(archive, FOOT_NAMES[foot.side], surface)
         return sha256_of(beside, MAX_CASE_BYTES)
 
 

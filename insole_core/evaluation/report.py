@@ -134,12 +134,18 @@ class Report:
         Of the device; empty if there is none, or it is unknown.
     made_at
         ISO 8601.
+    language
+        Of its texts, such as "en".
+    page_word
+        Before the number of a page, in that language.
     """
 
     title: str
     serial: str
     made_at: str
     sections: tuple[ReportSection, ...] = field(default_factory=tuple)
+    language: str = "en"
+    page_word: str = "page"
 
     @property
     def failed(self) -> tuple[Number, ...]:

@@ -46,7 +46,7 @@ def _page(report: Report) -> str:
     body = "".join(_section_html(section, report.title) for section in report.sections)
     title = html.escape(report.title)
     return (
-        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        f'<!doctype html><html lang="{html.escape(report.language)}"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width">'
         f"<title>{title}</title><style>{_STYLE}</style></head><body><h1>{title}</h1>"
         f'<p class="head">{html.escape(head_line(report))}</p>{body}</body></html>\n'

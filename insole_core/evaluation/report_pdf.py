@@ -46,7 +46,7 @@ def write_pdf(report: Report, path: Path) -> None:
         titled = section.title != report.title
         story += _section(section, [paragraph(section.title, _CHAPTER)] * titled)
     sensor = f"Sensor {report.serial} · " if report.serial else ""
-    write_pages(story, path, report.title, f"{sensor}page #")
+    write_pages(story, path, report.title, f"{sensor}{report.page_word} #")
 
 
 def _section(section: ReportSection, heading: list[Flowable]) -> list[Flowable]:

@@ -44,6 +44,7 @@ from insole_core.export.lettering import as_written, font_path, with_known_lette
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
+from insole_core.messages import Translate
 from insole_core.resources import resource_path
 
 rl_config.useA85 = 0  # streams as text cost a fifth of the file, and most of the time of pictures
@@ -220,6 +221,7 @@ def write_prescription(
     path: Path,
     *,
     responsible: Facts,
+    translate: Translate = str,
 ) -> None:
     """Write the prescription for the patient and the record, with the statement of Annex XIII.
 
@@ -234,6 +236,8 @@ def write_prescription(
     responsible
         Prescriber, clinic, maker and the maker's address. The text of the statement may name
         them, and every other fact here, in braces: ``{maker}``.
+    translate
+        Into the language of the paper; lines and facts come translated, names of facts do not.
 
     Raises
     ------
@@ -242,13 +246,13 @@ def write_prescription(
     InputError
         When the texts cannot be read.
     """
-    texts = paper_texts("prescription")
+    texts = paper_texts("prescription", translate)
     story = [paragraph(texts["title"], TITLE)]
-    story += _facts(texts["identification"], identification)
+    story += _facts(texts["identification"], identification, translate)
     given = {key: value for key, value in responsible.items() if value}
-    story += _facts(texts["responsible"], given)
+    story += _facts(texts["responsible"], given, translate)
     story += _list(texts["corrections"], corrections or ("–",))
-    story += _facts(texts["make"], make)
+    story += _facts(texts["make"], make, translate)
     statement = _filled(texts["statement"], {**identification, **responsible})
     story += _list(texts["statement_title"], (statement,))
     story += [Spacer(1, 20 * mm), paragraph("_" * 40)]
@@ -343,8 +347,13 @@ def _register_font() -> None:
     pdfmetrics.registerFontFamily(_FONT, **faces)
 
 
-def paper_texts(name: str) -> dict[str, str]:
+def paper_texts(name: str, translate: Translate = str) -> dict[str, str]:
     """Return the texts of a paper, which a clinic can edit.
+
+    Parameters
+    ----------
+    translate
+        Into the language of the paper; what a clinic has edited stays as it is.
 
     Raises
     ------
@@ -356,13 +365,13 @@ def paper_texts(name: str) -> dict[str, str]:
         content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     except ValueError as error:
         raise InputError("{path} is no valid JSON; correct the texts.", path=path) from error
-    return {key: str(value) for key, value in content.items()}
+    return {key: translate(str(value)) for key, value in content.items()}
 
 
-def _facts(title: str, facts: Facts) -> list[Flowable]:
+def _facts(title: str, facts: Facts, translate: Translate = str) -> list[Flowable]:
     if not facts:
         return []
-    words = paper_texts("words")
+    words = paper_texts("words", translate)
     rows = [[paragraph(words.get(text, text)) for text in fact] for fact in facts.items()]
     table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
     table.setStyle(
@@ -382,15 +391,16 @@ def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
 
 def _pictures(sheet: JobSheet) -> Image:
     """Draw the height map, if there is one, and the sections, to equal scales."""
-    figure = Figure(figsize=(7, 2.9), layout="constrained")
+    # Fixed places: an automatic layout would take most of the time of a sheet.
+    figure = Figure(figsize=(7, 2.9))
     FigureCanvasAgg(figure)
-    left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 1.7]), dtype=object)
     if sheet.height_map is not None:
-        axes = left.subplots()
+        axes = figure.add_axes((0.06, 0.15, 0.19, 0.8))
         _draw_map(axes, sheet.height_map, sheet.failed_mm)
-        left.colorbar(axes.images[0], ax=axes, label="mm", shrink=0.8)
+        figure.colorbar(axes.images[0], cax=figure.add_axes((0.27, 0.23, 0.014, 0.64)), label="mm")
     count = max(1, len(sheet.sections))
-    rows = right.subplots(count, 1, squeeze=False, sharex=True, sharey=True)[:, 0]
+    places = figure.add_gridspec(count, 1, left=0.4, right=0.99, bottom=0.08, top=0.92, hspace=0.7)
+    rows = places.subplots(squeeze=False, sharex=True, sharey=True)[:, 0]
     for axes, section in zip(rows, sheet.sections, strict=False):
         axes.fill_between(section.along_mm, section.bottom_mm, section.top_mm, color="tan")
         axes.set_title(with_known_letters(section.title), fontsize=8)
@@ -421,9 +431,9 @@ def _draw_map(
 def _nesting_picture(nesting: Nesting) -> Image:
     """Draw the block from above with its parts, heel and toes of each named."""
     width, length, height = nesting.block_mm
-    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
+    figure = Figure(figsize=(6.4, 6.4))
     FigureCanvasAgg(figure)
-    axes = figure.subplots()
+    axes = figure.add_axes((0.08, 0.07, 0.78, 0.91))
     words = paper_texts("words")
     for part in nesting.parts:
         _draw_map(axes, part.heights, part.failed_mm, height)
@@ -436,7 +446,7 @@ def _nesting_picture(nesting: Nesting) -> Image:
                 ha="center", va="center", fontsize=9,
                 bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
             )  # fmt: skip
-    figure.colorbar(axes.images[0], ax=axes, label="mm", shrink=0.6)
+    figure.colorbar(axes.images[0], cax=figure.add_axes((0.89, 0.25, 0.025, 0.55)), label="mm")
     axes.add_patch(Rectangle((0, 0), width, length, fill=False, linewidth=1.5))
     axes.set_xlim(-6, width + 6)
     axes.set_ylim(-6, length + 6)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from datetime import datetime
 from typing import Any
 
 import numpy as np
@@ -10,6 +12,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import is_rotation, rigid
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
+from insole_core.sensing.calibration_record import UNITS, CalibrationRecord
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import (
     DisparityModel,
@@ -22,6 +25,8 @@ from insole_core.sensing.sensor import Sensor
 
 DEPTH_SIZE = (640, 480)
 COLOR_SIZES = ((1280, 1024), (1280, 960), (640, 480))
+_STEP = re.compile(r"[a-z_]{1,32}")
+_MOST_STEPS = 20
 _TINY = 1e-9
 _MOST_MM, _MOST_PX, _MOST_DISTORTION = 1e4, 1e5, 1e3
 """Far beyond any camera; larger numbers are mistakes, and overflow."""
@@ -54,6 +59,7 @@ def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Se
         disparity=_disparity(root.object("disparity")),
         correction=correction,
         faces=tuple(faces),
+        calibration=_calibration(root.values.get("calibration")),
     )
 
 
@@ -95,7 +101,34 @@ def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
     }
     if correction is not None:
         values["disparity_correction"] = correction
+    if sensor.calibration:
+        values["calibration"] = [vars(step) for step in sensor.calibration]
     return values
+
+
+def _calibration(values: Any) -> tuple[CalibrationRecord, ...]:
+    """Read the steps of a calibration; what another program means by the key is passed over."""
+    items = values if isinstance(values, list) else []
+    steps = [_calibration_step(item) for item in items[:_MOST_STEPS] if isinstance(item, dict)]
+    return tuple(step for step in steps if step is not None)
+
+
+def _calibration_step(values: dict[str, Any]) -> CalibrationRecord | None:
+    match values:
+        case {"step": str(step), "made_at": str(made_at), "residual": int(left) | float(left)}:
+            unit = next((unit for unit in UNITS if unit == values.get("unit")), None)
+            is_known = _STEP.fullmatch(step) and _is_moment(made_at) and 0 <= left < _MOST_PX
+            if unit is not None and is_known:
+                return CalibrationRecord(step, made_at, float(left), unit)
+    return None
+
+
+def _is_moment(text: str) -> bool:
+    try:
+        datetime.fromisoformat(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> PinholeCamera:

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Final
+
+from insole_core.messages import Message
+
+NOT_RECORDED: Final = "not recorded"
+"""Of the calibration of sensors, in sessions of before it was stored."""
 
 
 @dataclass(frozen=True)
@@ -16,9 +21,9 @@ class CaptureFacts:
     recorded_at
         ISO 8601, UTC; empty where unknown.
     calibrated_on
-        ISO 8601, of the oldest calibration of its sensors; empty where unknown.
+        ISO 8601, of the oldest step of the calibration of its sensors; empty where not recorded.
     calibration_residuals
-        By serial number of the sensor, mm.
+        By serial number of the sensor, step and unit: ``A00362A00127049A: camera, px``.
     report
         Of the reconstruction, as `insole-studio reconstruct --report` writes it.
     """
@@ -28,6 +33,24 @@ class CaptureFacts:
     calibrated_on: str = ""
     calibration_residuals: Mapping[str, float] = field(default_factory=dict)
     report: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def residual_lines(self) -> list[Message]:
+        """What each step of the calibration left: "A00362A00127049A: camera 0.31 px"."""
+        lines = []
+        for name, value in self.calibration_residuals.items():
+            what, _, unit = name.rpartition(", ")
+            serial, _, step = what.rpartition(": ")
+            lines.append(
+                Message(
+                    "{serial}: {step} {value:.2f} {unit}",
+                    serial=serial,
+                    step=step,
+                    value=value,
+                    unit=unit,
+                )
+            )
+        return lines
 
 
 @dataclass(frozen=True)

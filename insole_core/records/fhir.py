@@ -1,15 +1,18 @@
 """A person and their prescriptions as FHIR R4 (4.0.1) resources, for other systems of a clinic.
 
 Only what the record knows is stated: free texts stay texts, and no code is added that nobody chose.
+Sides are coded in SNOMED CT, lengths and weights in UCUM. What the device is stays a text.
 https://hl7.org/fhir/R4/patient.html, https://hl7.org/fhir/R4/devicerequest.html
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.records.order import Order, OrderState
@@ -26,6 +29,17 @@ _PSEUDONYM: Final = {
 }
 _SWEDISH: Final = "http://electronichealth.se/identifier/"
 """Naming systems of the Swedish base profiles: personnummer and samordningsnummer, 12 digits."""
+_SWEDISH_OIDS: Final = {
+    "personnummer": "urn:oid:1.2.752.129.2.1.3.1",
+    "samordningsnummer": "urn:oid:1.2.752.129.2.1.3.3",
+}
+"""The same two by which older Swedish systems know them."""
+_URI: Final = "urn:ietf:rfc3986"
+_SNOMED: Final = "http://snomed.info/sct"
+_LATERALITY: Final = ("272741003", "Laterality")
+_SIDES: Final = {Side.LEFT: ("7771000", "Left"), Side.RIGHT: ("24028007", "Right")}
+_UCUM: Final = "http://unitsofmeasure.org"
+_QUANTITY: Final = re.compile(r"(\d+(?:\.\d+)?) (mm|kg)")
 _LEAST_COORDINATION_DAY: Final = 61
 STATUS_OF: Final[Mapping[OrderState, str]] = {
     OrderState.DESIGNED: "draft",
@@ -67,9 +81,8 @@ def patient_resource(person: Person, *, is_pseudonymous: bool = False) -> Resour
     resource: Resource = {"resourceType": "Patient", "id": person.id}
     if is_pseudonymous:
         return resource | {"identifier": [pseudonym]}
-    numbers = [_personal_number(person)] if person.personal_number else []
     resource |= {
-        "identifier": [*numbers, pseudonym],
+        "identifier": [*_personal_numbers(person), pseudonym, _uuid(person.id)],
         "active": person.merged_into is None and not person.is_erased,
         "name": [{"use": "official", "text": person.name}],
     }
@@ -90,6 +103,7 @@ def device_request_resource(person: Person, device: PrescribedDevice) -> Resourc
     resource: Resource = {
         "resourceType": "DeviceRequest",
         "id": version.id,
+        "identifier": [_uuid(version.id)],
         "status": _status(device),
         "intent": "order",
         "codeCodeableConcept": _words(f"Custom-made foot insole, {version.side} foot"),
@@ -111,14 +125,17 @@ def device_request_resource(person: Person, device: PrescribedDevice) -> Resourc
     return resource
 
 
-def _personal_number(person: Person) -> Resource:
-    identifier: Resource = {"use": "official", "value": person.personal_number}
+def _personal_numbers(person: Person) -> list[Resource]:
+    """Return the personal number under each name by which systems know it."""
+    if not person.personal_number:
+        return []
     if person.number_kind != "se":
-        return identifier
+        return [{"use": "official", "value": person.personal_number}]
     digits = person.personal_number.replace("-", "")
     is_coordination = int(digits[6:8]) >= _LEAST_COORDINATION_DAY
     name = "samordningsnummer" if is_coordination else "personnummer"
-    return identifier | {"system": f"{_SWEDISH}{name}", "value": digits}
+    systems = (f"{_SWEDISH}{name}", _SWEDISH_OIDS[name])
+    return [{"use": "official", "system": system, "value": digits} for system in systems]
 
 
 def _status(device: PrescribedDevice) -> str:
@@ -129,11 +146,30 @@ def _status(device: PrescribedDevice) -> str:
 
 
 def _parameters(design: InsoleDesign) -> Sequence[Resource]:
-    facts = {"side": str(design.side), **make_facts(design)}
-    return [
-        {"code": _words(name), "valueCodeableConcept": _words(value)}
-        for name, value in facts.items()
-    ]
+    side = {
+        "code": _coded(_LATERALITY, "side"),
+        "valueCodeableConcept": _coded(_SIDES[design.side], str(design.side)),
+    }
+    facts = make_facts(design).items()
+    return [side, *({"code": _words(name), **_value(value)} for name, value in facts)]
+
+
+def _value(text: str) -> Resource:
+    """Return a fact as a quantity where it is a number of mm or kg, else as a text."""
+    quantity = _QUANTITY.fullmatch(text)
+    if quantity is None:
+        return {"valueCodeableConcept": _words(text)}
+    number, unit = float(quantity.group(1)), quantity.group(2)
+    return {"valueQuantity": {"value": number, "unit": unit, "system": _UCUM, "code": unit}}
+
+
+def _coded(code: tuple[str, str], text: str) -> Resource:
+    number, display = code
+    return {"coding": [{"system": _SNOMED, "code": number, "display": display}], "text": text}
+
+
+def _uuid(key: str) -> Resource:
+    return {"system": _URI, "value": f"urn:uuid:{key}"}
 
 
 def _words(text: str) -> Resource:

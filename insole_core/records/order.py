@@ -28,6 +28,8 @@ OPEN_STATES: Final = (
     OrderState.RETURNED,
 )
 """States in which somebody still has something to do."""
+USUAL_DAYS_UNTIL_DUE: Final = 14
+MOST_DAYS_UNTIL_DUE: Final = 365
 
 
 @dataclass(frozen=True)

@@ -4,17 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from datetime import date
+from datetime import date, timedelta
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from sqlalchemy import Connection, Row, Select, func, insert, select, update
 
 from insole_core.errors import Conflict, InputError, RecordsError
+from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.context import RecordsContext
-from insole_core.records.field_checks import check_day, check_line, check_name, check_text
+from insole_core.records.field_checks import (
+    check_day,
+    check_line,
+    check_name,
+    check_number,
+    check_text,
+)
 from insole_core.records.order import (
+    MOST_DAYS_UNTIL_DUE,
     OPEN_STATES,
+    USUAL_DAYS_UNTIL_DUE,
     Order,
     OrderEvent,
     OrderFile,
@@ -35,6 +44,8 @@ from insole_core.records.schema import (
 from insole_core.records.stored_contents import put_file, refer_to
 from insole_core.records.times import utc_now
 from insole_core.solids.order_number import new_order_number
+
+_DAYS_UNTIL_DUE: Final = "days_until_due"
 
 
 class Orders:
@@ -129,6 +140,29 @@ class Orders:
             write_search_text(connection, visit.person_id)
             self._context.log(connection, "added", "order", order_id, visit=visit_id)
             return _order(connection, order_id)
+
+    def days_until_due(self) -> int:
+        """Return after how many days a new order is due at this clinic; 0 for no due date."""
+        with self._context.reading() as connection:
+            return int(setting_of(connection, _DAYS_UNTIL_DUE, USUAL_DAYS_UNTIL_DUE))
+
+    def set_days_until_due(self, days: int) -> None:
+        """Set after how many days new orders are due; whoever may order may say so.
+
+        Raises
+        ------
+        InputError
+            When it is negative, or more than a year.
+        """
+        check_number(days, "number of days", 0, MOST_DAYS_UNTIL_DUE)
+        with self._context.writing(Right.ORDER) as connection:
+            write_setting(connection, _DAYS_UNTIL_DUE, days)
+            self._context.log(connection, "changed", "clinic", _DAYS_UNTIL_DUE)
+
+    def usual_due_on(self, today: date) -> date | None:
+        """Return when an order of today is due; None where the clinic sets no due date."""
+        days = self.days_until_due()
+        return today + timedelta(days=days) if days else None
 
     def move(self, order_id: str, state: OrderState, remarks: str, revision: int) -> Order:
         """Bring an order to another state.

@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final
 
+from sqlalchemy import Connection, select
+
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
-from insole_core.records.person_matching import PersonIndex, summary_of
+from insole_core.records.person_matching import PersonIndex, born_text, summary_of
+from insole_core.records.person_rows import PERSON_FIELDS
 from insole_core.records.persons import add_persons
 from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.records import Records
 from insole_core.records.rights import Right
+from insole_core.records.schema import audit_head, persons
+from insole_core.records.search_text import fold, name_key_of
 
+_Line = tuple[str, str, str]
+"""Key of a name, the field, and a line of it without case and accents."""
 _AT_ONCE: Final = 500
 """Persons between two looks at whether the user has cancelled."""
 
@@ -66,21 +74,20 @@ class ImportPlan:
         yield from (line.person for line in self.of(*outcomes) if line.person is not None)
 
 
-def plan_import(rows: PersonRows, known: Iterable[PersonSummary]) -> ImportPlan:
-    """Return what becomes of the rows of a table.
+def plan_import(records: Records, rows: PersonRows) -> ImportPlan:
+    """Return what becomes of the rows of a table; nothing is added.
 
     A person is there already where personal number or pseudonym, or name and birth date are the
-    same; who only may be is doubtful. Nothing that the record holds of a person is changed.
+    same. A row without number and birth date is there already where all that it says is: name,
+    contact and notes. Who only may be somebody else is doubtful. Nothing that the record holds of a
+    person is changed.
 
-    Parameters
-    ----------
-    known
-        Everybody in the record.
+    Raises
+    ------
+    RecordsError
     """
-    planner = _Planner(known)
-    lines = [ImportLine(row.line, Outcome.REFUSED, row.reason) for row in rows.refused]
-    lines += [planner.planned(row) for row in rows.accepted]
-    return ImportPlan(tuple(sorted(lines, key=lambda line: line.line)))
+    with records.context.reading() as connection:
+        return _plan(connection, rows)
 
 
 def import_persons(
@@ -106,23 +113,45 @@ def import_persons(
     Cancelled
         Then nobody was added.
     """
-    plan = plan_import(rows, records.persons.everybody())
-    added = list(plan.persons(with_doubtful=with_doubtful))
     with records.context.writing(Right.WRITE) as connection:
+        connection.execute(select(audit_head).with_for_update())  # one import after the other
+        plan = _plan(connection, rows)
+        added = list(plan.persons(with_doubtful=with_doubtful))
         for begin in range(0, len(added), _AT_ONCE):
             progress.step(begin / len(added), "Adding persons")
             add_persons(records.context, connection, added[begin : begin + _AT_ONCE])
     return plan
 
 
+def _plan(connection: Connection, rows: PersonRows) -> ImportPlan:
+    """Return what becomes of the rows, as the record is in a transaction."""
+    planner = _Planner(_known_persons(connection))
+    lines = [ImportLine(row.line, Outcome.REFUSED, row.reason) for row in rows.refused]
+    lines += [planner.planned(row) for row in rows.accepted]
+    return ImportPlan(tuple(sorted(lines, key=lambda line: line.line)))
+
+
+def _known_persons(connection: Connection) -> list[Person]:
+    """Return everybody in the record, and whoever was merged into them: they are there, too."""
+    columns = (persons.c[name] for name in PERSON_FIELDS)
+    return [
+        Person(*row)
+        for row in connection.execute(select(*columns).where(persons.c.is_erased.is_(False)))
+    ]
+
+
 class _Planner:
     """Compares each row with the record and with the rows before it."""
 
-    def __init__(self, known: Iterable[PersonSummary]) -> None:
-        self._index = PersonIndex(known)
+    def __init__(self, known: Iterable[Person]) -> None:
+        self._index = PersonIndex(())
         self._doubtful = PersonIndex(())
         """Apart, since they are added only on demand: nobody is doubtful because of them."""
+        self._by_line: dict[_Line, list[Person]] = defaultdict(list)
+        """Of the record and of the rows before, by what tells people of one name apart."""
         self._line_of: dict[str, int] = {}
+        for person in known:
+            self._note(person, self._index)
 
     def planned(self, row: PersonRow) -> ImportLine:
         """Return what becomes of the next row."""
@@ -131,6 +160,9 @@ class _Planner:
         same = match if match is not None and match.is_certain else self._doubtful.find(person)
         if same is not None and same.is_certain:
             return self._found(row, same.person)
+        held = self._who_holds_all_of(person)
+        if held is not None:
+            return self._found(row, summary_of(held))
         if self._index.with_pseudonym(person.pseudonym) is not None:
             reason = Message(
                 "Another person has the pseudonym {pseudonym}; correct it.",
@@ -139,14 +171,55 @@ class _Planner:
             return ImportLine(row.line, Outcome.REFUSED, reason, person)
         self._line_of[person.id] = row.line
         if match is None:
-            self._index.add(summary_of(person))
+            self._note(person, self._index)
             return ImportLine(row.line, Outcome.NEW, person=person)
-        self._doubtful.add(summary_of(person))
+        self._note(person, self._doubtful)
         return ImportLine(row.line, Outcome.DOUBTFUL, match.reason, person)
+
+    def _note(self, person: Person, index: PersonIndex) -> None:
+        index.add(summary_of(person))
+        for line in _lines_of(person):
+            self._by_line[line].append(person)
+
+    def _who_holds_all_of(self, person: Person) -> Person | None:
+        """Return who is a person without number and birth date, by all that a row says of them."""
+        if person.birth_date is not None or person.personal_number:
+            return None
+        known = self._by_line.get(next(_lines_of(person)), ())
+        return next((other for other in known if _holds_all_of(other, person)), None)
 
     def _found(self, row: PersonRow, same: PersonSummary) -> ImportLine:
         earlier = self._line_of.get(same.id)
-        if earlier is None:
-            return ImportLine(row.line, Outcome.PRESENT, person=row.person)
-        reason = Message("The same person stands in line {line}.", line=earlier)
-        return ImportLine(row.line, Outcome.REPEATED, reason, row.person)
+        if earlier is not None:
+            reason = Message("The same person stands in line {line}.", line=earlier)
+            return ImportLine(row.line, Outcome.REPEATED, reason, row.person)
+        reason = Message("It is {name}, {born}.", name=same.name, born=born_text(same))
+        return ImportLine(row.line, Outcome.PRESENT, reason, row.person)
+
+
+def _lines_of(person: Person) -> Iterator[_Line]:
+    """Yield each line of contact and notes, and last that there is a person of this name."""
+    name = name_key_of(person.name)
+    for field, text in (("contact", person.contact), ("notes", person.notes)):
+        yield from ((name, field, line) for line in _folded_lines(text))
+    yield name, "", ""
+
+
+def _holds_all_of(known: Person, person: Person) -> bool:
+    """Return whether somebody of the same name has the contact and the notes of a row.
+
+    Somebody with a birth date or a number, which the row lacks, is the same by the contact only:
+    else two of one name would be taken for one.
+    """
+    is_completed = known.birth_date is not None or bool(known.personal_number)
+    if is_completed and not person.contact:
+        return False
+    return _has_lines(known.contact, person.contact) and _has_lines(known.notes, person.notes)
+
+
+def _has_lines(text: str, wanted: str) -> bool:
+    return set(_folded_lines(wanted)) <= set(_folded_lines(text))
+
+
+def _folded_lines(text: str) -> list[str]:
+    return [fold(line) for line in text.split("\n") if line]

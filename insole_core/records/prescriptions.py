@@ -184,6 +184,21 @@ class Prescriptions:
                 last[row.side] = row
         return [self.foot_of(row) for row in last.values()]
 
+    def packed_surface(self, version_id: str) -> bytes:
+        """Return the surface of a version's foot as it is stored: an ``.npz`` of a case file.
+
+        Raises
+        ------
+        RecordsError
+            As for `read`.
+        """
+        with self._context.reading() as connection:
+            query = select(_VERSIONS.mesh_sha256).where(_VERSIONS.id == version_id)
+            sha256 = connection.execute(query).scalar()
+        if sha256 is None:
+            raise _gone()
+        return self._context.contents.read(sha256)
+
     def close(self, version_id: str, reason: str) -> None:
         """Keep a version as it is, for a reason.
 

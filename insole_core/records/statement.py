@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,8 @@ from insole_core.errors import RecordsError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
+from insole_core.messages import Translate, joined
+from insole_core.records.capture import NOT_RECORDED, CaptureFacts
 from insole_core.records.context import RecordsContext
 from insole_core.records.person_rows import person_of
 from insole_core.records.prescriptions import Prescriptions
@@ -51,8 +53,8 @@ class FootStatement:
         Of the foot's surface that the device was made from.
     signature
         Of the version, see `signing`.
-    recorded_at, sensor_serials, calibrated_on, residuals_mm
-        Of the capture; empty for a scan of another device.
+    capture
+        What is known about the scan; its calibration is empty where a session does not tell it.
     """
 
     side: Side
@@ -66,14 +68,15 @@ class FootStatement:
     program_version: str
     scan: str = ""
     scan_sha256: str = ""
-    recorded_at: str = ""
-    sensor_serials: tuple[str, ...] = ()
-    calibrated_on: str = ""
-    residuals_mm: tuple[float, ...] = ()
+    capture: CaptureFacts = field(default_factory=CaptureFacts)
 
     def provenance(self) -> dict[str, str]:
-        """Return how the device came about, by name; what is not known is left out."""
-        residuals = ", ".join(f"{value:.2f} mm" for value in self.residuals_mm)
+        """Return how the device came about, by name; what is not known is left out.
+
+        A scan by sensors says that their calibration is not recorded, where it is not.
+        """
+        capture = self.capture
+        unknown = NOT_RECORDED if capture.sensor_serials else ""
         facts = {
             "version": str(self.version),
             "designed by": self.author,
@@ -82,10 +85,10 @@ class FootStatement:
             "scan": self.scan,
             "SHA-256 of the scan": self.scan_sha256,
             "SHA-256 of the foot": self.mesh_sha256,
-            "recorded": self.recorded_at[:10],
-            "sensors": ", ".join(self.sensor_serials),
-            "calibrated": self.calibrated_on[:10],
-            "residuals of the calibration": residuals,
+            "recorded": capture.recorded_at[:10],
+            "sensors": ", ".join(capture.sensor_serials),
+            "calibrated": capture.calibrated_on[:10] or unknown,
+            "residuals of the calibration": joined(capture.residual_lines, "; ") or unknown,
             "Insole Studio": self.program_version,
         }
         return {name: value for name, value in facts.items() if value}
@@ -182,8 +185,15 @@ def statement_of(
     )
 
 
-def write_statement_paper(statement: DeviceStatement, path: Path, day: date) -> None:
+def write_statement_paper(
+    statement: DeviceStatement, path: Path, day: date, translate: Translate = str
+) -> None:
     """Write the statement as a PDF, with the corrections and how the devices came about.
+
+    Parameters
+    ----------
+    translate
+        Into the language of the paper.
 
     Raises
     ------
@@ -198,6 +208,7 @@ def write_statement_paper(statement: DeviceStatement, path: Path, day: date) -> 
         material="",
         day=day,
         provenance={foot.side: foot.provenance() for foot in statement.feet},
+        translate=translate,
     )
 
 
@@ -243,10 +254,12 @@ def _foot(connection: Connection, context: RecordsContext, row: Row[Any]) -> Foo
         statement,
         scan=capture.file_name,
         scan_sha256=capture.content_sha256,
-        recorded_at=capture.recorded_at,
-        sensor_serials=tuple(json.loads(capture.sensor_serials)),
-        calibrated_on=capture.calibrated_on,
-        residuals_mm=tuple(json.loads(capture.calibration_residuals).values()),
+        capture=CaptureFacts(
+            recorded_at=capture.recorded_at,
+            sensor_serials=tuple(json.loads(capture.sensor_serials)),
+            calibrated_on=capture.calibrated_on,
+            calibration_residuals=json.loads(capture.calibration_residuals),
+        ),
     )
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
+from insole_core.sensing.calibration_record import CalibrationRecord
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
 from insole_core.sensing.pinhole_camera import PinholeCamera
@@ -29,6 +30,8 @@ class Sensor:
         Subtracted from every raw number before the conversion, thesis (16).
     faces
         The marker groups of the reference system that this sensor sees.
+    calibration
+        When its parts were calibrated, and how well; empty where nobody has noted it.
     """
 
     model: str
@@ -39,6 +42,12 @@ class Sensor:
     disparity: DisparityModel
     correction: DisparityCorrection | None = None
     faces: tuple[str, ...] = field(default_factory=tuple)
+    calibration: tuple[CalibrationRecord, ...] = ()
+
+    def calibrated(self, done: CalibrationRecord) -> Sensor:
+        """Return the sensor with a step noted in place of the same step before."""
+        others = (step for step in self.calibration if step.step != done.step)
+        return replace(self, calibration=(*others, done))
 
     def corrected(self, raw: FloatArray) -> FloatArray:
         """Remove the sensor's distortion from a raw image (height, width), NaN = no reading."""

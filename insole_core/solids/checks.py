@@ -200,10 +200,24 @@ def _worst_of(findings: Sequence[Finding]) -> Finding:
 
 def survey_heights(solid: TriangleMesh) -> HeightMap:
     """Return the heights of a solid, mm, in its own frame."""
-    below = TriangleMesh(solid.vertices * [1, 1, -1], solid.triangles)
-    above = _Survey(solid)
-    first = above.places[0, 0]
-    return HeightMap(above.seen[0], -_Survey(below).seen[0], (float(first[0]), float(first[1])))
+    top_mm, first_mm = survey_side(solid, from_above=True)
+    return HeightMap(top_mm, survey_side(solid, from_above=False)[0], first_mm)
+
+
+def survey_side(solid: TriangleMesh, *, from_above: bool) -> tuple[FloatArray, tuple[float, float]]:
+    """Return the heights of one side of a solid, at half the cost of both.
+
+    Returns
+    -------
+    heights_mm : (ny, nx) float64
+        On pixels of 1 mm; NaN beside the solid.
+    first_mm
+        x and y of the centre of the pixel [0, 0].
+    """
+    sign = 1 if from_above else -1
+    survey = _Survey(TriangleMesh(solid.vertices * [1, 1, sign], solid.triangles))
+    x, y = survey.places[0, 0]
+    return sign * survey.seen[0], (float(x), float(y))
 
 
 class _Survey:

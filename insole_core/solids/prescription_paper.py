@@ -16,7 +16,7 @@ from insole_core.errors import InputError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
-from insole_core.messages import joined
+from insole_core.messages import Translate, joined
 
 
 @dataclass(frozen=True)
@@ -91,6 +91,7 @@ def write_prescription_paper(
     material: str,
     day: date,
     provenance: Mapping[Side, Mapping[str, str]] | None = None,
+    translate: Translate = str,
 ) -> None:
     """Write the prescription of one foot or of both, with the statement.
 
@@ -102,6 +103,8 @@ def write_prescription_paper(
         Date of the paper.
     provenance
         How the device of each foot came about, as the clinic's record knows it.
+    translate
+        Into the language of the paper.
 
     Raises
     ------
@@ -115,10 +118,11 @@ def write_prescription_paper(
     require_statement(responsible, identification)
     lines, make = [], {}
     for design in designs:
-        lines += [f"{str(design.side).capitalize()}. {line}" for line in correction_lines(design)]
+        side = translate(str(design.side))
+        lines += [f"{side.capitalize()}. {translate(line)}" for line in correction_lines(design)]
         known = (provenance or {}).get(design.side, {})
         for key, value in {**make_facts(design), **known}.items():
-            make[f"{design.side}, {key}"] = value
+            make[f"{side}, {translate(key)}"] = translate(value)
     sides = " and ".join(str(design.side) for design in designs)
     write_prescription(
         {**identification, "side": sides, "date": day.isoformat()},
@@ -126,4 +130,5 @@ def write_prescription_paper(
         {"material": material or "–", **make},
         path,
         responsible={key.replace("_", " "): value for key, value in vars(responsible).items()},
+        translate=translate,
     )

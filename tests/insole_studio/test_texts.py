@@ -13,16 +13,32 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication
 
 import insole_studio
+from insole_core.export.paper import paper_texts
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import (
+    ArchRaise,
+    Finish,
+    ForefootTwist,
+    HeelLift,
+    HeelSkive,
+    InsoleDesign,
+    Pelott,
+    Posting,
+    Shell,
+)
+from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.messages import Message
 from insole_core.resources import resource_path
 from insole_studio.texts import (
     CONTEXT,
     CORE_CONTEXT,
     fill,
+    language_code,
     load_language,
     localised,
     tr,
     translate_core_message,
+    translation_into,
 )
 from insole_studio.widgets.number_field import NumberField
 
@@ -116,9 +132,11 @@ def _formats_a_number(node: ast.AST) -> bool:
     return node.func.attr == "format" and bool(_NUMBER.search(ast.unparse(node.func.value)))
 
 
-@pytest.mark.parametrize("word", ["boll", "trampan", "hälkopp", "skive", "förskriv"])
+@pytest.mark.parametrize(
+    "word", ["boll", "trampan", "hälkopp", "skive", "förskriv", "register", "upptagning"]
+)
 def test_one_thing_has_one_swedish_word(word: str) -> None:
-    """The words are: trampdyna, hälskål, hälskivning, ordination."""
+    """The words are: trampdyna, hälskål, hälskivning, ordination, journal, avbildning."""
     texts = [*catalogue().values(), *catalogue(CORE_CONTEXT).values()]
     assert [text for text in texts if word in text.lower()] == []
 
@@ -129,3 +147,51 @@ def test_the_dialogs_of_qt_speak_the_language_too(qapp: QApplication) -> None:
         assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Avbryt"
     finally:
         load_language(qapp, "en")
+
+
+@pytest.mark.parametrize("paper", ["person_summary", "prescription", "words"])
+def test_the_papers_of_the_record_have_swedish_texts(paper: str) -> None:
+    texts, translated = paper_texts(paper).values(), catalogue(CORE_CONTEXT)
+    assert [text for text in texts if not translated.get(text)] == []
+
+
+def test_the_core_speaks_a_language_whatever_that_of_the_window_is(qapp: QApplication) -> None:
+    facts = make_facts(InsoleDesign(Side.LEFT, shell=Shell(), thickness_mm=2.5))
+    for language, window in (("sv", "en"), ("en", "sv")):
+        load_language(qapp, window)
+        translate = translation_into(language)
+        said = {translate(name): translate(value) for name, value in facts.items()}
+        load_language(qapp, "en")
+        if language == "sv":
+            assert said["ordinerad tjocklek"] == "2,5 mm"
+            assert said["väggarnas släppning"].startswith("medialt ")
+        else:
+            assert said == facts
+    assert language_code("xx") == "en"
+
+
+def test_all_that_a_prescription_says_has_swedish_words() -> None:
+    translated = catalogue(CORE_CONTEXT)
+    corrections = (
+        Pelott(centre_mm=(0, 150)),
+        Pelott(centre_mm=(0, 20), kind="heel_spur_recess"),
+        Posting(rearfoot_deg=3, forefoot_deg=-2),
+        *(kind() for kind in (HeelLift, HeelSkive, ArchRaise, ForefootTwist)),
+    )
+    designs = [
+        InsoleDesign(side, corrections, finish=Finish(), shell=Shell(body_weight_kg=80.5))
+        for side in Side
+    ]
+    said = [*map(_words_of, [m for d in designs for m in correction_lines(d)])]
+    said += [{name, *_words_of(value)} for d in designs for name, value in make_facts(d).items()]
+    missing = {word for words in said for word in words if not translated.get(word)}
+    assert missing == {" mm"}
+
+
+def _words_of(text: str) -> set[str]:
+    """Return all words and templates of a message that are to be translated."""
+    if not isinstance(text, Message) or not text.values:
+        return {text} if re.search(r"[a-z]", text) else set()
+    within = (_words_of(value) for value in text.values.values() if isinstance(value, str))
+    template = re.sub(r"\{.*?\}", "", text.template)
+    return {text.template for _ in [0] if re.search(r"[a-z]{3}", template)}.union(*within)

@@ -25,6 +25,7 @@ from insole_core.calibration.least_squares import (
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_angle_deg, transform
+from insole_core.sensing.calibration_record import Unit
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
 IR_TO_DEPTH_PX = (-4.8, -3.9)
@@ -59,7 +60,7 @@ class StereoCalibration:
     rotation_deviation_deg: FloatArray
     translation_deviation_mm: FloatArray
     rms: float
-    unit: str
+    unit: Unit
     pairs: tuple[str, ...]
 
     @property
@@ -201,7 +202,7 @@ class _Pairs:
 
 
 def as_stereo(
-    solution: Adjustment, rms: float, unit: str, pairs: tuple[str, ...]
+    solution: Adjustment, rms: float, unit: Unit, pairs: tuple[str, ...]
 ) -> StereoCalibration:
     """Read the pose from the first six unknowns of a fit.
 

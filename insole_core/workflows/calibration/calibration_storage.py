@@ -9,6 +9,7 @@ from pathlib import Path
 
 from insole_core.export.transaction import Transaction
 from insole_core.regular_file import read_regular
+from insole_core.sensing.calibration_record import CalibrationRecord
 from insole_core.strict_json import MOST_BYTES
 from insole_core.workflows.calibration.report_files import make_report, report_paths, write_reports
 from insole_core.workflows.calibration.sensor_store import SensorStore
@@ -39,6 +40,7 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
     said = dict.fromkeys((*doubt, *result.sentences, *result.section.sentences, *result.advice))
     section = replace(result.section, sentences=tuple(said))
     report = make_report(section.title, result.sensor.serial, [section])
+    done = CalibrationRecord(section.key, report.made_at, *result.residual)
 
     with Transaction() as outputs:
         copies = [outputs.file(path) for path in further]
@@ -46,7 +48,7 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
         def attach(folder: Path) -> None:
             write_reports(report, [*report_paths(folder, section.key), *copies])
 
-        return store.save(result.sensor, attach, outputs)
+        return store.save(result.sensor.calibrated(done), attach, outputs)
 
 
 def step_date(store: SensorStore, serial: str, key: str) -> str:

@@ -70,7 +70,13 @@ def calibrate_camera_step(
     else:
         better = replace(sensor, depth_camera=with_shift(calibration.camera, IR_TO_DEPTH_PX))
         section = replace(camera_section(calibration, "Depth camera"), key="depth_camera")
-    return StepResult(better, section, _sentences(calibration, _WORDS[which]), calibration.advice)
+    return StepResult(
+        better,
+        section,
+        _sentences(calibration, _WORDS[which]),
+        (calibration.rms_px, "px"),
+        calibration.advice,
+    )
 
 
 def _sentences(calibration: CameraCalibration, kind: str) -> tuple[str, ...]:

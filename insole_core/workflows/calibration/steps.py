@@ -16,6 +16,7 @@ from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX, common_corners
 from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.report import ReportSection
 from insole_core.progress import SILENT, Progress
+from insole_core.sensing.calibration_record import Unit
 from insole_core.sensing.nominal_kinect import COLOR_CAMERA
 from insole_core.sensing.sensor import Sensor
 
@@ -44,11 +45,15 @@ class StepResult:
         Sentences on what would improve it.
     doubt
         Why the result is implausible, a sentence; it is then saved only after confirmation.
+    residual
+        What the step left unexplained, with its unit; kept with the sensor, so that each session
+        tells how well its sensors were calibrated.
     """
 
     sensor: Sensor
     section: ReportSection
     sentences: tuple[str, ...]
+    residual: tuple[float, Unit]
     advice: tuple[str, ...] = ()
     doubt: str = ""
 

@@ -181,6 +181,7 @@ def shift_color_step(points: Sequence[Correspondence], sensor: Sensor) -> StepRe
                 worst=worst,
             ),
         ),
+        residual=(worst, "px"),
         advice=("A shift fits one distance; calibrate depth to colour to be right at all.",),
     )
 
@@ -212,4 +213,5 @@ def _stereo_result(
                 error_mm=max(stereo.translation_deviation_mm),
             ),
         ),
+        residual=(stereo.rms, stereo.unit),
     )

@@ -78,6 +78,7 @@ def calibrate_distortion_step(
             "A bulge that all walls share is taken for distortion; if they were one wall, check it "
             "with a straightedge.",
         ),
+        residual=(figures["rms_after_raw"], "raw"),
         advice=calibration.advice,
     )
 
@@ -120,6 +121,7 @@ def calibrate_disparity_step(
                 error_mm=calibration.rms_mm,
             ),
         ),
+        residual=(calibration.rms_mm, "mm"),
     )
 
 

@@ -20,7 +20,6 @@ from insole_core.evaluation.report_pdf import write_pdf
 from insole_core.export.atomic import make_private_folder, replacing_folder, write_private
 from insole_core.export.stl import write_stl
 from insole_core.file_digest import sha256_of
-from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.messages import Message
@@ -36,7 +35,6 @@ from insole_core.records.records import Records
 from insole_core.records.rights import Right, require
 from insole_core.records.statement import statement_of, write_statement_paper
 from insole_core.records.visits import patient_of
-from insole_core.solids.checks import survey_heights
 from insole_core.solids.export_job import standing
 from insole_core.solids.prescription_paper import NOBODY, Responsible
 from insole_core.solids.solid import make_solid
@@ -48,7 +46,14 @@ from insole_core.workflows.records.person_dossier import (
     read_dossier,
 )
 from insole_core.workflows.records.person_json import ExportedFile, person_json
-from insole_core.workflows.records.person_summary import FootPicture, person_report
+from insole_core.workflows.records.person_summary import (
+    ENGLISH,
+    FootPicture,
+    Relief,
+    Wording,
+    person_report,
+    relief_of,
+)
 from insole_core.workflows.records.plain_name import plain_name
 
 SUMS_NAME: Final = "SHA256SUMS"
@@ -79,6 +84,7 @@ def export_person(
     *,
     is_pseudonymous: bool = False,
     responsible: Responsible = NOBODY,
+    wording: Wording = ENGLISH,
     progress: Progress = SILENT,
 ) -> PersonExport:
     """Export all that the record holds of a person, as a whole or not at all.
@@ -95,6 +101,8 @@ def export_person(
     responsible
         Maker and clinic, for the statement (Annex XIII) of each order whose prescriptions are
         signed; who signed is in the record.
+    wording
+        The language of summary and statement.
 
     Raises
     ------
@@ -113,7 +121,7 @@ def export_person(
     if is_pseudonymous:
         dossier = pseudonymous(dossier)
     with replacing_folder(folder) as beside:
-        writer = _ExportWriter(records, dossier, name, beside, responsible)
+        writer = _ExportWriter(records, dossier, name, beside, responsible, wording=wording)
         writer.write(progress)
     files = tuple(file.path for file in writer.files)
     with records.context.writing(Right.EXPORT, dossier.person.id) as connection:
@@ -138,6 +146,8 @@ class _ExportWriter:
         name: str,
         folder: Path,
         responsible: Responsible,
+        *,
+        wording: Wording,
     ) -> None:
         self._records = records
         self._dossier = dossier
@@ -145,6 +155,7 @@ class _ExportWriter:
         """Of the person, also where the dossier is pseudonymous."""
         self._folder = folder
         self._responsible = responsible
+        self._wording = wording
         self._feet: dict[str, Any] = {}
         self._pictures: dict[str, list[FootPicture]] = {}
         self._requests: list[Resource] = []
@@ -169,21 +180,25 @@ class _ExportWriter:
         orders = self._dossier.orders
         numbers = _numbered([plain_name(order.number, "order") for order in orders])
         for order, name in zip(orders, numbers, strict=True):
+            progress.step(0.8, "Exporting the order {number}", number=order.number)
             self._write_order(order, f"orders/{name}")
         self._write_fhir()
         progress.step(0.9, "Writing the summary")
         self._write_summary()
 
     def _write_visit(self, dossier: VisitDossier, place: str, progress: Progress) -> None:
-        feet = self._read_versions(dossier, place)
+        feet = self._read_versions(dossier, place, progress.part(0.0, 0.2))
         case = CaseRecord(self._patient(dossier))
         for foot in reversed(feet):  # the left one is shown first
             case = case.with_foot(foot)
         if feet:
-            self._add(f"{place}/case.insole", lambda path: write_case(case, path))
-        for foot, step in zip(case.feet, progress.parts(len(feet)), strict=True):
+            self._add(
+                f"{place}/case.insole", lambda path: write_case(case, path, self._packed(dossier))
+            )
+        for foot, step in zip(case.feet, progress.part(0.2, 0.9).parts(len(feet)), strict=True):
             self._write_foot(dossier, foot, place, step)
         for capture in dossier.captures:
+            progress.step(0.9, "Copying {name}", name=capture.file_name)
             with self._told(f"{place}, {capture.file_name}"):
                 folder = self._new_folder(f"{place}/captures")
                 self._note(self._records.captures.copy_to(capture, folder))
@@ -194,10 +209,24 @@ class _ExportWriter:
         day = dossier.visit.visited_on.isoformat()
         return Patient(visit=day, pseudonym=self._dossier.person.pseudonym)
 
-    def _read_versions(self, dossier: VisitDossier, place: str) -> list[FootRecord]:
+    def _packed(self, dossier: VisitDossier) -> dict[Side, bytes]:
+        """Return the surfaces of the newest feet as the record has them packed."""
+        newest = (dossier.newest(side) for side in Side)
+        read = self._records.prescriptions.packed_surface
+        return {
+            version.side: read(version.id)
+            for version in newest
+            if version is not None and version.id in self._feet
+        }
+
+    def _read_versions(
+        self, dossier: VisitDossier, place: str, progress: Progress
+    ) -> list[FootRecord]:
         """Keep what each version of a prescription states; return the newest of each foot."""
         newest: dict[Side, FootRecord] = {}
-        for version in dossier.versions:
+        versions = dossier.versions
+        for version, step in zip(versions, progress.parts(len(versions)), strict=True):
+            step.step(0.0, "Reading version {number}", number=version.number)
             foot = None
             with self._told(f"{place}, {version.side}, version {version.number}"):
                 foot = self._records.prescriptions.read(version.id)
@@ -214,8 +243,9 @@ class _ExportWriter:
     ) -> None:
         insole = None
         with self._told(f"{place}/{foot.side}.stl"):
-            insole = self._write_insole(foot, f"{place}/{foot.side}.stl", progress)
-        sole = survey_heights(foot.foot.mesh)
+            insole = self._write_insole(foot, f"{place}/{foot.side}.stl", progress.part(0.0, 0.8))
+        progress.step(0.8, "Drawing the foot")
+        sole = relief_of(foot.foot.mesh, from_above=False)
         picture = FootPicture(foot.side, foot.variant(foot.chosen), sole, insole)
         self._pictures.setdefault(dossier.visit.id, []).append(picture)
         version = dossier.newest(foot.side)
@@ -224,13 +254,15 @@ class _ExportWriter:
             device = PrescribedDevice(version, foot.design, dossier.visit, order)
             self._requests.append(device_request_resource(self._dossier.person, device))
 
-    def _write_insole(self, foot: FootRecord, name: str, progress: Progress) -> HeightMap:
-        insole = build_insole(foot.foot, foot.design, progress)
+    def _write_insole(self, foot: FootRecord, name: str, progress: Progress) -> Relief:
+        insole = build_insole(foot.foot, foot.design, progress.part(0.0, 0.7))
+        progress.step(0.7, "Closing the insole")
         solid = make_solid(insole)
         solid = solid.transformed(standing(solid))
         label = f"{self._dossier.person.pseudonym}, {foot.side}"
+        progress.step(0.8, "Writing the insole")
         self._add(name, lambda path: write_stl(solid, path, label))
-        return survey_heights(solid)
+        return relief_of(solid, from_above=True)
 
     def _write_order(self, order: Order, place: str) -> None:
         names = _numbered([plain_name(file.name, "file") for file in order.files])
@@ -252,7 +284,9 @@ class _ExportWriter:
             self._add_json(f"{place}/statement.json", statement.as_json())
             self._add(
                 f"{place}/statement.pdf",
-                lambda path: write_statement_paper(statement, path, date.today()),
+                lambda path: write_statement_paper(
+                    statement, path, date.today(), self._wording.translate
+                ),
             )
 
     def _write_fhir(self) -> None:
@@ -263,8 +297,8 @@ class _ExportWriter:
             self._add_json(f"fhir/DeviceRequest-{number}.json", request)
 
     def _write_summary(self) -> None:
-        files = [file.path for file in self.files]
-        report = person_report(self._dossier, self._pictures, files, self.left_out)
+        files = [f"{file.path}, SHA-256 {file.sha256}" for file in self.files]
+        report = person_report(self._dossier, self._pictures, files, self.left_out, self._wording)
         self._add("summary.html", lambda path: write_html(report, path))
         self._add("summary.pdf", lambda path: write_pdf(report, path))
         content = person_json(self._dossier, self._feet, self.files, self.left_out)

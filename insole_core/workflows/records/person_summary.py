@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Final
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -12,22 +13,83 @@ from matplotlib.figure import Figure
 from insole_core.cases.case_record import Variant
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table
 from insole_core.export.paper import paper_texts
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.prescription_lines import (
     correction_lines,
     make_facts,
-    plain_number,
+    number_message,
 )
+from insole_core.messages import Message, Translate
+from insole_core.records.capture import Capture
 from insole_core.records.order import Order
 from insole_core.records.person import Person
 from insole_core.records.prescription import VersionSummary
+from insole_core.records.program_version import program_version
 from insole_core.records.times import utc_now
+from insole_core.solids.checks import survey_side
 from insole_core.workflows.records.person_dossier import PersonDossier, VisitDossier
 
-Texts = Mapping[str, str]
 _SOLE_MM = 40.0
 """What is higher of a foot is no longer the sole."""
+
+
+@dataclass(frozen=True)
+class Wording:
+    """The language of a summary.
+
+    Parameters
+    ----------
+    language
+        Such as "en".
+    translate
+        Into that language.
+    """
+
+    language: str = "en"
+    translate: Translate = str
+
+
+ENGLISH: Final = Wording()
+
+
+@dataclass(frozen=True)
+class _Texts:
+    """The texts of the summary in its language; what a person has typed is never translated."""
+
+    texts: Mapping[str, str]
+    translate: Translate
+
+    def __getitem__(self, key: str) -> str:
+        return self.texts[key]
+
+
+@dataclass(frozen=True, eq=False)
+class Relief:
+    """One side of a surface.
+
+    Parameters
+    ----------
+    heights_mm : (ny, nx) float64
+        On pixels of 1 mm; NaN beside the surface.
+    first_mm
+        x and y of the centre of the pixel [0, 0].
+    """
+
+    heights_mm: FloatArray
+    first_mm: tuple[float, float]
+
+    @property
+    def extent_mm(self) -> tuple[float, float, float, float]:
+        """Left, right, lower and upper edge, as plots take them."""
+        return HeightMap(self.heights_mm, self.heights_mm, self.first_mm).extent_mm
+
+
+def relief_of(mesh: TriangleMesh, *, from_above: bool) -> Relief:
+    """Return one side of a surface, from a view along z."""
+    return Relief(*survey_side(mesh, from_above=from_above))
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,16 +100,16 @@ class FootPicture:
     ----------
     variant
         The chosen one of the newest version.
-    sole : mm
-        Heights of the foot.
-    insole : mm
-        Heights of the solid; None where it cannot be made.
+    sole
+        The foot from below.
+    insole
+        The solid from above; None where it cannot be made.
     """
 
     side: Side
     variant: Variant
-    sole: HeightMap
-    insole: HeightMap | None
+    sole: Relief
+    insole: Relief | None
 
 
 def person_report(
@@ -55,6 +117,7 @@ def person_report(
     pictures: Mapping[str, Sequence[FootPicture]],
     files: Sequence[str],
     left_out: Sequence[str],
+    wording: Wording = ENGLISH,
 ) -> Report:
     """Return the record of a person as a report, the newest visit first.
 
@@ -63,16 +126,19 @@ def person_report(
     pictures
         By the id of a visit, the left foot first.
     files
-        Paths within the folder.
+        Paths within the folder, with what tells the files apart.
     left_out
         A sentence for each thing that could not be exported.
+    wording
+        The language of the report.
 
     Raises
     ------
     InputError
         When the texts of the paper cannot be read.
     """
-    texts = paper_texts("person_summary")
+    translate = wording.translate
+    texts = _Texts(paper_texts("person_summary", translate), translate)
     visits = [
         _visit_section(visit, pictures.get(visit.visit.id, ()), texts)
         for visit in reversed(dossier.visits)
@@ -83,77 +149,128 @@ def person_report(
         for follow_up in dossier.follow_ups
         for line in _lines(f"{follow_up.on_date}: {follow_up.outcome}", follow_up.notes)
     ]
-    lists = {"orders": orders, "follow_ups": follow_ups, "left_out": left_out, "files": files}
+    not_there = list(map(translate, left_out))
+    lists = {"orders": orders, "follow_ups": follow_ups, "left_out": not_there, "files": files}
     sections = [_section("person", texts["person"], _person_lines(dossier.person, texts)), *visits]
     sections += [_section(key, texts[key], lines) for key, lines in lists.items() if lines]
-    return Report(texts["title"], "", utc_now(), tuple(sections))
+    sections.append(_section("program", texts["program"], [f"Insole Studio {program_version()}"]))
+    return Report(texts["title"], "", utc_now(), tuple(sections), wording.language, texts["page"])
 
 
 def _section(key: str, title: str, lines: Iterable[str]) -> ReportSection:
     return ReportSection(key, title, sentences=tuple(lines))
 
 
-def _person_lines(person: Person, texts: Texts) -> list[str]:
+def _person_lines(person: Person, texts: _Texts) -> list[str]:
     keys = ("name", "birth_date", "personal_number", "pseudonym", "contact", "consent_on", "notes")
-    return [line for key in keys for line in _fact(texts[key], getattr(person, key))]
+    return [line for key in keys for line in _fact(texts, key, getattr(person, key))]
 
 
 def _visit_section(
-    dossier: VisitDossier, pictures: Sequence[FootPicture], texts: Texts
+    dossier: VisitDossier, pictures: Sequence[FootPicture], texts: _Texts
 ) -> ReportSection:
     visit = dossier.visit
     day = visit.visited_on.isoformat()
     keys = ("reason", "findings", "weight_kg", "shoe_size_eu")
-    lines = [line for key in keys for line in _fact(texts[key], getattr(visit, key))]
+    lines = [line for key in keys for line in _fact(texts, key, getattr(visit, key))]
     for picture in pictures:
         version = dossier.newest(picture.side)
-        lines += [] if version is None else _prescription_lines(picture.variant, version, texts)
-    captures = (f"{c.file_name}, {c.facts.recorded_at or c.created_at}" for c in dossier.captures)
-    lines += [f"{texts['captures']}: {line}" for line in captures]
-    rows = tuple((name.replace("_", " "), f"{mm:g}") for name, mm in visit.measures.items())
+        if version is not None:
+            lines += _prescription_lines(picture.variant, version, dossier, texts)
+    lines += [line for capture in dossier.captures for line in _capture_lines(capture, texts)]
+    rows = tuple(
+        (_measure_name(name, texts), texts.translate(Message("{value:g}", value=value)))
+        for name, value in visit.measures.items()
+    )
     tables = (Table(texts["measures"], (texts["measure"], texts["value"]), rows),) if rows else ()
     plots = (_plot(pictures, texts),) if pictures else ()
     title = texts["visit"].replace("{day}", day)
     return ReportSection(visit.id, title, sentences=tuple(lines), tables=tables, plots=plots)
 
 
-def _prescription_lines(variant: Variant, version: VersionSummary, texts: Texts) -> list[str]:
-    head = [
-        _filled(texts["variant"], name=variant.name),
-        _filled(
-            texts["version"],
-            number=str(version.number),
-            day=version.changed_at[:10],
-            author=version.author,
-        ),
+def _capture_lines(capture: Capture, texts: _Texts) -> list[str]:
+    facts = capture.facts
+    day = (facts.recorded_at or capture.created_at)[:16].replace("T", " ")
+    head = f"{texts['captures']}: {capture.file_name}, {day} UTC"
+    stored = f"– SHA-256 {capture.content_sha256}"
+    if not facts.sensor_serials:
+        return [head, stored]
+    calibrated = facts.calibrated_on[:10] or texts["not recorded"]
+    return [
+        head,
+        stored,
+        f"– {texts['sensors']}: {', '.join(facts.sensor_serials)}",
+        f"– {texts['calibrated']}: {calibrated}",
+        *(f"– {texts.translate(line)}" for line in facts.residual_lines),
     ]
-    if version.signed_by and version.signed_at:
-        head.append(_filled(texts["signed"], name=version.signed_by, day=version.signed_at[:10]))
-    facts = (f"{name} {value}" for name, value in make_facts(variant.design).items())
+
+
+def _prescription_lines(
+    variant: Variant, version: VersionSummary, dossier: VisitDossier, texts: _Texts
+) -> list[str]:
+    head = [_filled(texts["variant"], name=variant.name), _version_text(version, texts)]
+    scans = (c.file_name for c in dossier.captures if c.id == version.capture_id)
+    made = [_filled(texts["program of a version"], version=version.program_version)]
+    made += [_filled(texts["scan of a version"], name=name) for name in scans]
+    made += [_filled(texts["signature"], signature=version.signature)] if version.signature else []
+    facts = (
+        f"{texts.translate(name)} {texts.translate(value)}"
+        for name, value in make_facts(variant.design).items()
+    )
     return [
         f"{texts[str(version.side)]}: {', '.join(head)}",
-        *(f"– {line}" for line in correction_lines(variant.design)),
+        *(f"– {texts.translate(line)}" for line in correction_lines(variant.design)),
         f"– {'; '.join(facts)}",
+        f"– {', '.join(made)}",
+        *(f"– {line}" for line in _earlier_lines(version, dossier, texts)),
     ]
 
 
-def _order_lines(order: Order, texts: Texts) -> list[str]:
+def _earlier_lines(newest: VersionSummary, dossier: VisitDossier, texts: _Texts) -> Iterator[str]:
+    """Yield who made the versions before, when, and why they were changed."""
+    for version in dossier.versions:
+        if version.side is newest.side and version.id != newest.id:
+            yield ": ".join(filter(None, (_version_text(version, texts), version.reason)))
+
+
+def _version_text(version: VersionSummary, texts: _Texts) -> str:
+    day = version.changed_at[:10]
+    text = _filled(texts["version"], number=str(version.number), day=day, author=version.author)
+    if version.signed_by and version.signed_at:
+        signed = _filled(texts["signed"], name=version.signed_by, day=version.signed_at[:10])
+        return f"{text}, {signed}"
+    return text
+
+
+def _order_lines(order: Order, texts: _Texts) -> list[str]:
     due = [] if order.due_on is None else [_filled(texts["due"], day=order.due_on.isoformat())]
-    head = [order.number, str(order.state), order.shop, *due, order.remarks]
+    state = texts.translate(str(order.state))
+    head = [order.number, state, order.shop, *due, order.remarks]
     events = (
-        _lines(f"– {event.at[:10]}: {event.to_state}, {event.author}", event.remarks)
+        _lines(
+            f"– {event.at[:10]}: {texts.translate(str(event.to_state))}, {event.author}",
+            event.remarks,
+        )
         for event in order.events
     )
     return [", ".join(filter(None, head)), *(line for lines in events for line in lines)]
 
 
-def _fact(name: str, value: object) -> list[str]:
+def _measure_name(key: str, texts: _Texts) -> str:
+    """Return the name of a measure such as ``left_foot_length_mm``."""
+    side, _, name = key.partition("_")
+    unit = ", mm" if name.endswith("_mm") else ""
+    name = name.removesuffix("_mm").replace("_", " ")
+    return f"{texts.translate(side)}, {texts.translate(name)}{unit}"
+
+
+def _fact(texts: _Texts, key: str, value: object) -> list[str]:
     """Return a fact, each line of a longer text as a line of its own; nothing where it is empty."""
     if value is None or value == "":
         return []
-    text = plain_number(value) if isinstance(value, float) else str(value)
+    text = texts.translate(number_message(value)) if isinstance(value, float) else str(value)
     first, *others = text.splitlines()
-    return [f"{name}: {first}", *others]
+    return [f"{texts[key]}: {first}", *others]
 
 
 def _lines(head: str, text: str) -> list[str]:
@@ -167,24 +284,24 @@ def _filled(text: str, **values: str) -> str:
     return text
 
 
-def _plot(pictures: Sequence[FootPicture], texts: Texts) -> Plot:
+def _plot(pictures: Sequence[FootPicture], texts: _Texts) -> Plot:
     return Plot(texts["feet and insoles"], partial(_draw, pictures=tuple(pictures), texts=texts))
 
 
-def _draw(figure: Figure, *, pictures: Sequence[FootPicture], texts: Texts) -> None:
+def _draw(figure: Figure, *, pictures: Sequence[FootPicture], texts: _Texts) -> None:
     """Draw the feet and then the insoles, the left one on the left, both to one scale."""
     insoles = [(p.side, p.insole) for p in pictures if p.insole is not None]
-    highest_mm = max((float(np.nanmax(i.top_mm)) for _, i in insoles), default=0.0)
-    maps = [(f"{p.side} foot", p.sole.bottom_mm, p.sole, _SOLE_MM) for p in pictures]
-    maps += [(f"{side} insole", i.top_mm, i, highest_mm) for side, i in insoles]
-    for axes, (title, heights_mm, height_map, most_mm) in zip(
-        figure.subplots(1, len(maps), squeeze=False)[0], maps, strict=True
+    highest_mm = max((float(np.nanmax(i.heights_mm)) for _, i in insoles), default=0.0)
+    reliefs = [(f"{p.side} foot", p.sole, _SOLE_MM) for p in pictures]
+    reliefs += [(f"{side} insole", insole, highest_mm) for side, insole in insoles]
+    for axes, (title, relief, most_mm) in zip(
+        figure.subplots(1, len(reliefs), squeeze=False)[0], reliefs, strict=True
     ):
         image = axes.imshow(
-            heights_mm,
+            relief.heights_mm,
             origin="lower",
             cmap="viridis",
-            extent=height_map.extent_mm,
+            extent=relief.extent_mm,
             vmin=0,
             vmax=most_mm,
         )

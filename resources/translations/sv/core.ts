@@ -232,6 +232,14 @@
             <translation>Lägger till personer</translation>
         </message>
         <message>
+            <source>Address of the maker</source>
+            <translation>Tillverkarens adress</translation>
+        </message>
+        <message>
+            <source>Agreed on</source>
+            <translation>Samtycke</translation>
+        </message>
+        <message>
             <source>Ahead of the toes</source>
             <translation>Framför tårna</translation>
         </message>
@@ -282,6 +290,14 @@
         <message>
             <source>Arch fill</source>
             <translation>Valvfyllnad</translation>
+        </message>
+        <message>
+            <source>Arch raise</source>
+            <translation>Valvhöjning</translation>
+        </message>
+        <message>
+            <source>Arch support</source>
+            <translation>Valvstöd</translation>
         </message>
         <message>
             <source>Around the heel</source>
@@ -348,20 +364,44 @@
             <translation>Övergång vid hälen</translation>
         </message>
         <message>
+            <source>Block</source>
+            <translation>Block</translation>
+        </message>
+        <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
+        </message>
+        <message>
+            <source>Born</source>
+            <translation>Född</translation>
         </message>
         <message>
             <source>Both feet in the scan look like a {side} one; say which foot is which.</source>
             <translation>Båda fötterna i skanningen ser ut som en {side}; ange vilken fot som är vilken.</translation>
         </message>
         <message>
+            <source>Bottom</source>
+            <translation>Undersida</translation>
+        </message>
+        <message>
+            <source>Brush</source>
+            <translation>Pensel</translation>
+        </message>
+        <message>
             <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
             <translation>Efter sin plats i lådan är detta {place} fot, efter sin form {told} fot; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>Calibrated</source>
+            <translation>Kalibrerad</translation>
+        </message>
+        <message>
             <source>Calibrating without {capture}</source>
             <translation>Kalibrerar utan {capture}</translation>
+        </message>
+        <message>
+            <source>Capture</source>
+            <translation>Avbildning</translation>
         </message>
         <message>
             <source>Capture the wall at about these distances: {distances} mm.</source>
@@ -404,6 +444,10 @@
             <translation>Kontrollerar: {check}</translation>
         </message>
         <message>
+            <source>Clinic</source>
+            <translation>Klinik</translation>
+        </message>
+        <message>
             <source>Closing the {kind}</source>
             <translation>Sluter {kind}</translation>
         </message>
@@ -420,6 +464,10 @@
             <translation>Färglägger ytan</translation>
         </message>
         <message>
+            <source>Contact</source>
+            <translation>Kontakt</translation>
+        </message>
+        <message>
             <source>Continuing the surface to the edges</source>
             <translation>Fortsätter ytan till kanterna</translation>
         </message>
@@ -428,8 +476,16 @@
             <translation>Kork och EVA</translation>
         </message>
         <message>
+            <source>Corrections</source>
+            <translation>Korrigeringar</translation>
+        </message>
+        <message>
             <source>Cover</source>
             <translation>Överdrag</translation>
+        </message>
+        <message>
+            <source>Cover / middle layer / base</source>
+            <translation>Överdrag / mellanskikt / bas</translation>
         </message>
         <message>
             <source>Cover glued on later</source>
@@ -438,6 +494,14 @@
         <message>
             <source>Cover to the toes.</source>
             <translation>Överdrag till tårna.</translation>
+        </message>
+        <message>
+            <source>Cover, glued on later</source>
+            <translation>Överdrag, limmas på senare</translation>
+        </message>
+        <message>
+            <source>Cuboid raise</source>
+            <translation>Kuboidstöd</translation>
         </message>
         <message>
             <source>Cup 10 to 14, rim 4 to 8, fill 0, flat underside, at least 3 under the heel: the usual values of clinics that mill EVA; flange and forefoot: Insole Studio's own choice</source>
@@ -468,8 +532,28 @@
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
         <message>
+            <source>Cut-out</source>
+            <translation>Urtag</translation>
+        </message>
+        <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
+        </message>
+        <message>
+            <source>Dancer's pad</source>
+            <translation>Dansarpelott</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Datum</translation>
+        </message>
+        <message>
+            <source>Designed by</source>
+            <translation>Utformad av</translation>
+        </message>
+        <message>
+            <source>Deviation of the triangles</source>
+            <translation>Trianglarnas avvikelse</translation>
         </message>
         <message>
             <source>Device</source>
@@ -486,6 +570,10 @@
         <message>
             <source>Draft and chamfer of the walls are those of the prescription's shell; those of the order are not used.</source>
             <translation>Väggarnas släppning och fas är de som ordinationens skal anger; beställningens används inte.</translation>
+        </message>
+        <message>
+            <source>Draft of the walls</source>
+            <translation>Väggarnas släppning</translation>
         </message>
         <message>
             <source>Drawing the difference</source>
@@ -532,6 +620,10 @@
             <translation>Kantradie</translation>
         </message>
         <message>
+            <source>End taper</source>
+            <translation>Ändarnas avfasning</translation>
+        </message>
+        <message>
             <source>English sizes of 8.47 mm, with 15 mm before the toes</source>
             <translation>engelska storlekar om 8,47 mm, med 15 mm framför tårna</translation>
         </message>
@@ -560,8 +652,36 @@
             <translation>Färre än två punkter på föremålet mättes; märk dem igen.</translation>
         </message>
         <message>
+            <source>File</source>
+            <translation>Fil</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Filer</translation>
+        </message>
+        <message>
             <source>Fill these parts of the picture with the wall: {regions}.</source>
             <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
+        </message>
+        <message>
+            <source>Filler for the 1st toe</source>
+            <translation>Utfyllnad för första tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 2nd toe</source>
+            <translation>Utfyllnad för andra tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 3rd toe</source>
+            <translation>Utfyllnad för tredje tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 4th toe</source>
+            <translation>Utfyllnad för fjärde tån</translation>
+        </message>
+        <message>
+            <source>Filler for the 5th toe</source>
+            <translation>Utfyllnad för femte tån</translation>
         </message>
         <message>
             <source>Finding heel and toes</source>
@@ -582,6 +702,10 @@
         <message>
             <source>Finding the wall in {capture}</source>
             <translation>Söker väggen i {capture}</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Fynd</translation>
         </message>
         <message>
             <source>Finishing rim and toe zone</source>
@@ -616,8 +740,16 @@
             <translation>Plan</translation>
         </message>
         <message>
+            <source>Flat pad</source>
+            <translation>Plan pelott</translation>
+        </message>
+        <message>
             <source>Flatfoot of a child</source>
             <translation>Plattfot hos barn</translation>
+        </message>
+        <message>
+            <source>Follow-up</source>
+            <translation>Uppföljning</translation>
         </message>
         <message>
             <source>Foot ready</source>
@@ -628,8 +760,20 @@
             <translation>För {weight_kg:g} kg kroppsvikt är {material} vanligen {usual_mm:g} mm tjockt, och det här inlägget är {thickness_mm:g} mm.</translation>
         </message>
         <message>
+            <source>Forefoot filler</source>
+            <translation>Framfotsutfyllnad</translation>
+        </message>
+        <message>
             <source>Forefoot post</source>
             <translation>Framfotskil</translation>
+        </message>
+        <message>
+            <source>Forefoot twist</source>
+            <translation>Framfotsvridning</translation>
+        </message>
+        <message>
+            <source>Free-hand pad</source>
+            <translation>Frihandspelott</translation>
         </message>
         <message>
             <source>Functional hallux limitus</source>
@@ -668,16 +812,44 @@
             <translation>Hälskål</translation>
         </message>
         <message>
+            <source>Heel lift</source>
+            <translation>Hälhöjning</translation>
+        </message>
+        <message>
+            <source>Heel or toes were pressed in by {depth_mm:.0f} mm only: the length is some millimetres smaller than that of the foot.</source>
+            <translation>Häl eller tår trycktes ner bara {depth_mm:.0f} mm: längden är några millimeter mindre än fotens.</translation>
+        </message>
+        <message>
             <source>Heel pitch</source>
             <translation>Hälfall</translation>
+        </message>
+        <message>
+            <source>Heel skive</source>
+            <translation>Hälskivning</translation>
         </message>
         <message>
             <source>Heel, 1st and 5th head lie on one line; put them in place.</source>
             <translation>Häl, 1:a och 5:e huvudet ligger på en linje; sätt dem på plats.</translation>
         </message>
         <message>
+            <source>Heel-spur recess</source>
+            <translation>Hälsporreurtag</translation>
+        </message>
+        <message>
+            <source>Heights of sole and insole in mm, seen from above</source>
+            <translation>Höjder av fotsula och inlägg i mm, sedda uppifrån</translation>
+        </message>
+        <message>
             <source>Hold the board in these parts of the picture: {regions}.</source>
             <translation>Håll brädet i dessa delar av bilden: {regions}.</translation>
+        </message>
+        <message>
+            <source>Identification</source>
+            <translation>Identifiering</translation>
+        </message>
+        <message>
+            <source>Identification on it</source>
+            <translation>Märkning på inlägget</translation>
         </message>
         <message>
             <source>In the view {view} nothing of {least_mm:g} to {most_mm:g} mm stands out from its background; lay the mould or insole alone on a flat table under the sensor, and record it again.</source>
@@ -702,6 +874,10 @@
         <message>
             <source>It is the same as {name}.</source>
             <translation>Det är detsamma som {name}.</translation>
+        </message>
+        <message>
+            <source>It is {name}, {born}.</source>
+            <translation>Det är {name}, {born}.</translation>
         </message>
         <message>
             <source>It names nobody whom the record knows; type the patient's name.</source>
@@ -756,6 +932,10 @@
             <translation>Lägger rutnätet över fotsulan</translation>
         </message>
         <message>
+            <source>Least thickness</source>
+            <translation>Minsta tjocklek</translation>
+        </message>
+        <message>
             <source>Least thickness of the material</source>
             <translation>Materialets minsta tjocklek</translation>
         </message>
@@ -768,12 +948,20 @@
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
         </message>
         <message>
+            <source>Left insole</source>
+            <translation>Vänster inlägg</translation>
+        </message>
+        <message>
             <source>Leg length discrepancy</source>
             <translation>Benlängdsskillnad</translation>
         </message>
         <message>
             <source>Length of the taper</source>
             <translation>Avsmalningens längd</translation>
+        </message>
+        <message>
+            <source>Length × width × height</source>
+            <translation>Längd × bredd × höjd</translation>
         </message>
         <message>
             <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
@@ -812,6 +1000,10 @@
             <translation>Söker brädet på {capture}</translation>
         </message>
         <message>
+            <source>Maker</source>
+            <translation>Tillverkare</translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation>Marginal</translation>
         </message>
@@ -820,8 +1012,24 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Material and make</source>
+            <translation>Material och utförande</translation>
+        </message>
+        <message>
+            <source>Material of the shell</source>
+            <translation>Skalets material</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Mått</translation>
+        </message>
+        <message>
             <source>Measure the bar and the plate at one position at least.</source>
             <translation>Mät staven och plattan i minst ett läge.</translation>
+        </message>
+        <message>
+            <source>Measures</source>
+            <translation>Mått</translation>
         </message>
         <message>
             <source>Measuring the difference</source>
@@ -844,6 +1052,10 @@
             <translation>Medial kant, från häl till tår</translation>
         </message>
         <message>
+            <source>Metatarsal bar</source>
+            <translation>Tvärbalk</translation>
+        </message>
+        <message>
             <source>Metatarsalgia</source>
             <translation>Metatarsalgi</translation>
         </message>
@@ -862,6 +1074,10 @@
         <message>
             <source>Moved or reshaped: {correction}</source>
             <translation>Flyttat eller omformat: {correction}</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Namn</translation>
         </message>
         <message>
             <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
@@ -886,6 +1102,10 @@
         <message>
             <source>No foot can be made from {session}, because none of its views can be used ({reasons}).</source>
             <translation>Ingen fot kan göras av {session}, eftersom ingen av dess vyer kan användas ({reasons}).</translation>
+        </message>
+        <message>
+            <source>No footprint stands out on {file}; choose a picture with an even background, or lay it by hand.</source>
+            <translation>Inget fotavtryck framträder på {file}; välj en bild med jämn bakgrund, eller lägg den för hand.</translation>
         </message>
         <message>
             <source>No part of this foot faces the ground, so no contact surface can be made; check the pose of the scan.</source>
@@ -928,8 +1148,16 @@
             <translation>Noridian A5513: basen i inlägg för diabetiker minst 4,8</translation>
         </message>
         <message>
+            <source>Not exported</source>
+            <translation>Inte exporterat</translation>
+        </message>
+        <message>
             <source>Not measured: {regions}; no view that is used shows it.</source>
             <translation>Inte mätt: {regions}; ingen vy som används visar det.</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Anteckningar</translation>
         </message>
         <message>
             <source>Nothing is known of the material “{material}”: the insole is made at least {least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.</source>
@@ -946,6 +1174,10 @@
         <message>
             <source>One column holds the whole name, and another a part of it; choose either the whole name, or given name and family name.</source>
             <translation>En kolumn innehåller hela namnet och en annan en del av det; välj antingen hela namnet eller förnamn och efternamn.</translation>
+        </message>
+        <message>
+            <source>One end of the imprint is only {depth_mm:.0f} mm deep: heel or toes were hardly pressed in, so that side and length are uncertain; say which foot it is, and compare its length.</source>
+            <translation>Ena änden av avtrycket är bara {depth_mm:.0f} mm djup: häl eller tår trycktes knappt ner, så sida och längd är osäkra; ange vilken fot det är och jämför dess längd.</translation>
         </message>
         <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
@@ -980,8 +1212,16 @@
             <translation>Beställning {number}: {count} filer som kan nämna patienten</translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation>Beställningar</translation>
+        </message>
+        <message>
             <source>Outline</source>
             <translation>Kontur</translation>
+        </message>
+        <message>
+            <source>Oval pad</source>
+            <translation>Oval pelott</translation>
         </message>
         <message>
             <source>PA12, printed</source>
@@ -1000,6 +1240,26 @@
             <translation>parispunkter om 6,67 mm, med 15 mm framför tårna</translation>
         </message>
         <message>
+            <source>Pelott</source>
+            <translation>Pelott</translation>
+        </message>
+        <message>
+            <source>Person</source>
+            <translation>Person</translation>
+        </message>
+        <message>
+            <source>Personal number</source>
+            <translation>Personnummer</translation>
+        </message>
+        <message>
+            <source>Piece</source>
+            <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Place, date, signature</source>
+            <translation>Ort, datum, underskrift</translation>
+        </message>
+        <message>
             <source>Placing the view {view}</source>
             <translation>Placerar vyn {view}</translation>
         </message>
@@ -1016,6 +1276,22 @@
             <translation>Punkt {number} på klipplinjen, räknad från medialsidan, ligger bredvid inlägget; flytta in den på inlägget.</translation>
         </message>
         <message>
+            <source>Posting</source>
+            <translation>Kilning</translation>
+        </message>
+        <message>
+            <source>Prescriber</source>
+            <translation>Ordinatör</translation>
+        </message>
+        <message>
+            <source>Prescriber and maker</source>
+            <translation>Ordinatör och tillverkare</translation>
+        </message>
+        <message>
+            <source>Prescription of a custom-made insole</source>
+            <translation>Ordination av ett specialanpassat inlägg</translation>
+        </message>
+        <message>
             <source>ProLab, pediatric</source>
             <translation>ProLab, barn</translation>
         </message>
@@ -1026,6 +1302,14 @@
         <message>
             <source>ProLab, tibialis posterior; footankle.com, flat foot</source>
             <translation>ProLab, tibialis posterior; footankle.com, plattfot</translation>
+        </message>
+        <message>
+            <source>Pseudonym</source>
+            <translation>Pseudonym</translation>
+        </message>
+        <message>
+            <source>Pseudonym or order number</source>
+            <translation>Pseudonym eller beställningsnummer</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {views}</source>
@@ -1060,6 +1344,18 @@
             <translation>Bakfotskil</translation>
         </message>
         <message>
+            <source>Reason</source>
+            <translation>Orsak</translation>
+        </message>
+        <message>
+            <source>Record of a patient</source>
+            <translation>Utdrag ur en patients journal</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Avbildad</translation>
+        </message>
+        <message>
             <source>Reducing the triangles</source>
             <translation>Minskar trianglarna</translation>
         </message>
@@ -1068,8 +1364,56 @@
             <translation>Förfinar ytan</translation>
         </message>
         <message>
+            <source>Relief at the base of the 5th metatarsal</source>
+            <translation>Avlastning vid femte metatarsalbenets bas</translation>
+        </message>
+        <message>
+            <source>Relief under the 1st head</source>
+            <translation>Avlastning under första huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 1st toe</source>
+            <translation>Avlastning under första tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 2nd head</source>
+            <translation>Avlastning under andra huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 2nd toe</source>
+            <translation>Avlastning under andra tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 3rd head</source>
+            <translation>Avlastning under tredje huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 3rd toe</source>
+            <translation>Avlastning under tredje tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 4th head</source>
+            <translation>Avlastning under fjärde huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 4th toe</source>
+            <translation>Avlastning under fjärde tån</translation>
+        </message>
+        <message>
+            <source>Relief under the 5th head</source>
+            <translation>Avlastning under femte huvudet</translation>
+        </message>
+        <message>
+            <source>Relief under the 5th toe</source>
+            <translation>Avlastning under femte tån</translation>
+        </message>
+        <message>
             <source>Removed: {correction}</source>
             <translation>Borttaget: {correction}</translation>
+        </message>
+        <message>
+            <source>Residuals of the calibration</source>
+            <translation>Kalibreringens restfel</translation>
         </message>
         <message>
             <source>Restoring files ({done} of {all})</source>
@@ -1080,12 +1424,36 @@
             <translation>Återställer tabellen {table}</translation>
         </message>
         <message>
+            <source>Reverse Morton's extension</source>
+            <translation>Omvänd Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>Right insole</source>
+            <translation>Höger inlägg</translation>
+        </message>
+        <message>
+            <source>Rocker</source>
+            <translation>Rullsula</translation>
+        </message>
+        <message>
             <source>Root</source>
             <translation>Root</translation>
         </message>
         <message>
+            <source>SHA-256 of the foot</source>
+            <translation>Fotens SHA-256</translation>
+        </message>
+        <message>
+            <source>SHA-256 of the scan</source>
+            <translation>Skanningens SHA-256</translation>
+        </message>
+        <message>
             <source>Scaled by the size that is known: the surface is {length_mm:.0f} mm long.</source>
             <translation>Skalad efter den kända storleken: ytan är {length_mm:.0f} mm lång.</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>Skanning</translation>
         </message>
         <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
@@ -1104,6 +1472,10 @@
             <translation>Sensor {serial} lutar {roll_deg:.0f}° åt sidan, vilket dess motor inte kan rätta; räta upp den för hand och ställ den vågrätt igen.</translation>
         </message>
         <message>
+            <source>Sensors</source>
+            <translation>Sensorer</translation>
+        </message>
+        <message>
             <source>Sesamoiditis</source>
             <translation>Sesamoidit</translation>
         </message>
@@ -1114,6 +1486,22 @@
         <message>
             <source>Shoe size</source>
             <translation>Skostorlek</translation>
+        </message>
+        <message>
+            <source>Shoe size (EU)</source>
+            <translation>Skostorlek (EU)</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Sida</translation>
+        </message>
+        <message>
+            <source>Signature</source>
+            <translation>Signatur</translation>
+        </message>
+        <message>
+            <source>Signed by</source>
+            <translation>Signerad av</translation>
         </message>
         <message>
             <source>Simulating view {name}</source>
@@ -1158,6 +1546,10 @@
         <message>
             <source>Sport, full length</source>
             <translation>Sport, hel längd</translation>
+        </message>
+        <message>
+            <source>Statement for a custom-made device (Regulation (EU) 2017/745, Annex XIII)</source>
+            <translation>Försäkran om en specialanpassad produkt (förordning (EU) 2017/745, bilaga XIII)</translation>
         </message>
         <message>
             <source>SureFit; orthoscan</source>
@@ -1296,6 +1688,10 @@
             <translation>Fallet har ingen sådan fot; öppna eller avbilda en först.</translation>
         </message>
         <message>
+            <source>The case has no {side} foot, so the map has none to lie under; open its scan first.</source>
+            <translation>Den fot som bilden visar ({side}) finns inte i fallet, så bilden har ingen fot att ligga under; öppna först dess skanning.</translation>
+        </message>
+        <message>
             <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
             <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
@@ -1322,6 +1718,14 @@
         <message>
             <source>The colour picture of view {view} is too dark; add light and capture this view again.</source>
             <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The contact does not look like the sole of this foot; check the patient and the distance of the sensors, or lay it by hand.</source>
+            <translation>Kontakten ser inte ut som sulan på den här foten; kontrollera patienten och sensorernas avstånd, eller lägg den för hand.</translation>
+        </message>
+        <message>
+            <source>The contact is {length:.0f} mm long on a foot of {foot:.0f} mm, too little to find its place; lay it by hand.</source>
+            <translation>Kontakten är {length:.0f} mm lång på en fot på {foot:.0f} mm, för lite för att hitta dess plats; lägg den för hand.</translation>
         </message>
         <message>
             <source>The copy {path} of unsaved work is damaged; it is kept as {kept}.</source>
@@ -1390,6 +1794,10 @@
         <message>
             <source>The file does not say how the foot lies: of all ways it could stand, the one that looks most like a foot was taken.</source>
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
+        </message>
+        <message>
+            <source>The file does not say the {what} of its numbers; state it.</source>
+            <translation>Filen anger inte sina tals {what}; ange det.</translation>
         </message>
         <message>
             <source>The file of colours {library} is not beside the scan or cannot be read; the scan has no colours.</source>
@@ -1468,6 +1876,14 @@
             <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; klinikens regel är {least_mm:g} till {most_mm:g} mm bakom den.</translation>
         </message>
         <message>
+            <source>The greatest pressure is {greatest:.0f} kPa, and a foot presses with more than 0 and at most {most:.0f} kPa; check the unit and the frame.</source>
+            <translation>Det största trycket är {greatest:.0f} kPa, och en fot trycker med mer än 0 och högst {most:.0f} kPa; kontrollera enheten och bilden i serien.</translation>
+        </message>
+        <message>
+            <source>The greatest pressure is {kpa:.0f} kPa, little for a foot that stands; check the unit.</source>
+            <translation>Det största trycket är {kpa:.0f} kPa, lite för en fot som står; kontrollera enheten.</translation>
+        </message>
+        <message>
             <source>The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm are usual.</source>
             <translation>Rutnätet av {grid_mm:g} mm är för grovt för ett jämnt inlägg; upp till {usual_mm:g} mm är vanligt.</translation>
         </message>
@@ -1504,8 +1920,8 @@
             <translation>Märkningen är för lång för sin plats; korta den, så att bokstäverna kan vara minst {least_mm:g} mm höga.</translation>
         </message>
         <message>
-            <source>The imprint is shallow: heel and ball are widest above its rim, so length and widths are smaller than those of the foot.</source>
-            <translation>Avtrycket är grunt: häl och framfot är bredast ovanför dess kant, så längd och bredder är mindre än fotens.</translation>
+            <source>The imprint in the foam, {depth_mm:.0f} mm deep, does not look like a foot; see that heel, ball and toes are pressed in, and take it again.</source>
+            <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
@@ -1546,6 +1962,10 @@
         <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
             <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
+        </message>
+        <message>
+            <source>The map does not show whether it is that of a left or a right foot; check that it is that of the {side} one.</source>
+            <translation>Tryckbilden visar inte om den är av en vänster eller höger fot; kontrollera att den är av den som är {side}.</translation>
         </message>
         <message>
             <source>The marker {marker} is seen {distances} from its place by {views} and does not count; see whether it was moved.</source>
@@ -1784,6 +2204,10 @@
             <translation>Ytan kunde inte passas in i vyerna; kontrollera om någon vy är förstörd och uteslut den.</translation>
         </message>
         <message>
+            <source>The surface faces into the foot: it is an imprint whose rim was cut off, or a file that is inside out; say whether it is a foam box or a foot.</source>
+            <translation>Ytan vetter in mot foten: det är ett avtryck vars kant har skurits bort, eller en fil som är ut och in; ange om det är en skumlåda eller en fot.</translation>
+        </message>
+        <message>
             <source>The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole foot or its sole, and nothing else.</source>
             <translation>Ytan har inte en fots proportioner: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {heel_mm:.0f} mm över hälen; kontrollera att filen innehåller en hel fot eller dess sula, och inget annat.</translation>
         </message>
@@ -1874,6 +2298,10 @@
         <message>
             <source>The two lines are not the same; type both again.</source>
             <translation>De två raderna är inte lika; skriv båda igen.</translation>
+        </message>
+        <message>
+            <source>The two points are too near to each other for a scale; click two that are far apart.</source>
+            <translation>De två punkterna ligger för nära varandra för en skala; klicka på två som ligger långt isär.</translation>
         </message>
         <message>
             <source>The two points of the known distance coincide; set them apart.</source>
@@ -1996,6 +2424,10 @@
             <translation>Uppgiften {what} tillhör {name}, {born}; namn eller födelsedatum skiljer sig.</translation>
         </message>
         <message>
+            <source>The {what} is {value:g} mm, and it must be {low:g} to {high:g} mm.</source>
+            <translation>Värdet {value:g} mm kan inte stämma ({what}); det måste vara {low:g} till {high:g} mm.</translation>
+        </message>
+        <message>
             <source>The {what} must be between {least:g} and {most:g}, not {value:g}.</source>
             <translation>{what} måste vara mellan {least:g} och {most:g}, inte {value:g}.</translation>
         </message>
@@ -2044,6 +2476,10 @@
             <translation>Mappen {folder} finns inte; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
+            <source>There is no frame {number}; choose one from 1 to {count}.</source>
+            <translation>Det finns ingen bild {number} i serien; välj en från 1 till {count}.</translation>
+        </message>
+        <message>
             <source>There is no kind of personal number {kind}; choose one.</source>
             <translation>Det finns inget slags personnummer {kind}; välj ett.</translation>
         </message>
@@ -2054,6 +2490,10 @@
         <message>
             <source>There is no order {number} in the record; check the number.</source>
             <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
+            <source>There is no step {number}; choose one from 1 to {count}.</source>
+            <translation>Det finns inget steg {number}; välj ett från 1 till {count}.</translation>
         </message>
         <message>
             <source>There is no such account any more; look at the list again.</source>
@@ -2089,7 +2529,7 @@
         </message>
         <message>
             <source>This capture is no longer in the record; open the visit again.</source>
-            <translation>Den här upptagningen finns inte längre i journalen; öppna besöket igen.</translation>
+            <translation>Den här avbildningen finns inte längre i journalen; öppna besöket igen.</translation>
         </message>
         <message>
             <source>This design has nothing beyond its device that a finding could propose; add a correction or a pad, or save it as a device.</source>
@@ -2106,6 +2546,10 @@
         <message>
             <source>This is the same person twice; choose another one to merge with.</source>
             <translation>Det är samma person två gånger; välj en annan att slå samman med.</translation>
+        </message>
+        <message>
+            <source>This looks like the map of a {other} foot, and it was laid under the {side} one; check the side, and whether it is seen from above or below.</source>
+            <translation>Detta ser ut som en annan fots tryckbild ({other}), och den lades under den här foten ({side}); kontrollera sidan, och om den är sedd uppifrån eller nerifrån.</translation>
         </message>
         <message>
             <source>This merge has been undone already; look at the persons again.</source>
@@ -2160,6 +2604,10 @@
             <translation>Tåzon</translation>
         </message>
         <message>
+            <source>Tolerance</source>
+            <translation>Tolerans</translation>
+        </message>
+        <message>
             <source>Too little of the solid is seen from above to check its {what}.</source>
             <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
         </message>
@@ -2170,6 +2618,10 @@
         <message>
             <source>Total contact, cup 8 to 12, low rounded rim without a hard edge, fill 0, base of at least 4.8, Shore A 35 (Noridian A5513), reliefs for each head (SureFit)</source>
             <translation>Helkontakt, hälskål 8 till 12, låg rundad kant utan hårda kanter, fyllnad 0, bas på minst 4,8, Shore A 35 (Noridian A5513), avlastning för varje metatarsalhuvud (SureFit)</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Trianglar</translation>
         </message>
         <message>
             <source>Trim line</source>
@@ -2228,6 +2680,10 @@
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>
         <message>
+            <source>Value</source>
+            <translation>Värde</translation>
+        </message>
+        <message>
             <source>Verifying the audit log</source>
             <translation>Kontrollerar loggen</translation>
         </message>
@@ -2238,6 +2694,10 @@
         <message>
             <source>Verifying {count} signatures</source>
             <translation>Kontrollerar {count} signaturer</translation>
+        </message>
+        <message>
+            <source>Version</source>
+            <translation>Version</translation>
         </message>
         <message>
             <source>View {views} is on the disk</source>
@@ -2260,6 +2720,18 @@
             <translation>Vyn {view}: {warning}</translation>
         </message>
         <message>
+            <source>Visit</source>
+            <translation>Besök</translation>
+        </message>
+        <message>
+            <source>Visit on {day}</source>
+            <translation>Besök {day}</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>Volym</translation>
+        </message>
+        <message>
             <source>Waiting for steady depth of view {views}</source>
             <translation>Väntar på stadigt djup i vy {views}</translation>
         </message>
@@ -2268,8 +2740,16 @@
             <translation>Väntar tills säkerhetskopieringen har stannat</translation>
         </message>
         <message>
+            <source>Weight in kg</source>
+            <translation>Vikt i kg</translation>
+        </message>
+        <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Bredd</translation>
         </message>
         <message>
             <source>Writing the file</source>
@@ -2294,6 +2774,10 @@
         <message>
             <source>Writing view {view}</source>
             <translation>Skriver vyn {view}</translation>
+        </message>
+        <message>
+            <source>Written by</source>
+            <translation>Skrivet av</translation>
         </message>
         <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
@@ -2328,12 +2812,24 @@
             <translation>konto</translation>
         </message>
         <message>
+            <source>achilles angle deg</source>
+            <translation>akillesvinkel, °</translation>
+        </message>
+        <message>
+            <source>achilles lean deg</source>
+            <translation>akillesaxelns lutning, °</translation>
+        </message>
+        <message>
             <source>add captures</source>
             <translation>lägga till inspelningar</translation>
         </message>
         <message>
             <source>added</source>
             <translation>tillagd</translation>
+        </message>
+        <message>
+            <source>added files</source>
+            <translation>lade till filer</translation>
         </message>
         <message>
             <source>adjusted</source>
@@ -2360,6 +2856,10 @@
             <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
         </message>
         <message>
+            <source>angle</source>
+            <translation>vinkel</translation>
+        </message>
+        <message>
             <source>angle of the sole sensors (degrees)</source>
             <translation>fotsulesensorernas vinkel (grader)</translation>
         </message>
@@ -2372,6 +2872,10 @@
             <translation>ett annat program har den öppen; stäng den där, eller välj ett annat namn</translation>
         </message>
         <message>
+            <source>apex</source>
+            <translation>topp</translation>
+        </message>
+        <message>
             <source>arch</source>
             <translation>valv</translation>
         </message>
@@ -2380,8 +2884,24 @@
             <translation>valvets topp över planet genom häl, 1:a och 5:e huvudet</translation>
         </message>
         <message>
+            <source>arch fill</source>
+            <translation>valvfyllnad</translation>
+        </message>
+        <message>
+            <source>arch height</source>
+            <translation>valvhöjd</translation>
+        </message>
+        <message>
+            <source>arch height index</source>
+            <translation>valvhöjdsindex</translation>
+        </message>
+        <message>
             <source>arch height of the simulated foot (mm)</source>
             <translation>den simulerade fotens valvhöjd (mm)</translation>
+        </message>
+        <message>
+            <source>arch index</source>
+            <translation>valvindex</translation>
         </message>
         <message>
             <source>arch raise</source>
@@ -2412,8 +2932,36 @@
             <translation>säkerhetskopierad</translation>
         </message>
         <message>
+            <source>ball girth</source>
+            <translation>trampdynans omfång</translation>
+        </message>
+        <message>
+            <source>ball length</source>
+            <translation>längd till trampdynan</translation>
+        </message>
+        <message>
+            <source>ball width</source>
+            <translation>trampdynans bredd</translation>
+        </message>
+        <message>
+            <source>ball width across</source>
+            <translation>trampdynans bredd tvärs</translation>
+        </message>
+        <message>
             <source>ball width of the simulated foot (mm)</source>
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
+        </message>
+        <message>
+            <source>bar</source>
+            <translation>balk</translation>
+        </message>
+        <message>
+            <source>base form</source>
+            <translation>basform</translation>
+        </message>
+        <message>
+            <source>behind heads</source>
+            <translation>bakom huvudena</translation>
         </message>
         <message>
             <source>big toe</source>
@@ -2436,12 +2984,44 @@
             <translation>ämne</translation>
         </message>
         <message>
+            <source>blend</source>
+            <translation>övergång</translation>
+        </message>
+        <message>
+            <source>blend end</source>
+            <translation>övergångens slut</translation>
+        </message>
+        <message>
+            <source>blend start</source>
+            <translation>övergångens början</translation>
+        </message>
+        <message>
             <source>block</source>
             <translation>block</translation>
         </message>
         <message>
+            <source>body weight</source>
+            <translation>kroppsvikt</translation>
+        </message>
+        <message>
+            <source>border</source>
+            <translation>kant</translation>
+        </message>
+        <message>
             <source>born {day}</source>
             <translation>född {day}</translation>
+        </message>
+        <message>
+            <source>bottom</source>
+            <translation>undersida</translation>
+        </message>
+        <message>
+            <source>calibrated on</source>
+            <translation>kalibrerade</translation>
+        </message>
+        <message>
+            <source>camera</source>
+            <translation>färgkamera</translation>
         </message>
         <message>
             <source>capture</source>
@@ -2456,6 +3036,14 @@
             <translation>centimeter</translation>
         </message>
         <message>
+            <source>centre</source>
+            <translation>mitt</translation>
+        </message>
+        <message>
+            <source>chamfer</source>
+            <translation>fas</translation>
+        </message>
+        <message>
             <source>change patients, visits and prescriptions</source>
             <translation>ändra patienter, besök och ordinationer</translation>
         </message>
@@ -2466,6 +3054,10 @@
         <message>
             <source>changed</source>
             <translation>ändrad</translation>
+        </message>
+        <message>
+            <source>changed password</source>
+            <translation>bytte lösenord</translation>
         </message>
         <message>
             <source>checked</source>
@@ -2524,8 +3116,16 @@
             <translation>överdrag</translation>
         </message>
         <message>
+            <source>cover / middle layer / base</source>
+            <translation>överdrag / mellanskikt / bas</translation>
+        </message>
+        <message>
+            <source>cover, glued on later</source>
+            <translation>överdrag, limmas på senare</translation>
+        </message>
+        <message>
             <source>crest</source>
-            <translation>tåkam</translation>
+            <translation>kam</translation>
         </message>
         <message>
             <source>cuboid raise</source>
@@ -2534,6 +3134,10 @@
         <message>
             <source>cupped</source>
             <translation>skålad</translation>
+        </message>
+        <message>
+            <source>cut out</source>
+            <translation>urtag</translation>
         </message>
         <message>
             <source>cut-out</source>
@@ -2588,16 +3192,40 @@
             <translation>levererad</translation>
         </message>
         <message>
+            <source>depth</source>
+            <translation>djup</translation>
+        </message>
+        <message>
+            <source>depth camera</source>
+            <translation>djupkamera</translation>
+        </message>
+        <message>
             <source>designed</source>
-            <translation>konstruerad</translation>
+            <translation>utformad</translation>
+        </message>
+        <message>
+            <source>device</source>
+            <translation>inläggstyp</translation>
         </message>
         <message>
             <source>diabetes</source>
             <translation>diabetes</translation>
         </message>
         <message>
+            <source>disparity</source>
+            <translation>disparitet</translation>
+        </message>
+        <message>
+            <source>distance of the sensors</source>
+            <translation>sensorernas avstånd</translation>
+        </message>
+        <message>
             <source>distance of the sensors (mm)</source>
             <translation>sensorernas avstånd (mm)</translation>
+        </message>
+        <message>
+            <source>distortion</source>
+            <translation>distorsion</translation>
         </message>
         <message>
             <source>does not belong here: a device fits both feet; leave it out</source>
@@ -2612,6 +3240,10 @@
             <translation>nedåt</translation>
         </message>
         <message>
+            <source>draft of the walls</source>
+            <translation>väggarnas släppning</translation>
+        </message>
+        <message>
             <source>drawn</source>
             <translation>ritad</translation>
         </message>
@@ -2620,8 +3252,28 @@
             <translation>droppe</translation>
         </message>
         <message>
+            <source>due {day}</source>
+            <translation>klar {day}</translation>
+        </message>
+        <message>
+            <source>edge radius</source>
+            <translation>kantradie</translation>
+        </message>
+        <message>
             <source>edge {value}</source>
             <translation>kant {value}</translation>
+        </message>
+        <message>
+            <source>egg</source>
+            <translation>ägg</translation>
+        </message>
+        <message>
+            <source>egg ratio</source>
+            <translation>äggform, förhållande</translation>
+        </message>
+        <message>
+            <source>end taper</source>
+            <translation>ändarnas avfasning</translation>
         </message>
         <message>
             <source>erase patients</source>
@@ -2632,12 +3284,28 @@
             <translation>raderad</translation>
         </message>
         <message>
+            <source>expansion</source>
+            <translation>utvidgning</translation>
+        </message>
+        <message>
             <source>export patients</source>
             <translation>exportera patienter</translation>
         </message>
         <message>
             <source>exported</source>
             <translation>exporterad</translation>
+        </message>
+        <message>
+            <source>extrinsic</source>
+            <translation>extern</translation>
+        </message>
+        <message>
+            <source>fade end</source>
+            <translation>uttoningens slut</translation>
+        </message>
+        <message>
+            <source>fade start</source>
+            <translation>uttoningens början</translation>
         </message>
         <message>
             <source>family name</source>
@@ -2692,6 +3360,10 @@
             <translation>plan</translation>
         </message>
         <message>
+            <source>flat outline</source>
+            <translation>plan kontur</translation>
+        </message>
+        <message>
             <source>flat pad</source>
             <translation>plan pelott</translation>
         </message>
@@ -2704,6 +3376,22 @@
             <translation>uppföljning</translation>
         </message>
         <message>
+            <source>following</source>
+            <translation>följsam</translation>
+        </message>
+        <message>
+            <source>following the foot</source>
+            <translation>följer foten</translation>
+        </message>
+        <message>
+            <source>foot</source>
+            <translation>fot</translation>
+        </message>
+        <message>
+            <source>foot length</source>
+            <translation>fotlängd</translation>
+        </message>
+        <message>
             <source>foot length, rounded up to 5 mm</source>
             <translation>fotlängden, avrundad uppåt till 5 mm</translation>
         </message>
@@ -2712,12 +3400,20 @@
             <translation>framfot</translation>
         </message>
         <message>
+            <source>forefoot angle deg</source>
+            <translation>framfotsvinkel, °</translation>
+        </message>
+        <message>
             <source>forefoot filler</source>
             <translation>framfotsutfyllnad</translation>
         </message>
         <message>
             <source>forefoot pain</source>
             <translation>framfotssmärta</translation>
+        </message>
+        <message>
+            <source>forefoot post</source>
+            <translation>framfotskil</translation>
         </message>
         <message>
             <source>forefoot twist</source>
@@ -2736,8 +3432,16 @@
             <translation>från foten</translation>
         </message>
         <message>
+            <source>from the scan {name}</source>
+            <translation>från skanningen {name}</translation>
+        </message>
+        <message>
             <source>from the shoe size</source>
             <translation>från skostorleken</translation>
+        </message>
+        <message>
+            <source>full</source>
+            <translation>hel</translation>
         </message>
         <message>
             <source>full length</source>
@@ -2754,6 +3458,10 @@
         <message>
             <source>has more than {most} corners</source>
             <translation>har fler än {most} hörn</translation>
+        </message>
+        <message>
+            <source>has not the same number of sensors in each row</source>
+            <translation>har inte lika många sensorer i varje rad</translation>
         </message>
         <message>
             <source>has two feet of the same side</source>
@@ -2804,8 +3512,16 @@
             <translation>hälsmärta</translation>
         </message>
         <message>
+            <source>heel pitch</source>
+            <translation>klackhöjd</translation>
+        </message>
+        <message>
             <source>heel skive</source>
             <translation>hälskivning</translation>
+        </message>
+        <message>
+            <source>heel width</source>
+            <translation>hälbredd</translation>
         </message>
         <message>
             <source>heel width of the simulated foot (mm)</source>
@@ -2814,6 +3530,10 @@
         <message>
             <source>heel-spur recess</source>
             <translation>hälsporreurtag</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>höjd</translation>
         </message>
         <message>
             <source>heights_mm of form must have {rows} rows of {columns} heights, one for each station.</source>
@@ -2838,6 +3558,10 @@
         <message>
             <source>holds no material; add one</source>
             <translation>innehåller inget material; lägg till ett</translation>
+        </message>
+        <message>
+            <source>holds no pressure</source>
+            <translation>innehåller inget tryck</translation>
         </message>
         <message>
             <source>holds the weight of a body or the points of a trim line, which belong to one foot; leave them out</source>
@@ -2876,8 +3600,16 @@
             <translation>inlägget</translation>
         </message>
         <message>
+            <source>instep height</source>
+            <translation>vristhöjd</translation>
+        </message>
+        <message>
             <source>instep height / length from heel to 1st head</source>
             <translation>vristhöjd / längd från häl till 1:a huvudet</translation>
+        </message>
+        <message>
+            <source>intrinsic</source>
+            <translation>intern</translation>
         </message>
         <message>
             <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
@@ -2900,6 +3632,10 @@
             <translation>är ingen kontroll; kontrollerna är {check_names}</translation>
         </message>
         <message>
+            <source>is no distance of sensors</source>
+            <translation>är inget avstånd mellan sensorer</translation>
+        </message>
+        <message>
             <source>is no key of a device; check its spelling or leave it out ({known} are known)</source>
             <translation>är ingen nyckel för ett inlägg; kontrollera stavningen eller utelämna den ({known} är kända)</translation>
         </message>
@@ -2914,6 +3650,10 @@
         <message>
             <source>is no key of findings; check its spelling or leave it out</source>
             <translation>är ingen nyckel i en fil med fynd; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
+            <source>is no picture</source>
+            <translation>är ingen bild</translation>
         </message>
         <message>
             <source>is no rigid transform</source>
@@ -3048,6 +3788,10 @@
             <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
         </message>
         <message>
+            <source>kept</source>
+            <translation>sparad</translation>
+        </message>
+        <message>
             <source>kind{where} has {count} letters, and must have 1 to {most}; shorten it, or leave it out.</source>
             <translation>kind{where} har {count} bokstäver och måste ha 1 till {most}; korta den, eller utelämna den.</translation>
         </message>
@@ -3080,8 +3824,28 @@
             <translation>vänster</translation>
         </message>
         <message>
+            <source>left and right</source>
+            <translation>vänster och höger</translation>
+        </message>
+        <message>
+            <source>left insole</source>
+            <translation>vänster inlägg</translation>
+        </message>
+        <message>
+            <source>left sole</source>
+            <translation>vänster fotsula</translation>
+        </message>
+        <message>
             <source>leg length</source>
             <translation>benlängd</translation>
+        </message>
+        <message>
+            <source>length</source>
+            <translation>längd</translation>
+        </message>
+        <message>
+            <source>length of the insole</source>
+            <translation>inläggets längd</translation>
         </message>
         <message>
             <source>length of the simulated foot (mm)</source>
@@ -3094,6 +3858,10 @@
         <message>
             <source>line of the 1st to 5th head against the heel's ground; &gt; 0 is varus</source>
             <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
+        </message>
+        <message>
+            <source>locked</source>
+            <translation>låst</translation>
         </message>
         <message>
             <source>low</source>
@@ -3112,6 +3880,10 @@
             <translation>nere till höger</translation>
         </message>
         <message>
+            <source>made with Insole Studio {version}</source>
+            <translation>gjord med Insole Studio {version}</translation>
+        </message>
+        <message>
             <source>make backups</source>
             <translation>göra säkerhetskopior</translation>
         </message>
@@ -3120,8 +3892,20 @@
             <translation>hantera konton</translation>
         </message>
         <message>
+            <source>material of the shell</source>
+            <translation>skalets material</translation>
+        </message>
+        <message>
             <source>medial</source>
             <translation>medial</translation>
+        </message>
+        <message>
+            <source>medial flange</source>
+            <translation>medial fläns</translation>
+        </message>
+        <message>
+            <source>medial {medial}°, lateral {lateral}°</source>
+            <translation>medialt {medial}°, lateralt {lateral}°</translation>
         </message>
         <message>
             <source>medially</source>
@@ -3146,6 +3930,10 @@
         <message>
             <source>metatarsale tibiale to metatarsale fibulare, seen from below</source>
             <translation>metatarsale tibiale till metatarsale fibulare, sett underifrån</translation>
+        </message>
+        <message>
+            <source>method</source>
+            <translation>metod</translation>
         </message>
         <message>
             <source>metres</source>
@@ -3196,8 +3984,28 @@
             <translation>mm osäkert vid foten</translation>
         </message>
         <message>
+            <source>mode</source>
+            <translation>läge</translation>
+        </message>
+        <message>
+            <source>mondopoint</source>
+            <translation>mondopoint</translation>
+        </message>
+        <message>
+            <source>mortons extension</source>
+            <translation>Mortons förlängning</translation>
+        </message>
+        <message>
             <source>most</source>
             <translation>största</translation>
+        </message>
+        <message>
+            <source>mould</source>
+            <translation>gjutform</translation>
+        </message>
+        <message>
+            <source>moved</source>
+            <translation>flyttad</translation>
         </message>
         <message>
             <source>must be a list […]</source>
@@ -3312,6 +4120,10 @@
             <translation>smal</translation>
         </message>
         <message>
+            <source>navicular height</source>
+            <translation>navikularhöjd</translation>
+        </message>
+        <message>
             <source>navicular, where it is marked, over the ground</source>
             <translation>naviculare, där det är märkt, över underlaget</translation>
         </message>
@@ -3342,6 +4154,10 @@
         <message>
             <source>none</source>
             <translation>–</translation>
+        </message>
+        <message>
+            <source>not recorded</source>
+            <translation>inte antecknat</translation>
         </message>
         <message>
             <source>notes</source>
@@ -3408,6 +4224,10 @@
             <translation>Resultatet</translation>
         </message>
         <message>
+            <source>outline</source>
+            <translation>kontur</translation>
+        </message>
+        <message>
             <source>outline_mm{where} belongs to the shapes "outline" and "flat_outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
             <translation>outline_mm{where} hör till formerna ”outline” och ”flat_outline” och ingen annan; rita en kontur, eller välj en annan form och utelämna den.</translation>
         </message>
@@ -3420,8 +4240,16 @@
             <translation>outline_mm{where} går inte runt pelottens mitt; lägg toppen innanför konturen.</translation>
         </message>
         <message>
+            <source>oval</source>
+            <translation>oval</translation>
+        </message>
+        <message>
             <source>oval pad</source>
             <translation>oval pelott</translation>
+        </message>
+        <message>
+            <source>page</source>
+            <translation>sida</translation>
         </message>
         <message>
             <source>pediatric</source>
@@ -3480,6 +4308,10 @@
             <translation>platta</translation>
         </message>
         <message>
+            <source>points</source>
+            <translation>punkter</translation>
+        </message>
+        <message>
             <source>points_mm of outline has {count} places, and a drawn outline needs at least {least}; draw it again.</source>
             <translation>points_mm i outline har {count} platser, och en ritad kontur behöver minst {least}; rita den igen.</translation>
         </message>
@@ -3500,6 +4332,10 @@
             <translation>posts i shell har två för samma område; behåll en av dem.</translation>
         </message>
         <message>
+            <source>prescribed thickness</source>
+            <translation>ordinerad tjocklek</translation>
+        </message>
+        <message>
             <source>prescription</source>
             <translation>ordination</translation>
         </message>
@@ -3517,23 +4353,39 @@
         </message>
         <message>
             <source>pull</source>
-            <translation>sänk</translation>
+            <translation>dra ner</translation>
         </message>
         <message>
             <source>push</source>
-            <translation>höj</translation>
+            <translation>tryck upp</translation>
         </message>
         <message>
             <source>px apart in the colour image</source>
             <translation>px isär i färgbilden</translation>
         </message>
         <message>
+            <source>radius</source>
+            <translation>radie</translation>
+        </message>
+        <message>
             <source>read the audit log</source>
             <translation>läsa loggen</translation>
         </message>
         <message>
+            <source>rearfoot</source>
+            <translation>bakfot</translation>
+        </message>
+        <message>
+            <source>rearfoot angle deg</source>
+            <translation>bakfotsvinkel, °</translation>
+        </message>
+        <message>
             <source>rearfoot eversion of the simulated foot (degrees)</source>
             <translation>den simulerade fotens bakfotseversion (grader)</translation>
+        </message>
+        <message>
+            <source>rearfoot post</source>
+            <translation>bakfotskil</translation>
         </message>
         <message>
             <source>rearmost point</source>
@@ -3608,6 +4460,10 @@
             <translation>Anmärkningarna</translation>
         </message>
         <message>
+            <source>reset password</source>
+            <translation>återställde lösenordet</translation>
+        </message>
+        <message>
             <source>resolution of the foot's surface (mm)</source>
             <translation>upplösningen på fotens yta (mm)</translation>
         </message>
@@ -3626,6 +4482,14 @@
         <message>
             <source>right</source>
             <translation>höger</translation>
+        </message>
+        <message>
+            <source>right insole</source>
+            <translation>höger inlägg</translation>
+        </message>
+        <message>
+            <source>right sole</source>
+            <translation>höger fotsula</translation>
         </message>
         <message>
             <source>rigid</source>
@@ -3664,12 +4528,28 @@
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
         </message>
         <message>
+            <source>sensors</source>
+            <translation>sensorer</translation>
+        </message>
+        <message>
             <source>sent</source>
             <translation>skickad</translation>
         </message>
         <message>
             <source>sesamoid</source>
             <translation>sesamben</translation>
+        </message>
+        <message>
+            <source>set up backups</source>
+            <translation>förberedde säkerhetskopior</translation>
+        </message>
+        <message>
+            <source>settled</source>
+            <translation>avgjord</translation>
+        </message>
+        <message>
+            <source>shape</source>
+            <translation>form</translation>
         </message>
         <message>
             <source>shell</source>
@@ -3681,7 +4561,19 @@
         </message>
         <message>
             <source>shoe size</source>
-            <translation>Skostorleken</translation>
+            <translation>skostorlek</translation>
+        </message>
+        <message>
+            <source>shoe size eu</source>
+            <translation>skostorlek EU</translation>
+        </message>
+        <message>
+            <source>shoe size uk</source>
+            <translation>skostorlek UK</translation>
+        </message>
+        <message>
+            <source>shoe size us</source>
+            <translation>skostorlek US</translation>
         </message>
         <message>
             <source>shoe_size_eu of outline is missing; put in the size of the shoe.</source>
@@ -3696,12 +4588,24 @@
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
         </message>
         <message>
+            <source>sigma</source>
+            <translation>sigma</translation>
+        </message>
+        <message>
             <source>sign prescriptions</source>
             <translation>signera ordinationer</translation>
         </message>
         <message>
+            <source>signature {signature}</source>
+            <translation>signatur {signature}</translation>
+        </message>
+        <message>
             <source>signed</source>
             <translation>signerad</translation>
+        </message>
+        <message>
+            <source>signed by {name} on {day}</source>
+            <translation>signerad av {name} {day}</translation>
         </message>
         <message>
             <source>signed in</source>
@@ -3710,6 +4614,10 @@
         <message>
             <source>slim shoe</source>
             <translation>smal sko</translation>
+        </message>
+        <message>
+            <source>slope</source>
+            <translation>lutning</translation>
         </message>
         <message>
             <source>smaller</source>
@@ -3752,6 +4660,14 @@
             <translation>steg</translation>
         </message>
         <message>
+            <source>stereo</source>
+            <translation>färg mot djup</translation>
+        </message>
+        <message>
+            <source>strength</source>
+            <translation>styrka</translation>
+        </message>
+        <message>
             <source>strength{where} is {strength:g}, and for smoothing must be 0 to 1; 1 evens out all it can.</source>
             <translation>strength{where} är {strength:g}, och måste för utjämning vara 0 till 1; 1 jämnar ut allt den kan.</translation>
         </message>
@@ -3768,12 +4684,24 @@
             <translation>supination</translation>
         </message>
         <message>
+            <source>swept</source>
+            <translation>städad</translation>
+        </message>
+        <message>
             <source>switched off</source>
             <translation>avstängd</translation>
         </message>
         <message>
+            <source>switched on</source>
+            <translation>slogs på</translation>
+        </message>
+        <message>
             <source>tape round the foot through the two points of the ball</source>
             <translation>måttband runt foten genom trampdynans två punkter</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>mål</translation>
         </message>
         <message>
             <source>technician</source>
@@ -3822,6 +4750,10 @@
         <message>
             <source>the distance between the cameras</source>
             <translation>avståndet mellan kamerorna</translation>
+        </message>
+        <message>
+            <source>the distance of the sensors</source>
+            <translation>sensorernas avstånd</translation>
         </message>
         <message>
             <source>the distortion of the depth is corrected by what was measured on sensor {owner}, not on {serial}, so the depth may be wrong by several millimetres; give the session the calibration of its own sensor</source>
@@ -3874,6 +4806,10 @@
         <message>
             <source>the leg was not scanned, or the scan does not stand upright</source>
             <translation>benet skannades inte, eller skanningen står inte upprätt</translation>
+        </message>
+        <message>
+            <source>the length of the insole</source>
+            <translation>inläggets längd</translation>
         </message>
         <message>
             <source>the maker</source>
@@ -3948,6 +4884,10 @@
             <translation>ytan är för grov där: {places}</translation>
         </message>
         <message>
+            <source>the unit of its numbers</source>
+            <translation>talens enhet</translation>
+        </message>
+        <message>
             <source>the {count} markers that were pointed at cannot be seen at these places from anywhere; check which marker is which</source>
             <translation>de {count} markörerna som pekades ut kan inte ses på dessa platser från någonstans; kontrollera vilken markör som är vilken</translation>
         </message>
@@ -3972,8 +4912,16 @@
             <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
+            <source>three quarter</source>
+            <translation>trekvarts</translation>
+        </message>
+        <message>
             <source>three-quarter</source>
             <translation>trekvarts</translation>
+        </message>
+        <message>
+            <source>through {count} points</source>
+            <translation>genom {count} punkter</translation>
         </message>
         <message>
             <source>to the left</source>
@@ -3982,6 +4930,10 @@
         <message>
             <source>to the right</source>
             <translation>åt höger</translation>
+        </message>
+        <message>
+            <source>toe zone</source>
+            <translation>tåzon</translation>
         </message>
         <message>
             <source>toes</source>
@@ -3994,6 +4946,14 @@
         <message>
             <source>total contact</source>
             <translation>helkontakt</translation>
+        </message>
+        <message>
+            <source>trim line</source>
+            <translation>klipplinje</translation>
+        </message>
+        <message>
+            <source>turn</source>
+            <translation>vridning</translation>
         </message>
         <message>
             <source>turned by {turn_deg:.0f}°, it looks like itself within {apart_mm:.1f} mm; move some markers by a few studs so that it is less regular</source>
@@ -4028,6 +4988,14 @@
             <translation>underskärning</translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation>enhet</translation>
+        </message>
+        <message>
+            <source>unlocked</source>
+            <translation>upplåst</translation>
+        </message>
+        <message>
             <source>unmerged</source>
             <translation>åter isär</translation>
         </message>
@@ -4048,8 +5016,20 @@
             <translation>uppåt</translation>
         </message>
         <message>
+            <source>usual</source>
+            <translation>vanlig</translation>
+        </message>
+        <message>
+            <source>variant {name}</source>
+            <translation>variant {name}</translation>
+        </message>
+        <message>
             <source>version must be {known}, and is {version}.</source>
             <translation>version måste vara {known}, och är {version}.</translation>
+        </message>
+        <message>
+            <source>version {number} of {day} by {author}</source>
+            <translation>version {number} {day} av {author}</translation>
         </message>
         <message>
             <source>view {view}: {reason}</source>
@@ -4066,6 +5046,18 @@
         <message>
             <source>weight in kg</source>
             <translation>Vikten i kg</translation>
+        </message>
+        <message>
+            <source>whether it is seen from above or below</source>
+            <translation>om den är sedd uppifrån eller nerifrån</translation>
+        </message>
+        <message>
+            <source>which foot it is</source>
+            <translation>vilken fot det är</translation>
+        </message>
+        <message>
+            <source>width</source>
+            <translation>bredd</translation>
         </message>
         <message>
             <source>worst: {markers}</source>
@@ -4094,6 +5086,18 @@
         <message>
             <source>{angle} medial</source>
             <translation>{angle} medialt</translation>
+        </message>
+        <message>
+            <source>{angle}, length {length}, edge {edge}</source>
+            <translation>{angle}, längd {length}, kant {edge}</translation>
+        </message>
+        <message>
+            <source>{angle}° lateral</source>
+            <translation>{angle}° lateralt</translation>
+        </message>
+        <message>
+            <source>{angle}° medial</source>
+            <translation>{angle}° medialt</translation>
         </message>
         <message>
             <source>{archive} holds the path "{file}", which leads out of the archive; do not use this file.</source>
@@ -4172,8 +5176,20 @@
             <translation>{columns}×{rows} inre hörn, ruta {square_mm:g} mm</translation>
         </message>
         <message>
+            <source>{comparison} Restore to an empty database.</source>
+            <translation>{comparison} Återställ till en tom databas.</translation>
+        </message>
+        <message>
+            <source>{comparison} Restore to an empty place, or let this record be set aside.</source>
+            <translation>{comparison} Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
             <source>{count:g} places</source>
             <translation>{count:g} punkter</translation>
+        </message>
+        <message>
+            <source>{count} added ({outcomes})</source>
+            <translation>{count} tillagda ({outcomes})</translation>
         </message>
         <message>
             <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
@@ -4252,8 +5268,20 @@
             <translation>{days:.0f} dagar gammal</translation>
         </message>
         <message>
+            <source>{dpi:g} dots per inch are none of a scanner; they must be {low:g} to {high:g}.</source>
+            <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
+        </message>
+        <message>
             <source>{fault} ({reason})</source>
             <translation>{fault} ({reason})</translation>
+        </message>
+        <message>
+            <source>{file} does not say how many dots per inch it has; state them, or click two points whose distance is known.</source>
+            <translation>{file} anger inte hur många punkter per tum den har; ange dem, eller klicka på två punkter vars avstånd är känt.</translation>
+        </message>
+        <message>
+            <source>{file} does not say {what}; state it.</source>
+            <translation>{file} anger inte {what}; ange det.</translation>
         </message>
         <message>
             <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
@@ -4276,12 +5304,20 @@
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
         </message>
         <message>
+            <source>{file} is the map of a {side} foot, and the foot is a {foot_side} one; choose the other foot, or the other map.</source>
+            <translation>{file} är en annan fots tryckbild ({side}) än den öppna foten ({foot_side}); välj den andra foten, eller den andra tryckbilden.</translation>
+        </message>
+        <message>
             <source>{file} may only be read by you; ask for the right to write to it.</source>
             <translation>Du får bara läsa {file}; be om rätten att skriva till den.</translation>
         </message>
         <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
             <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
+        </message>
+        <message>
+            <source>{file} would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to {high:.0f} mm; check the dots per inch or the distance.</source>
+            <translation>{file} skulle bli {longest:.0f} mm lång, och en bild av en fot är {low:.0f} till {high:.0f} mm; kontrollera punkterna per tum eller avståndet.</translation>
         </message>
         <message>
             <source>{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore the file from a backup.</source>
@@ -4317,7 +5353,7 @@
         </message>
         <message>
             <source>{folder} does not hold the files of this record; connect the disk or the share that holds them, then try again.</source>
-            <translation>{folder} innehåller inte filerna till detta register; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
+            <translation>{folder} innehåller inte filerna till den här journalen; anslut den disk eller nätverksmapp som innehåller dem och försök igen.</translation>
         </message>
         <message>
             <source>{folder} does not keep what is written to it; use another disk for backups.</source>
@@ -4369,7 +5405,7 @@
         </message>
         <message>
             <source>{folder} holds the backups of another record, or of this one under another passphrase; choose another folder.</source>
-            <translation>{folder} innehåller säkerhetskopior av ett annat register, eller av detta med en annan lösenfras; välj en annan mapp.</translation>
+            <translation>{folder} innehåller säkerhetskopior av en annan journal, eller av den här med en annan lösenfras; välj en annan mapp.</translation>
         </message>
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
@@ -4386,6 +5422,10 @@
         <message>
             <source>{folder} was not left by a capture; choose the folder it named.</source>
             <translation>{folder} lämnades inte av en avbildning; välj mappen som den angav.</translation>
+        </message>
+        <message>
+            <source>{form}, {share} % of the foot</source>
+            <translation>{form}, {share} % av foten</translation>
         </message>
         <message>
             <source>{frame} is missing, but later frames are there; restore it or renumber.</source>
@@ -4406,6 +5446,10 @@
         <message>
             <source>{heights} mm over the toes</source>
             <translation>{heights} mm över tårna</translation>
+        </message>
+        <message>
+            <source>{height} over {length}</source>
+            <translation>{height} över {length}</translation>
         </message>
         <message>
             <source>{key} of form has {count} stations, and must have {least} to {most}; add or remove some.</source>
@@ -4429,7 +5473,7 @@
         </message>
         <message>
             <source>{kind} is no kind of a capture; use session or mesh.</source>
-            <translation>{kind} är inget slags upptagning; använd session eller mesh.</translation>
+            <translation>{kind} är inget slags avbildning; använd session eller mesh.</translation>
         </message>
         <message>
             <source>{least:g} to {most:g}</source>
@@ -4446,6 +5490,10 @@
         <message>
             <source>{list}[{number}]</source>
             <translation>{list}[{number}]</translation>
+        </message>
+        <message>
+            <source>{maker}, {maker address}, states: this device is intended for the exclusive use of the patient identified above. It was made to the prescription set out here, which {prescriber} made out. It conforms to the general safety and performance requirements of Annex I; requirements that are not fully met, if any, are listed with the reasons: none. This statement and the documentation of the device are kept available to the competent authorities for at least ten years after the device was placed on the market.</source>
+            <translation>{maker}, {maker address}, försäkrar: denna produkt är uteslutande avsedd för den patient som identifieras ovan. Den har tillverkats efter den ordination som återges här och som {prescriber} har utfärdat. Den uppfyller de allmänna kraven på säkerhet och prestanda i bilaga I; krav som eventuellt inte är helt uppfyllda anges med skälen: inga. Denna försäkran och produktens dokumentation hålls tillgängliga för de behöriga myndigheterna i minst tio år efter att produkten släpptes ut på marknaden.</translation>
         </message>
         <message>
             <source>{markers} excluded</source>
@@ -4530,6 +5578,14 @@
         <message>
             <source>{name} is {value} (usual: {low} to {high})</source>
             <translation>{name} är {value} (vanligt: {low} till {high})</translation>
+        </message>
+        <message>
+            <source>{name} {count} points</source>
+            <translation>{name} {count} punkter</translation>
+        </message>
+        <message>
+            <source>{name} {share} % of the length</source>
+            <translation>{name} {share} % av längden</translation>
         </message>
         <message>
             <source>{name}: "{key}" must hold {what}; calibrate the sensor again.</source>
@@ -4656,12 +5712,20 @@
             <translation>{path} finns inte; ange en mapp som innehåller en sensor.json.</translation>
         </message>
         <message>
+            <source>{path} does not say how many sensels there are and how large they are; export it again.</source>
+            <translation>{path} anger inte hur många sensorer det finns och hur stora de är; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} has a triangle with the corner 0, but an OBJ counts from 1; export it again.</source>
             <translation>{path} har en triangel med hörnet 0, men en OBJ räknar från 1; exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} has lost its {file}; restore the file from a backup.</source>
             <translation>{path} har förlorat {file}; återställ filen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path} has more than {most} million pixels; scan it with fewer dots per inch.</source>
+            <translation>{path} har mer än {most} miljoner bildpunkter; skanna med färre punkter per tum.</translation>
         </message>
         <message>
             <source>{path} has more than {most} rows; divide it.</source>
@@ -4684,8 +5748,16 @@
             <translation>{path} innehåller koordinater som inte är tal; den är skadad, så exportera den igen.</translation>
         </message>
         <message>
+            <source>{path} holds more sensors or frames than a plate has; export one step only.</source>
+            <translation>{path} innehåller fler sensorer eller bilder än en tryckplatta har; exportera bara ett steg.</translation>
+        </message>
+        <message>
             <source>{path} holds more than {count} files; choose the folder of one visit.</source>
             <translation>{path} innehåller mer än {count} filer; välj mappen för ett besök.</translation>
+        </message>
+        <message>
+            <source>{path} holds no frame of pressures; export it again.</source>
+            <translation>{path} innehåller ingen tryckbild; exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} holds no manifest.json, so it is not a recorded session; choose the folder or zip archive of a session.</source>
@@ -4696,6 +5768,10 @@
             <translation>{path} innehåller ingen ordination än; välj ett fall med en design.</translation>
         </message>
         <message>
+            <source>{path} holds no pressure above 0; export it again.</source>
+            <translation>{path} innehåller inget tryck över 0; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} holds no raw 11-bit depth of 640×480; record it with depth format 11 bit.</source>
             <translation>{path} innehåller inget rått 11-bitars djup på 640×480; spela in med djupformatet 11 bitar.</translation>
         </message>
@@ -4704,8 +5780,16 @@
             <translation>{path} innehåller ingen skanning; ange en fil i något av formaten {suffixes}, eller en mapp eller ett zip-arkiv med en persons skanningar.</translation>
         </message>
         <message>
+            <source>{path} holds no sensor; export it again.</source>
+            <translation>{path} innehåller ingen sensor; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} holds no surface that can be read, as if it were cut off or held a few points only; export it again as a triangle mesh.</source>
             <translation>{path} innehåller ingen yta som kan läsas, som om den vore avklippt eller bara innehöll några få punkter; exportera den igen som ett triangelnät.</translation>
+        </message>
+        <message>
+            <source>{path} holds no table of pressures: at least {rows} rows of {columns} numbers; choose the export of a pressure plate.</source>
+            <translation>{path} innehåller ingen tabell med tryck: minst {rows} rader med {columns} tal; välj exporten från en tryckplatta.</translation>
         </message>
         <message>
             <source>{path} holds no {file}, so it is no case; choose an .insole file.</source>
@@ -4714,6 +5798,10 @@
         <message>
             <source>{path} holds only triangles without area; export it again.</source>
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds pressures below 0; export it again, calibrated.</source>
+            <translation>{path} innehåller tryck under 0; exportera den på nytt, kalibrerad.</translation>
         </message>
         <message>
             <source>{path} holds two scans of the {side} foot by their names ({first}, {second}); open the one that is meant.</source>
@@ -4744,6 +5832,10 @@
             <translation>{path} är komprimerad med {method}, vilket inte kan läsas; exportera den igen utan komprimering.</translation>
         </message>
         <message>
+            <source>{path} is cut off; export it again.</source>
+            <translation>{path} är avkortad; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
@@ -4768,6 +5860,10 @@
             <translation>{path} är större än {limit_mb} MB, vilket ingen sådan fil är; välj en annan fil.</translation>
         </message>
         <message>
+            <source>{path} is longer than five minutes; export a part of the walk.</source>
+            <translation>{path} är längre än fem minuter; exportera en del av gången.</translation>
+        </message>
+        <message>
             <source>{path} is named for two results; give each of them a name of its own.</source>
             <translation>{path} anges för två resultat; ge vart och ett ett eget namn.</translation>
         </message>
@@ -4788,6 +5884,10 @@
             <translation>{path} är ingen rå djupbild (16 bitar grått, tal till 2047); spela in sensorns råa tal.</translation>
         </message>
         <message>
+            <source>{path} is no readable PNG, JPEG or TIFF; save the picture again.</source>
+            <translation>{path} är ingen läsbar PNG, JPEG eller TIFF; spara bilden på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is no readable case file; it may be damaged or cut off, so restore it from a backup.</source>
             <translation>{path} är ingen läsbar fallfil; den kan vara skadad eller avskuren, så återställ den från en säkerhetskopia.</translation>
         </message>
@@ -4800,12 +5900,20 @@
             <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
         </message>
         <message>
+            <source>{path} is no readable text; export it again.</source>
+            <translation>{path} är ingen läsbar text; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.</source>
             <translation>{path} är ingen skanning som kan läsas; ange en fil i något av formaten {suffixes}.</translation>
         </message>
         <message>
             <source>{path} is no table of text; save it again as CSV UTF-8.</source>
             <translation>{path} är ingen tabell med text; spara den igen som CSV UTF-8.</translation>
+        </message>
+        <message>
+            <source>{path} is no text; export the pressure map as text, or save the table as CSV.</source>
+            <translation>{path} är ingen text; exportera tryckbilden som text, eller spara tabellen som CSV.</translation>
         </message>
         <message>
             <source>{path} is no valid JSON: {reason}; export the design again.</source>
@@ -4884,6 +5992,10 @@
             <translation>{path} anger inget format som {what} skrivs i; välj {formats}.</translation>
         </message>
         <message>
+            <source>{path} says that its sensors are {pitch:g} mm apart, and they are {low:g} to {high:g} mm apart; export it again.</source>
+            <translation>{path} anger att dess sensorer ligger {pitch:g} mm isär, och de ligger {low:g} till {high:g} mm isär; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} was changed by another program since it was opened here.</source>
             <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
         </message>
@@ -4894,6 +6006,30 @@
         <message>
             <source>{path} was changed while it was being stored; try again.</source>
             <translation>{path} ändrades medan den sparades; försök igen.</translation>
+        </message>
+        <message>
+            <source>{path}: "{text}" is no distance of sensors; write such as 5 or 5 x 7.</source>
+            <translation>{path}: ”{text}” är inget avstånd mellan sensorer; skriv till exempel 5 eller 5 x 7.</translation>
+        </message>
+        <message>
+            <source>{path}: line {line} holds "{text}" in place of a pressure; export it again.</source>
+            <translation>{path}: rad {line} innehåller ”{text}” i stället för ett tryck; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the frames differ in the number of their rows or columns; export it again.</source>
+            <translation>{path}: bilderna har olika antal rader eller kolumner; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the pressures of a frame do not make up the force that it states; the file is damaged, so export it again.</source>
+            <translation>{path}: trycken i en bild ger inte den kraft som den anger; filen är skadad, så exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the rows of the table differ in length; export it again.</source>
+            <translation>{path}: tabellens rader är olika långa; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the unit "{unit}" is none of pressure; calibrate the recording and export it in kPa.</source>
+            <translation>{path}: enheten ”{unit}” är ingen enhet för tryck; kalibrera mätningen och exportera den i kPa.</translation>
         </message>
         <message>
             <source>{path}: {entries} cannot be understood, so the defaults are used for them; the file is kept as {kept}.</source>
@@ -4944,24 +6080,32 @@
             <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
         </message>
         <message>
-            <source>{place} holds a record that cannot be read; restore to an empty place, or let it be set aside.</source>
-            <translation>{place} innehåller en journal som inte går att läsa; återställ till en tom plats, eller låt den läggas åt sidan.</translation>
+            <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
-            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}). Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}). Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record that cannot be read.</source>
+            <translation>{place} innehåller en journal som inte går att läsa.</translation>
         </message>
         <message>
-            <source>{place} holds a record with {count} entries fewer in its audit log than the backup has; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian har; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}).</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}).</translation>
         </message>
         <message>
-            <source>{place} holds another record than the backup; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en annan journal än säkerhetskopian; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
-            <source>{place} holds the record as the backup has it: nothing was changed since. Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record with {count} entries fewer in its audit log than the backup.</source>
+            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian.</translation>
+        </message>
+        <message>
+            <source>{place} holds another record than the backup.</source>
+            <translation>{place} innehåller en annan journal än säkerhetskopian.</translation>
+        </message>
+        <message>
+            <source>{place} holds the record as the backup has it: nothing was changed since.</source>
+            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
@@ -5006,6 +6150,10 @@
         <message>
             <source>{region} {percent:.0f} %</source>
             <translation>{region} {percent:.0f} %</translation>
+        </message>
+        <message>
+            <source>{serial}: {step} {value:.2f} {unit}</source>
+            <translation>{serial}: {step} {value:.2f} {unit}</translation>
         </message>
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
@@ -5154,6 +6302,10 @@
         <message>
             <source>{where} must be two numbers in [ ].</source>
             <translation>{where} måste vara två tal i [ ].</translation>
+        </message>
+        <message>
+            <source>{width} from the bisection of the 1st metatarsal</source>
+            <translation>{width} från första metatarsalbenets mittlinje</translation>
         </message>
         <message>
             <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>

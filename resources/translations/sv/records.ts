@@ -4,6 +4,10 @@
     <context>
         <name>studio</name>
         <message>
+            <source>&amp;New orders are due after</source>
+            <translation>&amp;Nya beställningar ska vara klara efter</translation>
+        </message>
+        <message>
             <source>A copy was written: {name}</source>
             <translation>En kopia skrevs: {name}</translation>
         </message>
@@ -98,6 +102,14 @@
         <message>
             <source>Captured</source>
             <translation>Avbildad</translation>
+        </message>
+        <message>
+            <source>Captured {time}; calibration of the sensors not recorded</source>
+            <translation>Avbildad {time}; sensorernas kalibrering är inte antecknad</translation>
+        </message>
+        <message>
+            <source>Captured {time}; sensors calibrated {day}</source>
+            <translation>Avbildad {time}; sensorerna kalibrerade {day}</translation>
         </message>
         <message>
             <source>Cases in files can be opened as before.</source>
@@ -348,6 +360,10 @@
             <translation>Beställning {number} finns i journalen, med sina filer.</translation>
         </message>
         <message>
+            <source>Order {number} is in the record, with its files; it is due {day}.</source>
+            <translation>Beställning {number} finns i journalen med sina filer; den ska vara klar {day}.</translation>
+        </message>
+        <message>
             <source>Orders</source>
             <translation>Beställningar</translation>
         </message>
@@ -418,6 +434,10 @@
         <message>
             <source>Saving…</source>
             <translation>Sparar…</translation>
+        </message>
+        <message>
+            <source>Scan {name}, {time}</source>
+            <translation>Skanning {name}, {time}</translation>
         </message>
         <message>
             <source>Search for a patient; today's visits and open orders</source>
@@ -574,6 +594,14 @@
         <message>
             <source>Without a patient, or from files</source>
             <translation>Utan patient, eller från filer</translation>
+        </message>
+        <message>
+            <source>days</source>
+            <translation>dagar</translation>
+        </message>
+        <message>
+            <source>no due date</source>
+            <translation>inget datum</translation>
         </message>
         <message>
             <source>signed by {name}</source>

@@ -20,6 +20,7 @@ from insole_core.recording.session import (
     View,
 )
 from insole_core.recording.writer import write_session
+from insole_core.sensing.calibration_record import CalibrationRecord
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
@@ -57,6 +58,9 @@ def make_sensor(serial: str, face: str, corrected: bool) -> Sensor:
         else LinearInverseDisparity(3.33, -0.00307),
         correction=make_correction(serial) if corrected else None,
         faces=(face,),
+        calibration=(CalibrationRecord("camera", "2026-11-01T09:00:00Z", 0.31, "px"),)
+        if corrected
+        else (),
     )
 
 

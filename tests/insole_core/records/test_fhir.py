@@ -59,19 +59,22 @@ def test_a_patient_has_the_structure_of_r4_and_all_that_is_known():
     assert _as_read(Patient, resource) == resource
     assert resource["birthDate"] == "1964-08-23"
     assert resource["name"] == [{"use": "official", "text": _PERSON.name}]
-    number, pseudonym = resource["identifier"]
-    assert number["system"] == "http://electronichealth.se/identifier/personnummer"
-    assert number["value"] == "196408233234"
-    assert pseudonym["value"] == _PERSON.pseudonym
+    assert [(i.get("system"), i["value"]) for i in resource["identifier"]] == [
+        ("http://electronichealth.se/identifier/personnummer", "196408233234"),
+        ("urn:oid:1.2.752.129.2.1.3.1", "196408233234"),
+        (None, _PERSON.pseudonym),
+        ("urn:ietf:rfc3986", f"urn:uuid:{_PERSON.id}"),
+    ]
     assert [contact["value"] for contact in resource["telecom"]] == ["070 1", "Storgatan 1"]
 
 
 def test_a_coordination_number_and_an_unknown_kind_are_told_apart():
     coordination = replace(_PERSON, personal_number="19701063-2391")
-    (number, _) = patient_resource(coordination)["identifier"]
-    assert number["system"].endswith("samordningsnummer")
+    first, second, *_ = patient_resource(coordination)["identifier"]
+    assert first["system"].endswith("samordningsnummer")
+    assert second["system"] == "urn:oid:1.2.752.129.2.1.3.3"
     other = replace(_PERSON, personal_number="A-1", number_kind="")
-    (number, _) = patient_resource(other)["identifier"]
+    number, *_ = patient_resource(other)["identifier"]
     assert number == {"use": "official", "value": "A-1"}
 
 
@@ -94,10 +97,15 @@ def test_a_device_request_has_the_structure_of_r4_and_says_which_foot():
     assert _as_read(DeviceRequest, resource) == resource
     assert resource["subject"] == {"reference": f"Patient/{_PERSON.id}"}
     assert "left" in resource["codeCodeableConcept"]["text"]
-    assert resource["parameter"][0] == {
-        "code": {"text": "side"},
-        "valueCodeableConcept": {"text": "left"},
-    }
+    side, *others = resource["parameter"]
+    assert side["valueCodeableConcept"]["text"] == "left"
+    (coding,) = side["valueCodeableConcept"]["coding"]
+    assert (coding["system"], coding["code"]) == ("http://snomed.info/sct", "7771000")
+    (thickness,) = (p for p in others if p["code"]["text"] == "prescribed thickness")
+    assert thickness["valueQuantity"] == {
+        "value": 3.0, "unit": "mm", "system": "http://unitsofmeasure.org", "code": "mm",
+    }  # fmt: skip
+    assert resource["identifier"][0]["value"] == f"urn:uuid:{_VERSION.id}"
     assert resource["groupIdentifier"] == {"value": "26-7KQ4M"}
     assert [reason["text"] for reason in resource["reasonCode"]] == ["pain", "flat foot"]
     assert resource["note"][0]["text"].startswith("Pelott")

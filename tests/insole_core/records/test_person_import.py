@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
@@ -18,7 +20,12 @@ from insole_core.records.person_columns import (
     asks_date_order,
     propose_mapping,
 )
-from insole_core.records.person_import import Outcome, import_persons, plan_import
+from insole_core.records.person_import import (
+    ImportPlan,
+    Outcome,
+    import_persons,
+    plan_import,
+)
 from insole_core.records.persons_of_table import read_persons
 from insole_core.records.text_table import read_table
 from insole_core.records.written_dates import DateOrder
@@ -149,7 +156,7 @@ def test_the_dry_run_tells_new_present_repeated_doubtful_and_refused(tmp_path, r
         ",1970-01-01,,\n"
     )
     rows = _rows(tmp_path, text)
-    plan = plan_import(rows, records.persons.everybody())
+    plan = plan_import(records, rows)
     assert [line.outcome for line in plan.lines] == [
         Outcome.PRESENT, Outcome.NEW, Outcome.REPEATED, Outcome.DOUBTFUL, Outcome.DOUBTFUL,
         Outcome.DOUBTFUL, Outcome.REFUSED, Outcome.NEW, Outcome.REFUSED,
@@ -176,6 +183,81 @@ def test_importing_the_same_file_twice_adds_nobody(tmp_path, records):
     assert len(records.persons.everybody()) == 50
 
 
+_NASTY = [
+    "Anna Berg;;;;",
+    "Anna Berg;;;040-1;",
+    "Anna Berg;1970-02-28;;;",
+    "Anna Berg;;640823-3234;;",
+    "Per Ek;;;;left foot",
+    "Per Ek;;;;right foot",
+    '"\'; DROP TABLE persons; --";;;=1+1;',
+    '"Quoted; ""Name""";;;"two\nlines";',
+    "<b>Lena</b>;;;;",
+    "../../etc;;;;",
+    "محمد علي;;;;",
+    "E\u0301va;;;;",
+    "Anna \u202eBerg;;;;",
+    "Anna\x07Berg;;;;",
+    ";1970-02-28;;;",
+    "x" * 10_000 + ";;;;",
+    "Ulla Ny;1970-02-30;;;",
+    "Ulla Ny;2970-02-28;;;",
+]
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le"])
+def test_a_file_imported_again_with_its_doubtful_rows_adds_nobody(tmp_path, records, encoding):
+    records.persons.add(Person("Anna Berg", date(1970, 2, 28), contact="040-2"))
+    head = "Name;Born;Personnummer;Telefon;Notes"
+    others = ";".join(f"c{n}" for n in range(295))
+    text = "\n".join([f"{head};{others}", *_NASTY]) + "\n"
+    table = _table(tmp_path, text, encoding)
+    assert len(table.headings) == 300
+    rows = read_persons(table, propose_mapping(table), _TODAY)
+    assert len(rows.refused) == 6
+    dry = plan_import(records, rows)
+    done = import_persons(records, rows, with_doubtful=True)
+    assert _outcomes(done) == _outcomes(dry)
+    count = 1 + len(dry.of(Outcome.NEW, Outcome.DOUBTFUL))
+    assert len(records.persons.everybody()) == count == 12
+    again = import_persons(
+        records, read_persons(table, propose_mapping(table), _TODAY), with_doubtful=True
+    )
+    assert {line.outcome for line in again.lines} == {Outcome.PRESENT, Outcome.REFUSED}
+    assert len(records.persons.everybody()) == count
+
+
+def test_rows_of_persons_completed_changed_or_merged_since_are_there_already(tmp_path, records):
+    rows = _rows(tmp_path, "Name,Phone,Notes\nAnna Berg,040-1,flat foot\nA. Berg,040-1,\n")
+    import_persons(records, rows)
+    anna, short = sorted(records.persons.everybody(), key=lambda person: person.name, reverse=True)
+    person = records.persons.get(anna.id)
+    completed = replace(
+        person, birth_date=date(1970, 2, 28), contact="Malmö\n040-1", notes="Flat foot\nlikes tea"
+    )
+    records.persons.change(completed, person.revision)
+    records.persons.merge(anna.id, short.id)
+    plan = import_persons(records, rows, with_doubtful=True)
+    assert [line.outcome for line in plan.lines] == [Outcome.PRESENT, Outcome.PRESENT]
+    assert "born 1970-02-28" in plan.lines[0].reason
+
+
+def test_a_row_that_says_something_else_is_doubtful(tmp_path, records):
+    records.persons.add(Person("Anna Berg", contact="040-1"))
+    records.persons.add(Person("Per Ek", date(1970, 2, 28), contact="040-2"))
+    rows = _rows(tmp_path, "Name,Phone,Notes\nAnna Berg,040-9,\nAnna Berg,,new\nPer Ek,,\n")
+    plan = plan_import(records, rows)
+    assert [line.outcome for line in plan.lines] == [Outcome.DOUBTFUL] * 3
+
+
+def test_a_column_of_towns_taken_for_names_is_planned_in_seconds(tmp_path, records):
+    rows = _rows(tmp_path, "Name,Phone\n" + "".join(f"Malmö,{n}\n" for n in range(8000)))
+    begin = time.process_time()
+    plan = plan_import(records, rows)
+    assert time.process_time() - begin < 5
+    assert [line.outcome for line in plan.lines] == [Outcome.NEW, *[Outcome.DOUBTFUL] * 7999]
+
+
 def test_both_databases_add_the_same_persons_and_their_audit_lines(tmp_path, stations):
     records = stations.open()
     text = (
@@ -197,6 +279,10 @@ def test_an_interrupted_import_adds_nobody(tmp_path, records):
     with pytest.raises(Cancelled):
         import_persons(records, rows, progress=Progress(is_cancelled=lambda: next(answers)))
     assert records.persons.everybody() == []
+
+
+def _outcomes(plan: ImportPlan):
+    return [(line.line, line.outcome, line.reason) for line in plan.lines]
 
 
 def _rows(folder: Path, text: str):

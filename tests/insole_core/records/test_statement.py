@@ -42,7 +42,8 @@ def order(
     visit = records.visits.add(Visit(person.id, TODAY))
     scan = tmp_path / "left.stl"
     scan.write_bytes(SCAN)
-    facts = CaptureFacts("2026-11-20T10:00:00Z", ("A00362A",), "2026-10-01", {"A00362A": 0.31})
+    residuals = {"A00362A: camera, px": 0.312, "A00362A: disparity, mm": 1.25}
+    facts = CaptureFacts("2026-11-20T10:00:00Z", ("A00362A",), "2026-10-01", residuals)
     capture = records.captures.add(visit.id, MESH, scan, facts)
     left = replace(foot_record, source=replace(foot_record.source, sha256=capture.source_sha256))
     ids = [records.prescriptions.save(visit.id, foot, None).version_id
@@ -73,16 +74,15 @@ def test_a_statement_says_who_what_from_which_scan_and_by_which_program(
     assert [state for _, state in statement.history] == ["designed", "delivered"]
     left, right = statement.feet
     assert (left.side, right.side) == (Side.LEFT, Side.RIGHT)
-    assert (left.scan, left.sensor_serials, left.residuals_mm) == (
-        "left.stl",
-        ("A00362A",),
-        (0.31,),
-    )
+    assert (left.scan, left.capture.sensor_serials) == ("left.stl", ("A00362A",))
     assert records.contents.read(left.scan_sha256) == SCAN
     known = left.provenance()
     assert known["calibrated"] == "2026-10-01"
     assert known["recorded"] == "2026-11-20"
-    assert known["residuals of the calibration"] == "0.31 mm"
+    residuals = "A00362A: camera 0.31 px; A00362A: disparity 1.25 mm"
+    assert known["residuals of the calibration"] == residuals
+    old = replace(left, capture=CaptureFacts(sensor_serials=("A00362A",))).provenance()
+    assert old["calibrated"] == old["residuals of the calibration"] == "not recorded"
     assert known["signature"] == left.signature
     assert known["Insole Studio"]
     assert "scan" not in right.provenance()  # nothing is invented

@@ -68,7 +68,9 @@ def test_a_table_is_imported_after_a_dry_run_and_the_order_of_days_is_asked(
     assert run([*command, "--dry-run"]) == 2
     assert "--day-first or --month-first" in capsys.readouterr().err
     assert run([*command, "--dry-run", "--day-first", "--report", str(report)]) == 0
-    assert "Dry run: 2 new" in capsys.readouterr().err
+    captured = capsys.readouterr()
+    assert "Dry run: 2 new" in captured.err
+    assert captured.out.splitlines() == ["2\tnew\tÅsa Öberg\t", "3\tnew\tPer Ek\t"]
     assert _names(record) == {"Anna Berg", "Anna Bergman"}
     assert _read_csv(report)[1:] == [["2", "new", "Åsa Öberg", ""], ["3", "new", "Per Ek", ""]]
     assert run([*command, "--day-first", "--column", "Anteckning=-"]) == 0
@@ -77,10 +79,10 @@ def test_a_table_is_imported_after_a_dry_run_and_the_order_of_days_is_asked(
     assert person.birth_date == date(1970, 3, 2)
     assert run([*command, "--day-first"]) == 0
     captured = capsys.readouterr()
-    assert "Done: 2 already there" in captured.err
+    assert "Done: 0 added (2 already there)" in captured.err
     assert captured.out.splitlines() == [
-        "2\talready there\tÅsa Öberg\t",
-        "3\talready there\tPer Ek\t",
+        "2\talready there\tÅsa Öberg\tIt is Åsa Öberg, born 1970-03-02.",
+        "3\talready there\tPer Ek\tIt is Per Ek, born 1980-01-01.",
     ]
 
 
@@ -119,7 +121,7 @@ def test_a_folder_of_cases_is_imported(record, tmp_path, capsys):
     (cases / "b.insole").write_bytes(b"")
     assert run(["records", "import", str(cases), "--record", str(record)]) == 0
     captured = capsys.readouterr()
-    assert "Done: 1 new, 1 refused" in captured.err
+    assert "Done: 1 added (1 new, 1 refused)" in captured.err
     assert captured.out.startswith("b.insole\trefused")
     assert _names(record) == {"Anna Berg", "Anna Bergman"}
     assert run(["records", "import", str(cases), "--day-first", "--record", str(record)]) == 2
@@ -132,6 +134,20 @@ def test_a_person_is_exported(record, tmp_path, capsys):
     assert "Anna" not in (out / "summary.html").read_text(encoding="utf-8")
     assert run(command) == 1
     assert "not replaced" in capsys.readouterr().err
+
+
+def test_the_summary_is_in_the_language_that_is_asked_for(record, tmp_path):
+    command = ["records", "export", "A-1", "--record", str(record), "--language"]
+    for language, words in (
+        ("sv", ("Besök ", "Orsak: heel")),
+        ("en", ("Visit on", "Reason: heel")),
+    ):
+        out = tmp_path / language
+        assert run([*command, language, "--out", str(out)]) == 0
+        page = (out / "summary.html").read_text(encoding="utf-8")
+        assert f'<html lang="{language}">' in page
+        assert all(word in page for word in words)
+        assert ("Besök" in page) == (language == "sv")
 
 
 def test_only_migrate_makes_a_record(tmp_path, capsys):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.records.language import add_language, wording_of
 from insole_studio.cli.records.person_argument import add_person, person_id_of
 from insole_studio.cli.records.place import add_place, opened
 
@@ -28,6 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--pseudonymous", action="store_true",
         help="leave out all that names or describes the person, as for a shop",
     )  # fmt: skip
+    add_language(parser)
     add_place(parser)
 
 
@@ -43,6 +45,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             arguments.out,
             is_pseudonymous=arguments.pseudonymous,
             responsible=_responsible(),
+            wording=wording_of(arguments),
             progress=progress,
         )
     for sentence in export.left_out:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import InputError
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.records.language import add_language, wording_of
 from insole_studio.cli.records.place import add_place, opened
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--maker", metavar="NAME", help="who made the devices (default: that of the window)"
     )
     parser.add_argument("--maker-address", metavar="TEXT", help="default: that of the window")
+    add_language(parser)
     add_place(parser)
 
 
@@ -47,7 +49,8 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
         order_id = order_of_number(records.context, arguments.order)
         statement = statement_of(records.context, order_id, _responsible(arguments))
     if arguments.out is not None:
-        write_statement_paper(statement, arguments.out, date.today())
+        translate = wording_of(arguments).translate
+        write_statement_paper(statement, arguments.out, date.today(), translate)
     if arguments.json:
         print(json.dumps(statement.as_json(), indent=1, ensure_ascii=False))
 

@@ -172,11 +172,12 @@ class CalibratePresenter:
         if result is None or (result.doubt and not self._ask(result.doubt)):
             return
 
-        def keep(progress: Progress) -> Path:
+        def keep(progress: Progress) -> Sensor | None:
             progress.step(0.1, tr("Writing the calibration and its reports"))
-            return keep_step(result, self._store)
+            keep_step(result, self._store)
+            return self._store.load(result.sensor.serial)  # with the date of the step
 
-        self._start(keep, lambda _folder: self._saved(result))
+        self._start(keep, self._saved)
 
     def _start(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
         self._panel.show_error("")
@@ -236,8 +237,8 @@ class CalibratePresenter:
         self._panel.show_next([*result.sentences, *result.advice, question])
         self._show_buttons()
 
-    def _saved(self, result: StepResult) -> None:
-        self._sensor = result.sensor
+    def _saved(self, sensor: Sensor | None) -> None:
+        self._sensor = sensor
         self._panel.show_serials(self._store.serials())
         done, following = self._step.title(), self._first_undone()
         self._open(following)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from PySide6.QtCore import QObject
 from insole_core.cases.case_record import CaseRecord
 from insole_core.records.order import Order
 from insole_studio.features.records.order_dialog import OrderDialog
+from insole_studio.features.records.record_texts import day_text
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
@@ -38,7 +40,8 @@ class OrderActions(QObject):
 
         def add(records: Records) -> Order:
             newest = [records.prescriptions.versions(visit_id, side)[0].id for side in sides]
-            return records.orders.add(visit_id, newest, files=list(paths))
+            due_on = records.orders.usual_due_on(date.today())
+            return records.orders.add(visit_id, newest, due_on=due_on, files=list(paths))
 
         self._services.keeper.leave(lambda: self._clinic.write(add, self._offer, self._tell))
 
@@ -49,9 +52,12 @@ class OrderActions(QObject):
         )
 
     def _offer(self, order: Order) -> None:
+        sentence = tr("Order {number} is in the record, with its files.")
+        if order.due_on is not None:
+            sentence = tr("Order {number} is in the record, with its files; it is due {day}.")
         self._services.notices.put(
             NOTICE,
-            tr("Order {number} is in the record, with its files.").format(number=order.number),
+            sentence.format(number=order.number, day=day_text(order.due_on)),
             (tr("Shop and due date…"), lambda: self.ask(order.id)),
         )
 

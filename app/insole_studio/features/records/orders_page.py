@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from insole_core.records.order import OrderState
+from insole_core.records.order import MOST_DAYS_UNTIL_DUE, OrderState
 from insole_studio.features.records.order_rows import state_text
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 OPEN = "open"
@@ -26,6 +27,8 @@ class OrdersPage(QWidget):
     order_chosen = Signal(str)
     edit_requested = Signal(str)
     patients_requested = Signal()
+    days_edited = Signal(int)
+    """After how many days new orders are due; 0 for no due date."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -35,6 +38,13 @@ class OrdersPage(QWidget):
         self.shown = ComboBox([(OPEN, tr("Open orders")), *states])
         self.shown.setAccessibleName(tr("Which orders"))
         self.shown.edited.connect(self.state_chosen)
+        self.days = NumberField(
+            tr("days"), least=0, greatest=MOST_DAYS_UNTIL_DUE, step=1, decimals=0
+        )
+        self.days.setSpecialValueText(tr("no due date"))
+        self.days.edited.connect(self._edit_days)
+        self._days_label = QLabel(tr("&New orders are due after"))
+        self._days_label.setBuddy(self.days)
         headings = (tr("Patient"), tr("Order"), tr("State"), tr("Due"), tr("Shop"))
         self.table = RowTable(headings)
         self.table.setAccessibleName(tr("Orders"))
@@ -55,6 +65,9 @@ class OrdersPage(QWidget):
         top.addWidget(back)
         top.addWidget(self._title)
         top.addStretch(1)
+        top.addWidget(self._days_label)
+        top.addWidget(self.days)
+        top.addSpacing(16)
         top.addWidget(self.shown)
         bottom = QHBoxLayout()
         bottom.setSpacing(8)
@@ -77,9 +90,17 @@ class OrdersPage(QWidget):
     def show_orders(self, title: str, rows: Sequence[TableRow], *, of_person: bool) -> None:
         """Show orders: those of the clinic in a state, or all those of a person."""
         self._title.setText(title)
-        self.shown.setVisible(not of_person)
+        for part in (self.shown, self._days_label, self.days):
+            part.setVisible(not of_person)
         self.table.show_rows(rows)
         self._show_chosen()
+
+    def show_days(self, days: int) -> None:
+        """Show after how many days new orders are due."""
+        self.days.show_value(days)
+
+    def _edit_days(self, days: float) -> None:
+        self.days_edited.emit(round(days))
 
     def _show_chosen(self) -> None:
         for part in self._of_chosen:

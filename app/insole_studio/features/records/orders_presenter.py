@@ -40,6 +40,7 @@ class OrdersPresenter:
         self.orders: dict[str, OrderSummary] = {}
         page.state_chosen.connect(self._choose_state)
         page.move_requested.connect(self._move)
+        page.days_edited.connect(self._set_days)
         clinic.changed.connect(self._refresh)
 
     def show(self, person: Person | None) -> None:
@@ -59,12 +60,25 @@ class OrdersPresenter:
     def _read(self) -> None:
         person, state = self._person, self._state
 
-        def read(records: Records) -> Sequence[OrderSummary]:
+        def read(records: Records) -> tuple[Sequence[OrderSummary], int]:
+            days = records.orders.days_until_due()
             if person is not None:
-                return records.orders.of_person(person.id)
-            return records.orders.open(state)
+                return records.orders.of_person(person.id), days
+            return records.orders.open(state), days
 
-        self._clinic.ask(READ, read, self._show, self._tell)
+        self._clinic.ask(READ, read, self._take, self._tell)
+
+    def _take(self, answer: tuple[Sequence[OrderSummary], int]) -> None:
+        orders, days = answer
+        self._show(orders)
+        self._page.show_days(days)
+
+    def _set_days(self, days: int) -> None:
+        self._clinic.write(
+            lambda records: records.orders.set_days_until_due(days),
+            lambda _nothing: None,
+            self._tell,
+        )
 
     def _show(self, orders: Sequence[OrderSummary]) -> None:
         self.orders = {order.id: order for order in orders}

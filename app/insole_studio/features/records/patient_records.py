@@ -163,10 +163,11 @@ class PatientRecords(QObject):
         return self._transfer
 
     def export_patient(self) -> None:
-        """Export the patient on the page, or the one whose visit is open."""
-        person = None if self._person_presenter is None else self._person_presenter.person
+        """Export the patient whose page is shown, or else the one whose visit is open."""
+        is_on_page = self.person is not None and self.person.isVisible()
         kept = self._services.case.kept
-        person = person or (None if kept is None else kept.person)
+        person = None if kept is None else kept.person
+        person = self._shown_person if is_on_page else person
         if person is None:
             self._services.messages.say(tr("Open a patient first."))
             return

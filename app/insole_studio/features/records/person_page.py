@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import Qt, Signal
@@ -93,6 +94,9 @@ class PersonPage(QWidget):
         self._kind.show_value(values["number_kind"])
         for key, field in self._typed_fields.items():
             show_unless_typing(field, values[key])
+            if isinstance(field, QLineEdit) and not field.hasFocus():
+                field.setCursorPosition(0)  # else a long address shows its end
+                field.setToolTip(html.escape(values[key]).replace("\n", "<br>"))
 
     def forget_typed(self) -> None:
         """Let the next values replace text being typed: it belongs to another person."""
@@ -171,6 +175,7 @@ class PersonPage(QWidget):
         top.addWidget(self._name, 1)
         top.addWidget(self._button("follow_up", tr("Follow-up…")))
         top.addWidget(self._button("person_orders", tr("Orders")))
+        top.addWidget(self._button("export_patient", tr("Export…")))
         top.addWidget(self._compare)
         top.addWidget(self._button("new_visit_same", tr("New visit, same prescription")))
         top.addWidget(self._button("new_visit", tr("New visit")))

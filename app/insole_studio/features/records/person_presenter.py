@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, InputError
 from insole_core.geometry.side import Side
+from insole_core.records.capture import Capture
 from insole_core.records.field_checks import check_name, check_text
 from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.person import Person
@@ -21,7 +22,12 @@ from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.field_conflict_dialog import AskFields, collided_fields
 from insole_studio.features.records.person_page import PersonPage
-from insole_studio.features.records.record_texts import capture_text, day_text, version_text
+from insole_studio.features.records.record_texts import (
+    capture_text,
+    day_text,
+    scan_text,
+    version_text,
+)
 from insole_studio.features.records.rows import DATE_FIELDS, PERSON_FIELDS, FootLine, VisitRow
 from insole_studio.features.records.trends import trends_of
 from insole_studio.features.records.visit_pictures import VisitPictures
@@ -35,16 +41,19 @@ READ = "records-person"
 
 _MOST_FINDINGS = 200
 """Characters of the findings that a card shows."""
+_MOST_SCANS = 3
+"""Captures that a card tells of, the latest."""
 _MOST_PICTURED = 12
 """Visits with pictures: further ones are old, and far down."""
 
 
 @dataclass(frozen=True)
 class VisitView:
-    """A visit with the newest version of each foot, and who else has it open."""
+    """A visit with the newest version of each foot, its captures, and who else has it open."""
 
     visit: Visit
     newest: tuple[VersionSummary, ...]
+    captures: tuple[Capture, ...]
     others: tuple[str, ...]
 
 
@@ -228,6 +237,7 @@ def _visit_view(records: Records, visit: Visit) -> VisitView:
     return VisitView(
         visit,
         tuple(version for newest in versions for version in newest),
+        tuple(records.captures.of_visit(visit.id)),
         tuple(f"{present.author}, {present.station}" for present in others),
     )
 
@@ -289,7 +299,19 @@ def _row(shown: VisitView) -> VisitRow:
         FootLine(version.side, _version_line(version), version.signed_by is not None)
         for version in shown.newest
     )
-    return VisitRow(visit.id, visit.visited_on.isoformat(), visit.reason, feet, "   ".join(notes))
+    return VisitRow(
+        visit.id,
+        visit.visited_on.isoformat(),
+        visit.reason,
+        feet,
+        "   ".join(notes),
+        tuple(map(scan_text, shown.captures[:_MOST_SCANS])),
+        tuple(
+            translate_core_message(line)
+            for capture in shown.captures[:_MOST_SCANS]
+            for line in capture.facts.residual_lines
+        ),
+    )
 
 
 def _version_line(version: VersionSummary) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from datetime import date, datetime
 
+from insole_core.records.capture import Capture
 from insole_core.records.person import PersonSummary
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, VisitSummary
@@ -33,6 +34,18 @@ def capture_text(state: CaptureState) -> str:
         CaptureState.WANTED: tr("Waiting"),
         CaptureState.DONE: tr("Captured"),
     }[state]
+
+
+def scan_text(capture: Capture) -> str:
+    """Return when a foot was scanned, and when the sensors that did it were calibrated."""
+    facts = capture.facts
+    time = moment_text(facts.recorded_at or capture.created_at)
+    if not facts.sensor_serials:
+        return tr("Scan {name}, {time}").format(name=capture.file_name, time=time)
+    if not facts.calibrated_on:
+        return tr("Captured {time}; calibration of the sensors not recorded").format(time=time)
+    day = facts.calibrated_on[:10]
+    return tr("Captured {time}; sensors calibrated {day}").format(time=time, day=day)
 
 
 def version_text(version: VersionSummary) -> str:

@@ -14,7 +14,7 @@ from insole_core.errors import InsoleError
 from insole_core.export.atomic import write_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
-from insole_core.records.import_report import count_outcomes, report_csv
+from insole_core.records.import_report import count_added, count_outcomes, report_csv
 from insole_core.records.person_columns import ColumnMapping, asks_date_order, propose_mapping
 from insole_core.records.person_import import (
     ImportLine,
@@ -35,7 +35,12 @@ from insole_studio.jobs import Result, Task
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import table_kinds
 from insole_studio.services.last_folders import Kept
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import (
+    language_code,
+    tr,
+    translate_core_message,
+    translation_into,
+)
 
 IMPORT, EXPORT = "records-import", "records-export"
 _WHICH_ORDER = Message(
@@ -99,7 +104,7 @@ class RecordTransfer(QObject):
         def add(with_doubtful: bool) -> None:
             def work(progress: Progress) -> Message:
                 plan = import_cases(records, folder, with_doubtful=with_doubtful, progress=progress)
-                return count_outcomes(plan.lines)
+                return count_added(plan.lines, with_doubtful=with_doubtful)
 
             self._add(dialog, work)
 
@@ -118,6 +123,7 @@ class RecordTransfer(QObject):
 
     def _export(self, person_id: str, *, is_pseudonymous: bool) -> None:
         from insole_core.workflows.records.export_person import PersonExport, export_person
+        from insole_core.workflows.records.person_summary import Wording
 
         records = self._records()
         parent = self._messages.questions.folder_to_open(tr("Export patient into"), Kept.EXPORTS)
@@ -129,7 +135,10 @@ class RecordTransfer(QObject):
             clinic=settings.clinic, maker=settings.maker, maker_address=settings.maker_address
         )
 
+        language = settings.language
+
         def write(progress: Progress) -> PersonExport:
+            wording = Wording(language_code(language), translation_into(language))
             pseudonym = records.persons.get(person_id).pseudonym
             folder = _free_folder(parent, pseudonym)
             return export_person(
@@ -138,6 +147,7 @@ class RecordTransfer(QObject):
                 folder,
                 is_pseudonymous=is_pseudonymous,
                 responsible=responsible,
+                wording=wording,
                 progress=progress,
             )
 
@@ -178,7 +188,7 @@ class RecordTransfer(QObject):
 
             def work(progress: Progress) -> Message:
                 plan = import_persons(records, rows, with_doubtful=with_doubtful, progress=progress)
-                return count_outcomes(plan.lines)
+                return count_added(plan.lines, with_doubtful=with_doubtful)
 
             self._add(dialog, work)
 
@@ -251,7 +261,7 @@ def _dry_run(records: Records, table: TextTable, mapping: ColumnMapping) -> _Dry
     if mapping.date_order is None and asks_order:
         return _DryRun(asks_order)
     rows = read_persons(table, mapping, date.today())
-    return _DryRun(asks_order, rows, plan_import(rows, records.persons.everybody()))
+    return _DryRun(asks_order, rows, plan_import(records, rows))
 
 
 def _table_row(line: ImportLine) -> ImportRow:

@@ -44,6 +44,8 @@ class VisitRow:
     ----------
     note
         What there is to know first: a capture that is waited for, who has it open.
+    scan, scan_details
+        When it was scanned, and when the sensors were calibrated; and what each step left.
     """
 
     id: str
@@ -51,6 +53,8 @@ class VisitRow:
     reason: str
     feet: tuple[FootLine, ...] = ()
     note: str = ""
+    scan: tuple[str, ...] = ()
+    scan_details: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

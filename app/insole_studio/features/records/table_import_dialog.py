@@ -10,12 +10,19 @@ from insole_core.records.text_table import TextTable
 from insole_core.records.written_dates import DateOrder
 from insole_studio.features.records.import_dialog import ImportDialog
 from insole_studio.features.records.new_patient_dialog import number_kinds
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.message_label import MessageLabel
 
 _COLUMNS_PX = 220
 _LONGEST_EXAMPLE = 40
+_ENCODINGS = {
+    "cp1252": "Windows-1252",
+    "utf-8-sig": "UTF-8",
+    "utf-16-le": "UTF-16",
+    "utf-16-be": "UTF-16",
+}
+"""Codecs of Python as people call them."""
 
 
 class TableImportDialog(ImportDialog):
@@ -91,8 +98,18 @@ class TableImportDialog(ImportDialog):
 
 
 def _fields() -> list[tuple[str, str]]:
-    texts = [(str(field), translate_core_message(str(field))) for field in PersonField]
-    return [("", tr("not imported")), *((word, text.capitalize()) for word, text in texts)]
+    return [
+        ("", tr("not imported")),
+        (PersonField.NAME, tr("Name")),
+        (PersonField.GIVEN_NAME, tr("Given name")),
+        (PersonField.FAMILY_NAME, tr("Family name")),
+        (PersonField.BIRTH_DATE, tr("Born")),
+        (PersonField.PERSONAL_NUMBER, tr("Personal number")),
+        (PersonField.CONTACT, tr("Address, phone")),
+        (PersonField.NOTES, tr("Notes")),
+        (PersonField.CONSENT_ON, tr("Consent on")),
+        (PersonField.PSEUDONYM, tr("Pseudonym")),
+    ]
 
 
 def _orders() -> list[tuple[str, str]]:
@@ -106,8 +123,9 @@ def _orders() -> list[tuple[str, str]]:
 def _reading(table: TextTable) -> str:
     delimiters = {",": tr("comma"), ";": tr("semicolon"), "\t": tr("tab")}
     delimiter = delimiters.get(table.delimiter, table.delimiter)
+    encoding = _ENCODINGS.get(table.encoding, table.encoding.upper())
     return tr("{rows} rows, {encoding}, {delimiter}").format(
-        rows=len(table.rows), encoding=table.encoding, delimiter=delimiter
+        rows=len(table.rows), encoding=encoding, delimiter=delimiter
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
@@ -41,6 +43,10 @@ class VisitCard(QFrame):
         self._heading.setObjectName("numbers")
         self._note = MessageLabel("quiet")
         self._note.say(row.note)
+        self.scan = MessageLabel("quiet")
+        self.scan.say_all(row.scan)
+        self.scan.setAccessibleDescription("; ".join(row.scan_details))
+        self.scan.setToolTip("<br>".join(map(html.escape, row.scan_details)))
         self.compare = QCheckBox(tr("Compare"))
         self.compare.setToolTip(tr("Choose two visits to compare them"))
         self.compare.toggled.connect(self._toggle_compare)
@@ -77,6 +83,7 @@ class VisitCard(QFrame):
         layout.addWidget(self._note)
         if self.row.feet:
             layout.addLayout(self._content())
+        layout.addWidget(self.scan)
 
     def _content(self) -> QHBoxLayout:
         """Return the pictures of the feet, with what is prescribed beside them."""

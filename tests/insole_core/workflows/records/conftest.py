@@ -13,6 +13,7 @@ from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot
 from insole_core.insole.prescription.design import Pelott
 from insole_core.records.author import Author
+from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.open import open_records
@@ -60,7 +61,8 @@ def clinic(
     records.prescriptions.save(visits[1].id, right, None)
     scan = folder / "Åsa Öberg.stl"
     write_stl(left_foot.mesh, scan)
-    records.captures.add(visits[1].id, MESH, scan)
+    facts = CaptureFacts("2026-11-20T10:00:00Z", ("A00362A",))  # of before calibrations were noted
+    records.captures.add(visits[1].id, MESH, scan, facts)
     papers = [folder / name for name in ("26-7KQ4M-left.stl", "26-7KQ4M-left-prescription.pdf")]
     for paper in papers:
         paper.write_bytes(b"of the shop")

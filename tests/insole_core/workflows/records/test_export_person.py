@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import zipfile
 from dataclasses import replace
 from datetime import date
 from html.parser import HTMLParser
@@ -14,12 +15,14 @@ import pytest
 import trimesh
 from fhirclient.models.devicerequest import DeviceRequest
 from fhirclient.models.patient import Patient
+from read_pdf import bytes_of_pdf
 
 from insole_core.cases.case_file import read_case
 from insole_core.errors import InputError, OutputError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_core.progress import Cancelled, Progress
+from insole_core.records.capture import NOT_RECORDED
 from insole_core.records.person import Person
 from insole_core.records.visit import Visit
 from insole_core.solids.prescription_paper import Responsible
@@ -39,6 +42,7 @@ def pseudonymous(clinic, tmp_path_factory):
     return export_person(clinic.records, clinic.person.id, folder, is_pseudonymous=True)
 
 
+@pytest.mark.slow
 def test_the_folder_holds_everything_and_its_checksums(export):
     found = {p.relative_to(export.folder).as_posix() for p in export.folder.rglob("*.*")}
     assert found >= {
@@ -78,6 +82,26 @@ def test_the_summary_shows_texts_as_texts_and_needs_nothing_else(export, clinic)
     assert all(source.startswith("data:") for source in page.sources)
     assert page.text.index("Visit on 2026-11-20") < page.text.index("Visit on 2026-03-01")
     assert (export.folder / "summary.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_the_summary_alone_tells_years_later_how_the_devices_came_about(export, clinic):
+    page = _Page((export.folder / "summary.html").read_text(encoding="utf-8"))
+    new = clinic.visits[1]
+    left = clinic.records.prescriptions.versions(new.id, Side.LEFT)
+    (capture,) = clinic.records.captures.of_visit(new.id)
+    for told in (
+        f"made with Insole Studio {left[0].program_version}",
+        "version 2 of ",
+        "version 1 of ",
+        ": Öberg wants it so",
+        f"Capture: {capture.file_name}",
+        f"– SHA-256 {capture.content_sha256}",
+        f"captures/{_capture_name(export)}, SHA-256 {capture.content_sha256}",
+        f"calibrated on: {NOT_RECORDED}",
+        f"orders/26-7KQ4M/26-7KQ4M-left.stl, SHA-256 {hashlib.sha256(b'of the shop').hexdigest()}",
+        "Written by",
+    ):
+        assert told in page.text, told
 
 
 def test_the_json_keeps_to_its_schema_and_holds_all_versions(export):
@@ -124,18 +148,12 @@ def test_the_fhir_resources_are_read_by_a_reader_of_r4(export, clinic):
 
 @pytest.mark.slow
 def test_a_pseudonymous_export_names_and_describes_nobody(pseudonymous, clinic):
+    said = ("Öberg", "berg", "1964-08-23", "196408233234", "070 1", "plattfot", "heel spur")
     for path in filter(Path.is_file, pseudonymous.folder.rglob("*")):
-        content = path.read_bytes()
-        for text in (
-            "Öberg",
-            "berg",
-            "1964-08-23",
-            "196408233234",
-            "070 1",
-            "plattfot",
-            "heel spur",
-        ):
-            assert text.encode() not in content, (path, text)
+        content = _all_bytes(path)
+        for text in said:
+            for encoding in ("utf-8", "latin-1", "utf-16-le", "utf-16-be"):
+                assert text.encode(encoding) not in content, (path, text)
     page = _Page((pseudonymous.folder / "summary.html").read_text(encoding="utf-8"))
     assert clinic.person.pseudonym in page.text
     content = _json(pseudonymous, "person.json")
@@ -245,6 +263,23 @@ def test_the_audit_log_tells_the_export_without_a_name(export, clinic):
     details = [line.details for line in lines if line.action == "exported"]
     assert len(export.files) in [json.loads(text)["files"] for text in details]
     assert not any("berg" in text for text in details)
+
+
+def _capture_name(export):
+    (name,) = (Path(name).name for name in export.files if "/captures/" in name)
+    return name
+
+
+def _all_bytes(path):
+    """Return the name of a file, and all that is in it, unpacked."""
+    content = path.name.encode() + path.read_bytes()
+    if path.suffix == ".pdf":
+        content += bytes_of_pdf(path)
+    if zipfile.is_zipfile(path):
+        with zipfile.ZipFile(path) as archive:
+            for name in archive.namelist():
+                content += name.encode() + archive.read(name)
+    return content
 
 
 class _Page(HTMLParser):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Callable
-from datetime import date
+from datetime import date, timedelta
 from pathlib import Path
 
 import pytest
@@ -105,6 +105,7 @@ def test_an_export_of_a_visit_is_an_order_with_its_files(
     notices.take("record-order")
     qtbot.waitUntil(lambda: bool(clinic.window.findChildren(OrderDialog)), timeout=10_000)
     (dialog,) = clinic.window.findChildren(OrderDialog)
+    assert dialog.due.text() == (date.today() + timedelta(days=14)).isoformat()
     dialog.shop.setText("CNC Nord")
     dialog.due.setText("2026-02-30")
     QTest.mouseClick(dialog.keep, LEFT)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date, timedelta
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
@@ -13,9 +14,12 @@ from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import HeelLift
+from insole_core.records.capture import CaptureFacts
+from insole_core.records.captures import MESH
 from insole_core.records.field_merge import FieldChoice
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
@@ -25,6 +29,7 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
 from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
+from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.visit_dialog import VisitDialog
 
@@ -76,6 +81,28 @@ def test_fields_are_stored_at_once_and_undone(
     clinic.controller.run_action("redo", False)
     rest()
     assert records.persons.get(visit.person_id).birth_date == date(1971, 3, 1)
+
+
+def test_a_visit_says_when_it_was_captured_and_the_sensors_calibrated(
+    page: PersonPage,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "scan.stl"
+    path.write_bytes(b"solid")
+    told = CaptureFacts(
+        "2026-11-20T10:00:00Z", ("<i>A1",), "2026-10-01T08:00:00Z", {"<i>A1: camera, px": 0.312}
+    )
+    for facts in (CaptureFacts(sensor_serials=("A1",)), told):
+        records.captures.add(visit.id, MESH, path, facts)
+    qtbot.waitUntil(lambda: "calibrated 2026-10-01" in page.cards[visit.id].scan.text())
+    rest()
+    label = page.cards[visit.id].scan
+    assert label.text().splitlines()[1].endswith("calibration of the sensors not recorded")
+    assert label.toolTip() == "&lt;i&gt;A1: camera 0.31 px"
 
 
 @pytest.fixture
@@ -384,6 +411,56 @@ def test_orders_are_listed_by_state_and_moved(
     orders.state_chosen.emit(OrderState.DELIVERED.value)
     rest()
     assert [row.key for row in orders.table.rows] == [order.id]
+
+
+def test_the_days_until_a_new_order_is_due_are_set_by_the_clinic(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    clinic.controller.run_action("orders", False)
+    rest()
+    orders = clinic.features.records.orders
+    assert orders is not None
+    assert orders.days.value() == 14
+    orders.days.setFocus()
+    orders.days.selectAll()
+    QTest.keyClicks(orders.days, "7")
+    QTest.keyClick(orders.days, Qt.Key.Key_Return)
+    rest()
+    qtbot.waitUntil(lambda: records.orders.days_until_due() == 7)
+    assert records.orders.usual_due_on(date(2026, 12, 28)) == date(2027, 1, 4)
+    records.orders.set_days_until_due(0)
+    assert records.orders.usual_due_on(date.today()) is None
+    with pytest.raises(InputError, match="between 0 and 365"):
+        records.orders.set_days_until_due(-1)
+
+
+def test_export_is_of_the_patient_on_the_page_or_in_the_open_visit(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    def name_asked() -> str:
+        (dialog,) = (d for d in clinic.window.findChildren(PersonExportDialog) if d.isVisible())
+        dialog.reject()
+        return " ".join(label.text() for label in dialog.findChildren(QLabel))
+
+    button = next(b for b in page.findChildren(QPushButton) if b.text() == "Export…")
+    QTest.mouseClick(button, LEFT)
+    assert "Anna Berg" in name_asked()
+    other = records.persons.add(Person("Per Ek"))
+    clinic.features.records.show_person(other.id)
+    rest()
+    clinic.features.records.open_visit(visit.id)  # as from the lists of the start page
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    clinic.controller.run_action("export_patient", False)
+    assert "Anna Berg" in name_asked()
 
 
 def test_actions_on_a_person_need_their_page(clinic: Application, page: PersonPage) -> None:

@@ -44,7 +44,8 @@ def open_table(clinic, questions, rest) -> Callable[[Path], TableImportDialog]:
 
 def test_a_table_is_imported_once_the_order_of_days_was_said(records, rest, table, open_table):
     dialog = open_table(table)
-    assert [box.currentText() for box in dialog.columns] == ["Name", "Birth date", "Contact"]
+    assert [box.currentText() for box in dialog.columns] == ["Name", "Born", "Address, phone"]
+    assert dialog.reading.text() == "3 rows, Windows-1252, semicolon"
     assert "day or the month" in dialog.trouble.text()
     assert dialog.rows == ()
     assert not dialog.add_button.isEnabled()
