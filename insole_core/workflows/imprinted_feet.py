@@ -18,12 +18,16 @@ from insole_core.imprints.foam_box import BoxScan, Imprint, find_imprints
 from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import INSIDE_OUT, ReadMesh
+from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
+from insole_core.workflows.scanned_feet import named_foot
 
 _HARDLY_MM, _SHALLOW_MM = 8.0, 14.0
 """Depths of an end that is missing in part, and of one that is rounded off: a heel and a toe are
 longest some millimetres above the ground."""
 _END = 0.12  # share of the length
 _END_SHARE = 0.95
+_FACING_UP = 0.4
+"""Mean z of the normals, from which on an open surface is a sole alone, and faces the foot."""
 _PARALLEL = 0.5  # cosine of the directions of both feet in a box
 
 
@@ -33,30 +37,35 @@ class ImprintedFeet:
 
     Parameters
     ----------
+    read
+        The scan at its final scale; its notes without what counts for a foot only.
     form
         IMPRINT, unless it was said to be a foot.
     feet
-        The left one first.
-    notes, left_out
+        The left one first, if both are in one box.
+    left_out
         A sentence each.
     """
 
+    read: ReadMesh
     form: Form
     feet: tuple[FoundFoot, ...]
-    notes: tuple[str, ...]
     left_out: tuple[str, ...]
 
 
 def find_imprinted_feet(
-    read: ReadMesh, form: Form | None = None, side: Side | None = None
+    read: ReadMesh,
+    form: Form | None = None,
+    side: Side | None = None,
+    known_size: KnownSize | None = None,
 ) -> ImprintedFeet | None:
-    """Find the feet that were pressed into a scanned surface.
+    """Find the feet that were pressed into a scanned surface, or into both of a folder.
 
     Parameters
     ----------
     read
         Of any form.
-    form, side
+    form, side, known_size
         As the user has said; None where they are to be concluded.
 
     Returns
@@ -69,6 +78,28 @@ def find_imprinted_feet(
     InputError
         When what was pressed in does not look like a foot.
     """
+    box = _in_scale(read, form, side, known_size)
+    if box is None or read.second is None:
+        return box
+    second = find_imprinted_feet(read.second, form, side, known_size)
+    if second is None:
+        return None
+    feet = named_foot(box.feet[0], box.read), named_foot(second.feet[0], second.read)
+    return replace(box, feet=feet, left_out=(*box.left_out, *second.left_out))
+
+
+def _in_scale(
+    read: ReadMesh, form: Form | None, side: Side | None, known: KnownSize | None
+) -> ImprintedFeet | None:
+    """Find the feet at the scale at which the first one has its known length."""
+    found = _in_box(read, form, side)
+    if found is None or known is None or isinstance(known, KnownDistance):
+        return found
+    factor = known_length_mm(known) / found.feet[0].candidates[0].length_mm
+    return _in_box(read.scaled(factor), form, side)
+
+
+def _in_box(read: ReadMesh, form: Form | None, side: Side | None) -> ImprintedFeet | None:
     box = find_imprints(read.mesh.flipped() if read.was_turned else read.mesh)
     if box is None or (form not in (None, Form.IMPRINT) and box.is_hollow):
         return None
@@ -84,7 +115,27 @@ def find_imprinted_feet(
         for one in placed
     )
     notes = tuple(note for note in read.notes if note != INSIDE_OUT)
-    return ImprintedFeet(form or Form.IMPRINT, tuple(found), notes, (_left_out(read.mesh, box),))
+    left_out = _left_out(read.mesh, box)
+    return ImprintedFeet(
+        replace(read, notes=notes), form or Form.IMPRINT, tuple(found), (left_out,)
+    )
+
+
+def with_rimless_doubt(read: ReadMesh, found: FoundFoot) -> FoundFoot:
+    """Doubt the form of an open sole whose triangles face into the foot in its file.
+
+    Scanners let them face the sensor: those of a foot face down, those of an imprint up. The side
+    does not depend on it, but on the way in which the sole bends.
+    """
+    up = found.candidates[0].source2insole[2, :3]
+    facing = float(read.mesh.vertex_areas @ (read.mesh.vertex_normals @ up)) / read.mesh.area_mm2
+    if (-facing if read.was_turned else facing) < _FACING_UP:
+        return found
+    doubt = Message(
+        "The surface faces into the foot: it is an imprint whose rim was cut off, or a file that "
+        "is inside out; say whether it is a foam box or a foot."
+    )
+    return replace(found, doubts=(*found.doubts, doubt))
 
 
 def form_notes(form: Form) -> Iterator[Message]:

@@ -2204,6 +2204,10 @@
             <translation>Ytan kunde inte passas in i vyerna; kontrollera om någon vy är förstörd och uteslut den.</translation>
         </message>
         <message>
+            <source>The surface faces into the foot: it is an imprint whose rim was cut off, or a file that is inside out; say whether it is a foam box or a foot.</source>
+            <translation>Ytan vetter in mot foten: det är ett avtryck vars kant har skurits bort, eller en fil som är ut och in; ange om det är en skumlåda eller en fot.</translation>
+        </message>
+        <message>
             <source>The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole foot or its sole, and nothing else.</source>
             <translation>Ytan har inte en fots proportioner: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {heel_mm:.0f} mm över hälen; kontrollera att filen innehåller en hel fot eller dess sula, och inget annat.</translation>
         </message>
@@ -2824,6 +2828,10 @@
             <translation>tillagd</translation>
         </message>
         <message>
+            <source>added files</source>
+            <translation>lade till filer</translation>
+        </message>
+        <message>
             <source>adjusted</source>
             <translation>justerad</translation>
         </message>
@@ -3046,6 +3054,10 @@
         <message>
             <source>changed</source>
             <translation>ändrad</translation>
+        </message>
+        <message>
+            <source>changed password</source>
+            <translation>bytte lösenord</translation>
         </message>
         <message>
             <source>checked</source>
@@ -3776,6 +3788,10 @@
             <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
         </message>
         <message>
+            <source>kept</source>
+            <translation>sparad</translation>
+        </message>
+        <message>
             <source>kind{where} has {count} letters, and must have 1 to {most}; shorten it, or leave it out.</source>
             <translation>kind{where} har {count} bokstäver och måste ha 1 till {most}; korta den, eller utelämna den.</translation>
         </message>
@@ -3842,6 +3858,10 @@
         <message>
             <source>line of the 1st to 5th head against the heel's ground; &gt; 0 is varus</source>
             <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
+        </message>
+        <message>
+            <source>locked</source>
+            <translation>låst</translation>
         </message>
         <message>
             <source>low</source>
@@ -3982,6 +4002,10 @@
         <message>
             <source>mould</source>
             <translation>gjutform</translation>
+        </message>
+        <message>
+            <source>moved</source>
+            <translation>flyttad</translation>
         </message>
         <message>
             <source>must be a list […]</source>
@@ -4436,6 +4460,10 @@
             <translation>Anmärkningarna</translation>
         </message>
         <message>
+            <source>reset password</source>
+            <translation>återställde lösenordet</translation>
+        </message>
+        <message>
             <source>resolution of the foot's surface (mm)</source>
             <translation>upplösningen på fotens yta (mm)</translation>
         </message>
@@ -4510,6 +4538,14 @@
         <message>
             <source>sesamoid</source>
             <translation>sesamben</translation>
+        </message>
+        <message>
+            <source>set up backups</source>
+            <translation>förberedde säkerhetskopior</translation>
+        </message>
+        <message>
+            <source>settled</source>
+            <translation>avgjord</translation>
         </message>
         <message>
             <source>shape</source>
@@ -4648,8 +4684,16 @@
             <translation>supination</translation>
         </message>
         <message>
+            <source>swept</source>
+            <translation>städad</translation>
+        </message>
+        <message>
             <source>switched off</source>
             <translation>avstängd</translation>
+        </message>
+        <message>
+            <source>switched on</source>
+            <translation>slogs på</translation>
         </message>
         <message>
             <source>tape round the foot through the two points of the ball</source>
@@ -4948,6 +4992,10 @@
             <translation>enhet</translation>
         </message>
         <message>
+            <source>unlocked</source>
+            <translation>upplåst</translation>
+        </message>
+        <message>
             <source>unmerged</source>
             <translation>åter isär</translation>
         </message>
@@ -5128,8 +5176,20 @@
             <translation>{columns}×{rows} inre hörn, ruta {square_mm:g} mm</translation>
         </message>
         <message>
+            <source>{comparison} Restore to an empty database.</source>
+            <translation>{comparison} Återställ till en tom databas.</translation>
+        </message>
+        <message>
+            <source>{comparison} Restore to an empty place, or let this record be set aside.</source>
+            <translation>{comparison} Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
             <source>{count:g} places</source>
             <translation>{count:g} punkter</translation>
+        </message>
+        <message>
+            <source>{count} added ({outcomes})</source>
+            <translation>{count} tillagda ({outcomes})</translation>
         </message>
         <message>
             <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
@@ -6024,28 +6084,28 @@
             <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
-            <source>{place} holds a record that cannot be read; restore to an empty place, or let it be set aside.</source>
-            <translation>{place} innehåller en journal som inte går att läsa; återställ till en tom plats, eller låt den läggas åt sidan.</translation>
+            <source>{place} holds a record that cannot be read.</source>
+            <translation>{place} innehåller en journal som inte går att läsa.</translation>
         </message>
         <message>
-            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}). Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}). Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}).</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}).</translation>
         </message>
         <message>
             <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
             <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
-            <source>{place} holds a record with {count} entries fewer in its audit log than the backup has; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian har; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record with {count} entries fewer in its audit log than the backup.</source>
+            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian.</translation>
         </message>
         <message>
-            <source>{place} holds another record than the backup; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en annan journal än säkerhetskopian; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds another record than the backup.</source>
+            <translation>{place} innehåller en annan journal än säkerhetskopian.</translation>
         </message>
         <message>
-            <source>{place} holds the record as the backup has it: nothing was changed since. Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds the record as the backup has it: nothing was changed since.</source>
+            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>
