@@ -162,7 +162,7 @@ def read_picture(path: Path, flags: int) -> npt.NDArray[Any] | None:
     if not path.exists():
         return None
     content = read_given(path, MAX_PICTURE_BYTES)
-    size = _picture_size(content)
+    size = picture_size(content)
     if size is None:
         return None
     width, height = size
@@ -178,7 +178,7 @@ def read_picture(path: Path, flags: int) -> npt.NDArray[Any] | None:
     return None if image is None else np.asarray(image)
 
 
-def _picture_size(content: bytes) -> tuple[int, int] | None:
+def picture_size(content: bytes) -> tuple[int, int] | None:
     """Return width and height by the header of a PNG, JPEG, BMP or TIFF; None for all else.
 
     Decoding first would fill the memory with what a small file can unfold to.

@@ -26,10 +26,11 @@ from insole_core.records.schema import captures, visits
 from insole_core.records.stored_contents import put_file, refer_to
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState
+from insole_core.scans.formats import SCAN_SUFFIXES
 
 SESSION: Final = "session"
 MESH: Final = "mesh"
-_MESH_SUFFIXES: Final = (".stl", ".ply", ".obj", ".zip")
+_MESH_SUFFIXES: Final = (*SCAN_SUFFIXES, ".zip")
 _JSON: Final = ("sensor_serials", "calibration_residuals", "report")
 _FACTS: Final = tuple(field.name for field in fields(CaptureFacts))
 

@@ -7,13 +7,15 @@ from pathlib import Path
 from insole_core.errors import InputError
 from insole_core.messages import joined
 from insole_core.recording.reader import is_session
+from insole_core.scans.formats import SCAN_SUFFIXES
+from insole_core.scans.scan_folder import holds_scans
 
-MESH_SUFFIXES = (".ply", ".stl", ".obj")
+MESH_SUFFIXES = SCAN_SUFFIXES
 CASE_SUFFIX = ".insole"
 
 
 def kind_of(path: Path) -> str:
-    """Return "case", "manifest", "session" or "mesh", without opening the file.
+    """Return "case", "manifest", "session" or "mesh", without reading all of it.
 
     Raises
     ------
@@ -25,7 +27,7 @@ def kind_of(path: Path) -> str:
     if path.name == "manifest.json":
         return "manifest"
     if is_session(path):
-        return "session"
+        return "mesh" if holds_scans(path) else "session"
     if path.suffix.lower() in MESH_SUFFIXES:
         return "mesh"
     raise InputError(

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
-from insole_core.foot.foot_placement import find_foot, placed_foot
+from insole_core.foot.foot_placement import placed_foot
 from insole_core.foot.foot_proportions import check_length, check_proportions
 from insole_core.foot.pose import surface_points
 from insole_core.geometry.mesh import TriangleMesh
@@ -20,7 +20,8 @@ from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
-from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
+from insole_core.workflows.scanned_feet import find_scanned_feet
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -118,7 +119,7 @@ def read_scan(
     path
         File of a mesh.
     choice
-        Of which only unit and size count.
+        Of which only unit and size count, and the side where there are two scans.
 
     Raises
     ------
@@ -129,7 +130,7 @@ def read_scan(
     Cancelled
     """
     progress.step(0.0, "Reading the scan")
-    return read_mesh(path, choice.unit)
+    return read_mesh(path, choice.unit, known_size=choice.known_size, side=choice.side)
 
 
 def examine_surface(
@@ -156,12 +157,17 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
-    box = find_imprinted_feet(read, choice.form, choice.side)
-    if box is not None:
-        left_out = box.left_out
-        return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
-    found = find_foot(read.mesh)
-    return ScanExamination(path, read.mesh, read.unit, Form.FOOT, (found,), read.notes)
+    form, known_size = choice.form, choice.known_size
+    box = find_imprinted_feet(read, form, choice.side, known_size)
+    if box is None:
+        read, left_out, feet = find_scanned_feet(read, known_size, form is Form.FOOT)
+        if form is None and len(feet) == 1:
+            feet = (with_rimless_doubt(read, feet[0]),)
+        form = form or Form.FOOT
+    else:
+        read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
+    notes = read.notes if read.second is None else ()
+    return ScanExamination(path, read.mesh, read.unit, form, feet, notes, left_out)
 
 
 def take_foot(

@@ -9,6 +9,7 @@ from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
+from insole_core.scans.scan_folder import holds_scans
 from insole_core.workflows.import_scan import NOTHING_SAID, ImportChoice, examine_scan, take_foot
 from insole_core.workflows.make_foot import make_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot
@@ -44,7 +45,7 @@ def open_scan(
         When no view of a session can be used.
     Cancelled
     """
-    if is_session(path):
+    if is_session(path) and not holds_scans(path):
         scanned = _session_foot(path, side, choice, progress)
     else:
         scanned = _mesh_foot(path, side, choice, progress)

@@ -149,7 +149,7 @@ def test_what_is_no_foot_is_refused(mesh, reason, tmp_path):
 def test_missing_and_unknown_files_are_refused(tmp_path):
     with pytest.raises(InputError, match="does not exist"):
         read_mesh(tmp_path / "none.ply")
-    with pytest.raises(InputError, match=r"\.ply, \.stl or \.obj"):
+    with pytest.raises(InputError, match="one of the formats"):
         read_mesh(tmp_path / "foot.step")
 
 
@@ -169,13 +169,6 @@ def test_file_cut_off_is_refused(left_mesh, tmp_path, suffix, kept):
     content = path.read_bytes()
     path.write_bytes(content[: int(len(content) * kept)])
     with pytest.raises(InputError, match="export it again"):
-        read_mesh(path)
-
-
-def test_points_without_triangles_are_refused(left_mesh, tmp_path):
-    path = tmp_path / "points.ply"
-    trimesh.PointCloud(left_mesh.vertices).export(path)
-    with pytest.raises(InputError, match=r"points\.ply"):
         read_mesh(path)
 
 

@@ -42,6 +42,7 @@ def pseudonymous(clinic, tmp_path_factory):
     return export_person(clinic.records, clinic.person.id, folder, is_pseudonymous=True)
 
 
+@pytest.mark.slow
 def test_the_folder_holds_everything_and_its_checksums(export):
     found = {p.relative_to(export.folder).as_posix() for p in export.folder.rglob("*.*")}
     assert found >= {

@@ -1,0 +1,101 @@
+"""Formats of scans: which file is read by what."""
+
+from __future__ import annotations
+
+import binascii
+import json
+import struct
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final
+from xml.parsers import expat
+
+from insole_core.errors import InputError
+from insole_core.messages import joined
+from insole_core.scans.gltf import read_gltf
+from insole_core.scans.obj import read_obj
+from insole_core.scans.off import read_off
+from insole_core.scans.ply import read_ply
+from insole_core.scans.point_text import read_point_text
+from insole_core.scans.raw_surface import RawSurface
+from insole_core.scans.scan_content import ScanContent, unreadable
+from insole_core.scans.stl import read_stl
+from insole_core.scans.three_mf import read_three_mf
+
+_READERS: Final[dict[str, Callable[[ScanContent], RawSurface]]] = {
+    ".stl": read_stl,
+    ".ply": read_ply,
+    ".obj": read_obj,
+    ".3mf": read_three_mf,
+    ".glb": read_gltf,
+    ".gltf": read_gltf,
+    ".off": read_off,
+    ".xyz": read_point_text,
+    ".asc": read_point_text,
+    ".pts": read_point_text,
+}
+SCAN_SUFFIXES: Final = tuple(_READERS)
+"""Of all files that are read, in small letters."""
+_SIGNATURES: Final = (
+    (b"glTF", "GLB", {".glb", ".gltf"}),
+    (b"ply\n", "PLY", {".ply"}),
+    (b"ply\r\n", "PLY", {".ply"}),
+    (b"PK\x03\x04", "zip archive", {".3mf"}),
+    (b"solid ", "STL", {".stl"}),
+    (b"OFF\n", "OFF", {".off"}),
+    (b"%PDF", "PDF", set[str]()),
+    (b"\x89PNG", "picture", set[str]()),
+    (b"\xff\xd8\xff", "picture", set[str]()),
+    (b"\x1f\x8b", "gzip archive", set[str]()),
+    (b"ISO-10303-21", "STEP", set[str]()),
+)
+_UNREADABLE = (
+    ValueError, LookupError, TypeError, AttributeError, struct.error, OverflowError, MemoryError,
+    RecursionError, binascii.Error, json.JSONDecodeError, expat.ExpatError,
+)  # fmt: skip
+
+
+def check_suffix(path: Path) -> None:
+    """Refuse a file that is none of the formats by its name.
+
+    Raises
+    ------
+    InputError
+    """
+    if path.suffix.lower() not in _READERS:
+        raise InputError(
+            "{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.",
+            path=path,
+            suffixes=joined(SCAN_SUFFIXES),
+        )
+
+
+def read_raw(source: ScanContent) -> RawSurface:
+    """Read the surface or the points of one file.
+
+    Raises
+    ------
+    InputError
+        When it is empty, of another format than its name says, damaged or cut off.
+    """
+    if not source.content.strip(b" \t\r\n\0"):
+        raise InputError("{path} is empty; export it again.", path=source.path)
+    for signature, name, suffixes in _SIGNATURES:
+        if source.content.startswith(signature) and source.suffix not in suffixes:
+            raise InputError(
+                "{path} holds a {format}, although its name ends in {suffix}; choose another file, "
+                "or give it its right name.",
+                path=source.path,
+                format=name,
+                suffix=source.suffix,
+            )
+    try:
+        return _READERS[source.suffix](source)
+    except _UNREADABLE as error:
+        raise unreadable(source, _first_line(error)) from error
+
+
+def _first_line(error: BaseException) -> str:
+    if isinstance(error, KeyError):
+        return f"it lacks {error.args[0]!r}"
+    return (str(error).strip().splitlines() or [type(error).__name__])[0]

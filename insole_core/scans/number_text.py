@@ -1,0 +1,126 @@
+"""Large texts of numbers: every number is read, or none."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+
+LINE_FEED = ord("\n")
+_BYTE_ORDER_MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
+
+
+def plain_text(content: bytes) -> bytes:
+    """Return a text with line feeds only, in a code that starts like ASCII.
+
+    Raises
+    ------
+    ValueError
+        When it is no text: it holds zero bytes, or half characters of UTF-16.
+    """
+    for mark, code in _BYTE_ORDER_MARKS.items():
+        if content.startswith(mark):
+            content = content.decode(code).encode()
+            break
+    if b"\0" in content:
+        raise ValueError("it holds zero bytes, which no text does")
+    if b"\r" in content:
+        content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    return content
+
+
+def floats(text: bytes) -> FloatArray:
+    """Return all numbers (n,) of a text, separated by white space.
+
+    Raises
+    ------
+    ValueError
+        When something in it is no number.
+    """
+    return np.asarray(_numbers(text, np.float64), dtype=float)
+
+
+def integers(text: bytes) -> IntArray:
+    """Return all whole numbers (n,) int64 of a text, separated by white space.
+
+    Raises
+    ------
+    ValueError
+        When something in it is no whole number.
+    """
+    return np.asarray(_numbers(text, np.int64), dtype=np.int64)
+
+
+def _numbers(text: bytes, kind: type) -> FloatArray | IntArray:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", DeprecationWarning)  # older numpy stops at a word and warns
+        try:
+            return np.fromstring(text, dtype=kind, sep=" ")
+        except (ValueError, DeprecationWarning) as error:
+            raise ValueError("it holds a word where a number must stand") from error
+
+
+class Lines:
+    """The lines of a text, told apart by their first characters without a loop over them.
+
+    Parameters
+    ----------
+    text
+        With line feeds only.
+    """
+
+    def __init__(self, text: bytes) -> None:
+        self.text = text if text.endswith(b"\n") else text + b"\n"
+        self.codes: ByteArray = np.frombuffer(self.text, np.uint8)
+        ends = np.flatnonzero(self.codes == LINE_FEED)
+        self.starts: IntArray = np.concatenate([[0], ends[:-1] + 1])
+        self.lengths: IntArray = ends + 1 - self.starts
+
+    def begin_with(self, word: bytes) -> BoolArray:
+        """Return which lines (n,) begin with a word and white space."""
+        found = self.lengths > len(word) + 1
+        places = self.starts[found]
+        matches = np.ones(len(places), dtype=bool)
+        for offset, code in enumerate(word):
+            matches &= self.codes[places + offset] == code
+        after = self.codes[places + len(word)]
+        matches &= (after == ord(" ")) | (after == ord("\t"))
+        found[found] = matches
+        return found
+
+    def joined(self, wanted: BoolArray) -> bytes:
+        """Return the wanted lines as one text."""
+        return self.codes[np.repeat(wanted, self.lengths)].tobytes()
+
+    def each(self, wanted: BoolArray) -> list[bytes]:
+        """Return the wanted lines one by one, without white space at their ends."""
+        rows = np.flatnonzero(wanted)
+        return [
+            self.text[start : start + length].strip()
+            for start, length in zip(
+                self.starts[rows].tolist(), self.lengths[rows].tolist(), strict=True
+            )
+        ]
+
+
+def words_per_line(text: bytes) -> IntArray:
+    """Count the words between white space of each line (n,) of a text that ends in a line feed."""
+    codes = np.frombuffer(text, np.uint8)
+    begins = word_starts(codes)
+    ends = np.flatnonzero(codes == LINE_FEED)
+    width = len(begins) // max(len(ends), 1)
+    if width and len(begins) == width * len(ends):
+        firsts, lasts = begins[::width], begins[width - 1 :: width]
+        if (lasts < ends).all() and (firsts[1:] > ends[:-1]).all():
+            return np.full(len(ends), width, dtype=np.int64)
+    return np.diff(np.searchsorted(begins, ends), prepend=0)
+
+
+def word_starts(codes: ByteArray) -> IntArray:
+    """Return where the words between white space begin (n,)."""
+    is_word = codes > ord(" ")
+    begins = is_word.copy()
+    begins[1:] &= ~is_word[:-1]
+    return np.flatnonzero(begins)

@@ -1,0 +1,77 @@
+"""Read OFF files, with or without colours (COFF)."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
+from insole_core.scans.number_text import Lines, floats, plain_text, words_per_line
+from insole_core.scans.polygons import as_indices, fans
+from insole_core.scans.raw_surface import RawSurface
+from insole_core.scans.scan_content import ScanContent
+
+_HEAD = re.compile(rb"\s*(ST)?(C)?(N)?OFF\b\s*(\d{1,10})\s+(\d{1,10})(?:\s+\d{1,10})?[ \t]*\n")
+_COMMENT = re.compile(rb"#[^\n]*")
+
+
+def read_off(source: ScanContent) -> RawSurface:
+    """Read an OFF.
+
+    Raises
+    ------
+    ValueError
+        When it is no OFF, or holds less than it declares.
+    """
+    text = plain_text(source.content)
+    if b"#" in text:
+        text = _COMMENT.sub(b"", text)
+    head = _HEAD.match(text)
+    if head is None:
+        raise ValueError('it does not begin with "OFF" and the numbers of points and faces')
+    points, faces = int(head[4]), int(head[5])
+    body = text[head.end() :]
+    lines = Lines(body)
+    filled = words_per_line(lines.text) > 0
+    if filled.sum() < points + faces:
+        raise ValueError(
+            f"it declares {points} points and {faces} faces and holds {filled.sum()} of both"
+        )
+    order = np.cumsum(filled)
+    columns = floats(lines.joined(filled & (order <= points)))
+    if points == 0 or len(columns) % points or len(columns) < 3 * points:
+        raise ValueError("a point in it has fewer than three coordinates")
+    rows = columns.reshape(points, -1)
+    corners, counts = _faces(lines.joined(filled & (order > points) & (order <= points + faces)))
+    triangles = corners[fans(corners, counts)]
+    colors = _colors(rows, skipped=3 + 3 * bool(head[3])) if head[2] else None
+    return RawSurface(
+        np.ascontiguousarray(rows[:, :3]),
+        as_indices(triangles),
+        colors,
+    )
+
+
+def _faces(text: bytes) -> tuple[IntArray, IntArray]:
+    """Return the corners (n,) of all faces and the number (m,) of each; colours are dropped."""
+    if not text:
+        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
+    words = words_per_line(text)
+    numbers = floats(text)  # colours of faces may have fractions
+    firsts = np.cumsum(words) - words
+    counts = numbers[firsts].astype(np.int64)
+    if (counts < 0).any() or (counts >= words).any():
+        raise ValueError("a face in it has fewer corners than it declares")
+    place = np.arange(len(numbers)) - np.repeat(firsts, words)
+    is_corner = (place > 0) & (place <= np.repeat(counts, words))
+    return numbers[is_corner].astype(np.int64), counts
+
+
+def _colors(rows: FloatArray, skipped: int) -> ByteArray | None:
+    values = rows[:, skipped : skipped + 3]
+    if values.shape[1] < 3 or not np.isfinite(values).all():
+        return None
+    if values.min() < 0 or values.max() > 255:
+        return None
+    return np.rint(values * (255.0 if values.max() <= 1.0 else 1.0)).astype(np.uint8)

@@ -1,0 +1,55 @@
+"""A surface or a cloud of points as a file has it, before its unit and its flaws are known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray
+from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.scans.units import Unit
+
+
+def _no_triangles() -> IndexArray:
+    return np.empty((0, 3), dtype=np.int32)
+
+
+@dataclass(frozen=True, eq=False)
+class RawSurface:
+    """What a file holds.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float64
+        In the unit and the frame of the file.
+    triangles : (m, 3) int32
+        None of a cloud of points.
+    colors : (n, 3) uint8, optional
+        RGB.
+    normals : (n, 3) float64, optional
+        Of a cloud of points; of any length.
+    touches : optional
+        Constraints from outlines, of a foot that this program reconstructed.
+    unit
+        That the file or its format states.
+    notes
+        What was not read, a sentence each.
+    """
+
+    vertices: FloatArray
+    triangles: IndexArray = field(default_factory=_no_triangles)
+    colors: ByteArray | None = None
+    normals: FloatArray | None = None
+    touches: ContourConstraints | None = None
+    unit: Unit | None = None
+    notes: tuple[str, ...] = ()
+
+
+def placed(vertices: FloatArray, a2b: FloatArray) -> FloatArray:
+    """Transform vertices (n, 3) by `a2b` (4, 4), affine; equal ones stay equal to the last bit.
+
+    A product of matrices rounds by the place of a row, and seams of a texture would open.
+    """
+    columns = [vertices[:, [axis]] * a2b[:3, axis] for axis in range(3)]
+    return columns[0] + columns[1] + columns[2] + a2b[:3, 3]

@@ -1,0 +1,18 @@
+"""Units of length that files of scanners are in."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from insole_core.errors import InputError
+
+Unit = Literal["mm", "cm", "m", "inch"]
+
+MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+UNIT_NAMES: dict[Unit, str] = {
+    "mm": "millimetres", "cm": "centimetres", "m": "metres", "inch": "inches",
+}  # fmt: skip
+
+
+class UnitError(InputError):
+    """The surface is as large as a foot in no unit, or not in the one that was given."""

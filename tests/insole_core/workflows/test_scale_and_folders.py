@@ -1,0 +1,91 @@
+"""A known size scales a scan of any unit; a folder holds both feet."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.errors import InputError
+from insole_core.export.stl import write_stl
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.scans.scale import KnownDistance, KnownFootLength, KnownShoeSize, known_length_mm
+from insole_core.workflows.import_scan import ImportChoice, examine_scan
+
+
+@pytest.fixture(scope="module")
+def turned(left_mesh: TriangleMesh) -> TriangleMesh:
+    """The foot lying on its side."""
+    lying = np.eye(4)
+    lying[:3, :3] = [[0.6, 0, 0.8], [0, 1, 0], [-0.8, 0, 0.6]]
+    return left_mesh.transformed(lying)
+
+
+@pytest.fixture(scope="module")
+def length_mm(left_mesh: TriangleMesh, tmp_path_factory: pytest.TempPathFactory) -> float:
+    path = tmp_path_factory.mktemp("true") / "foot.stl"
+    write_stl(left_mesh, path)
+    return examine_scan(path).feet[0].candidates[0].length_mm
+
+
+@pytest.mark.parametrize("factor", [1e-4, 20.0, 1e6])
+def test_a_known_length_of_the_foot_scales_any_unit(turned, length_mm, tmp_path, factor):
+    path = tmp_path / "foot.stl"
+    write_stl(replace(turned, vertices=turned.vertices * factor), path)
+    with pytest.raises(InputError):
+        examine_scan(path)
+    examination = examine_scan(path, ImportChoice(known_size=KnownFootLength(length_mm)))
+    assert examination.feet[0].candidates[0].length_mm == pytest.approx(length_mm, rel=0.004)
+    height_mm = np.ptp(examination.surface.vertices, axis=0)
+    assert height_mm == pytest.approx(np.ptp(turned.vertices, axis=0), rel=0.005)
+    assert any("Scaled by the size that is known" in note for note in examination.notes)
+
+
+def test_two_points_and_their_distance_give_the_scale(turned, tmp_path):
+    path = tmp_path / "foot.stl"
+    scaled = turned.vertices * 3.7e3
+    write_stl(replace(turned, vertices=scaled), path)
+    first, second = scaled[10], scaled[2000]
+    between_mm = float(np.linalg.norm(turned.vertices[10] - turned.vertices[2000]))
+    known = KnownDistance(tuple(first), tuple(second), between_mm)
+    surface = examine_scan(path, ImportChoice(known_size=known)).surface
+    assert np.ptp(surface.vertices, axis=0) == pytest.approx(
+        np.ptp(turned.vertices, axis=0), rel=1e-4
+    )
+    with pytest.raises(InputError, match="coincide"):
+        examine_scan(path, ImportChoice(known_size=replace(known, second=known.first)))
+
+
+def test_a_shoe_size_stands_for_the_foot_that_it_fits():
+    assert known_length_mm(KnownShoeSize(42)) == pytest.approx(265, abs=1)
+    assert known_length_mm(KnownShoeSize(36)) == pytest.approx(225, abs=1)
+    for wrong in (KnownShoeSize(95), KnownFootLength(26.5), KnownFootLength(float("nan"))):
+        with pytest.raises(InputError, match="correct the length"):
+            known_length_mm(wrong)
+
+
+def folder_of(tmp_path: Path, **meshes: TriangleMesh) -> Path:
+    for name, mesh in meshes.items():
+        write_stl(mesh, tmp_path / f"{name}.stl")
+    return tmp_path
+
+
+def test_a_folder_gives_both_feet_by_their_names(left_mesh, right_mesh, tmp_path):
+    folder = folder_of(tmp_path, foot_R=right_mesh, foot_L=left_mesh)
+    feet = examine_scan(folder).feet
+    assert [foot.candidates[0].side for foot in feet] == [Side.LEFT, Side.RIGHT]
+    assert [foot.path for foot in feet] == [folder / "foot_L.stl", folder / "foot_R.stl"]
+    assert not any(foot.doubts for foot in feet)
+
+
+def test_names_that_contradict_the_shapes_are_doubted(left_mesh, right_mesh, tmp_path):
+    feet = examine_scan(folder_of(tmp_path, links=right_mesh, rechts=left_mesh)).feet
+    assert all("is named as a" in foot.doubts[0] for foot in feet)
+
+
+def test_names_that_tell_nothing_leave_it_to_the_shapes(left_mesh, right_mesh, tmp_path):
+    feet = examine_scan(folder_of(tmp_path, scan1=right_mesh, scan2=left_mesh)).feet
+    assert [foot.candidates[0].side for foot in feet] == [Side.RIGHT, Side.LEFT]
