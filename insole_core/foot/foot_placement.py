@@ -237,8 +237,8 @@ def _foot_poses(
 def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[TriangleMesh, bool]:
     """Flip an open surface whose sole faces into the foot, which only the pose can show."""
     up = source2rough[2, :3]
-    height = mesh.vertices @ up
-    low = mesh.part(height < height.min() + OUTLINE_HEIGHT_MM)
+    height = mesh.vertices @ up - float((mesh.vertices @ up).min())
+    low = mesh.part(height < min(OUTLINE_HEIGHT_MM, height.max() / 2))  # below the lid of a cast
     faces_up = bool(low.vertex_areas @ (low.vertex_normals @ up) > 0)
     return (mesh.flipped() if faces_up else mesh), faces_up
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.level_cut import level_cut
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces, relaxed
@@ -33,9 +33,12 @@ _BUMP_MM, _FLAT = 45.0, 0.5
 
 _RIM_MM = 2.5
 """Depth from which on the foam was pressed down; above it lies rim, with its noise and waves."""
-_BESIDE_MM = 25.0  # how far an imprint reaches beyond the region in which it was recognised
+_BESIDE_MM = 40.0  # how far an imprint reaches beyond the region in which it was recognised
 _UNDER_MM, _UNDER_NODES = 5.0, 5
 _LEAST_PIECE = 0.005
+_TOE_MM, _TOE_SHARE, _TOE_MM2 = 3.5, 0.3, 4000.0
+"""Radius of a disk that fits into the imprint of any toe, how much of it such disks cover at least,
+and the greatest area of all toes."""
 _HEIGHT_ROUNDS = 2
 _GRAIN_MM, _GRAIN_ROUNDS, _MOST_ROUNDS = 1.0, 6, 20
 """Distance of points at which the grain of foam and scanner is smoothed in so many rounds."""
@@ -51,6 +54,8 @@ class Imprint:
         Open; its triangles face out of the foot, into the foam.
     dorsal : (3,) float64
         Unit vector out of the box, towards the back of the foot.
+    rim_mm
+        Height of the rim: the points on it have this product with `dorsal`.
     centre : (3,) float64, mm, source frame
     depth_mm
         Of the deepest part below the rim.
@@ -58,6 +63,7 @@ class Imprint:
 
     mesh: TriangleMesh
     dorsal: FloatArray
+    rim_mm: float
     centre: FloatArray
     depth_mm: float
 
@@ -148,13 +154,15 @@ def _imprint(mesh: TriangleMesh, viewer: ReliefViewer, view: _View, number: int)
     uppermost = heights > _lowest_nearby(detail, places) - _UNDER_MM
     for _ in range(_HEIGHT_ROUNDS):
         heights = np.asarray(mesh.links.mean @ heights)
-    inside = np.minimum(_within(view, number, places), _from_edge(detail, places))
+    curled = curled_over(detail)
+    inside = np.minimum(_within(view, number, places), _away_from(curled, detail, places))
     field = np.where(uppermost, np.minimum(-heights - _RIM_MM, inside), -1.0)
-    sole = _in_region(_cut(mesh, field), relief, region)
+    sole = _of_foot(_cut(mesh, field), view, number, detail, curled)
     if float(sole.vertex_areas @ (sole.vertex_normals @ relief.up)) > 0:
         sole = sole.flipped()
     centre = sole.vertex_areas @ sole.vertices / sole.area_mm2
-    return Imprint(_without_grain(sole), relief.up, centre, region.depth_mm)
+    rim_mm = -float(relief.source2relief[2, 3])
+    return Imprint(_without_grain(sole), relief.up, rim_mm, centre, region.depth_mm)
 
 
 def _within(view: _View, number: int, places: FloatArray) -> FloatArray:
@@ -179,9 +187,9 @@ def _lowest_nearby(relief: Relief, places: FloatArray) -> FloatArray:
     return relief.at(np.where(np.isfinite(lowest), lowest, -1e3), places, beyond=-1e3)
 
 
-def _from_edge(detail: Relief, places: FloatArray) -> FloatArray:
+def _away_from(curled: BoolArray, detail: Relief, places: FloatArray) -> FloatArray:
     """Return how far places (n, 2) lie from where the foam curls over, mm; not above 0 there."""
-    away_mm = scipy.ndimage.distance_transform_edt(~curled_over(detail)) * detail.cell_mm
+    away_mm = scipy.ndimage.distance_transform_edt(~curled) * detail.cell_mm
     return detail.at(away_mm - detail.cell_mm / 2, places, beyond=-1.0)
 
 
@@ -197,15 +205,37 @@ def _cut(mesh: TriangleMesh, field: FloatArray) -> TriangleMesh:
     return TriangleMesh(vertices, cut.triangles, colors).part(used)
 
 
-def _in_region(sole: TriangleMesh, relief: Relief, region: PressedRegion) -> TriangleMesh:
-    """Keep the pieces that lie in the region, without scraps."""
-    local = transform(relief.source2relief, sole.vertices)
-    inside = relief.at(region.mask.astype(float), local[:, :2], beyond=0.0) > 0
+def _of_foot(
+    sole: TriangleMesh, view: _View, number: int, detail: Relief, curled: BoolArray
+) -> TriangleMesh:
+    """Keep the pieces of the region, and those beside it that a toe can have pressed."""
+    local = transform(detail.source2relief, sole.vertices)[:, :2]
+    known = view.relief.at(view.regions[number].mask.astype(float), local, beyond=0.0) > 0.5
+    toes = detail.at(_toe_like(detail, curled).astype(float), local, beyond=0.0) > 0.5
     count, piece = pieces(sole)
-    area = np.bincount(piece, sole.vertex_areas, minlength=count)
-    inner = np.bincount(piece, sole.vertex_areas * inside, minlength=count)
-    kept = (inner > area / 2) & (area > _LEAST_PIECE * area.sum())
+    area, in_region, in_toes = (
+        np.bincount(piece, sole.vertex_areas * inside, minlength=count)
+        for inside in (True, known, toes)
+    )
+    kept = ((in_region > area / 2) & (area > _LEAST_PIECE * area.sum())) | (
+        in_toes > _TOE_SHARE * area
+    )
     return sole.part(kept[piece])
+
+
+def _toe_like(detail: Relief, curled: BoolArray) -> BoolArray:
+    """Return the nodes in hollows as wide as a toe: foam that was dragged down is a narrow strip.
+
+    What reaches the edge of the relief is beside the box.
+    """
+    low = ~curled & ~(detail.heights_mm > -_RIM_MM)
+    radius_mm = scipy.ndimage.distance_transform_edt(low) * detail.cell_mm
+    broad = scipy.ndimage.distance_transform_edt(radius_mm < _TOE_MM) * detail.cell_mm < _TOE_MM
+    parts, count = scipy.ndimage.label(broad)
+    size = np.bincount(parts.ravel(), minlength=count + 1) * detail.cell_mm**2
+    beside = np.zeros(count + 1, dtype=bool)
+    beside[[*parts[[0, -1]].ravel(), *parts[:, [0, -1]].ravel()]] = True
+    return np.asarray(((size < _TOE_MM2) & ~beside)[parts] & (parts > 0))
 
 
 def _without_grain(sole: TriangleMesh) -> TriangleMesh:

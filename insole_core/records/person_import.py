@@ -22,6 +22,8 @@ from insole_core.records.rights import Right
 from insole_core.records.schema import audit_head, persons
 from insole_core.records.search_text import fold, name_key_of
 
+_Line = tuple[str, str, str]
+"""Key of a name, the field, and a line of it without case and accents."""
 _AT_ONCE: Final = 500
 """Persons between two looks at whether the user has cancelled."""
 
@@ -145,8 +147,8 @@ class _Planner:
         self._index = PersonIndex(())
         self._doubtful = PersonIndex(())
         """Apart, since they are added only on demand: nobody is doubtful because of them."""
-        self._by_name: dict[str, list[Person]] = defaultdict(list)
-        """Of the record and of the rows before, with contact and notes."""
+        self._by_line: dict[_Line, list[Person]] = defaultdict(list)
+        """Of the record and of the rows before, by what tells people of one name apart."""
         self._line_of: dict[str, int] = {}
         for person in known:
             self._note(person, self._index)
@@ -176,13 +178,14 @@ class _Planner:
 
     def _note(self, person: Person, index: PersonIndex) -> None:
         index.add(summary_of(person))
-        self._by_name[name_key_of(person.name)].append(person)
+        for line in _lines_of(person):
+            self._by_line[line].append(person)
 
     def _who_holds_all_of(self, person: Person) -> Person | None:
         """Return who is a person without number and birth date, by all that a row says of them."""
         if person.birth_date is not None or person.personal_number:
             return None
-        known = self._by_name[name_key_of(person.name)]
+        known = self._by_line.get(next(_lines_of(person)), ())
         return next((other for other in known if _holds_all_of(other, person)), None)
 
     def _found(self, row: PersonRow, same: PersonSummary) -> ImportLine:
@@ -192,6 +195,14 @@ class _Planner:
             return ImportLine(row.line, Outcome.REPEATED, reason, row.person)
         reason = Message("It is {name}, {born}.", name=same.name, born=born_text(same))
         return ImportLine(row.line, Outcome.PRESENT, reason, row.person)
+
+
+def _lines_of(person: Person) -> Iterator[_Line]:
+    """Yield each line of contact and notes, and last that there is a person of this name."""
+    name = name_key_of(person.name)
+    for field, text in (("contact", person.contact), ("notes", person.notes)):
+        yield from ((name, field, line) for line in _folded_lines(text))
+    yield name, "", ""
 
 
 def _holds_all_of(known: Person, person: Person) -> bool:
@@ -207,6 +218,8 @@ def _holds_all_of(known: Person, person: Person) -> bool:
 
 
 def _has_lines(text: str, wanted: str) -> bool:
-    return {fold(line) for line in wanted.split("\n") if line} <= {
-        fold(line) for line in text.split("\n")
-    }
+    return set(_folded_lines(wanted)) <= set(_folded_lines(text))
+
+
+def _folded_lines(text: str) -> list[str]:
+    return [fold(line) for line in text.split("\n") if line]

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from datetime import date
 
 from insole_core.messages import Message
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.search_text import name_key_of
+
+_Identity = tuple[date | None, str]
+"""Birth date and personal number."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,8 @@ class PersonIndex:
         self._by_number: dict[str, list[PersonSummary]] = defaultdict(list)
         self._by_pseudonym: dict[str, PersonSummary] = {}
         self._by_name: dict[str, list[PersonSummary]] = defaultdict(list)
+        self._told_apart: dict[str, dict[_Identity, PersonSummary]] = defaultdict(dict)
+        """The first of those of one name who have birth date and number in common."""
         for person in persons:
             self.add(person)
 
@@ -49,7 +55,9 @@ class PersonIndex:
         if person.personal_number:
             self._by_number[person.personal_number].append(person)
         self._by_pseudonym[person.pseudonym] = person
-        self._by_name[name_key_of(person.name)].append(person)
+        name = name_key_of(person.name)
+        self._by_name[name].append(person)
+        self._told_apart[name].setdefault((person.birth_date, person.personal_number), person)
 
     def with_pseudonym(self, pseudonym: str) -> PersonSummary | None:
         """Return whom a pseudonym stands for; None when it is free."""
@@ -63,11 +71,16 @@ class PersonIndex:
         person
             Not in the index.
         """
-        matches = list(self.matches(person))
+        # A column of towns that is taken for names must not take hours.
+        namesakes = self._told_apart.get(name_key_of(person.name), {}).values()
+        matches = list(self._matches(person, namesakes))
         return next((match for match in matches if match.is_certain), next(iter(matches), None))
 
     def matches(self, person: Person) -> Iterator[Match]:
         """Yield everybody who is the same person, or may be."""
+        return self._matches(person, self._by_name.get(name_key_of(person.name), ()))
+
+    def _matches(self, person: Person, namesakes: Iterable[PersonSummary]) -> Iterator[Match]:
         of_number = (
             self._by_number.get(person.personal_number, ()) if person.personal_number else ()
         )
@@ -76,7 +89,7 @@ class PersonIndex:
             yield _identified(person, known, "personal number")
         if same_pseudonym is not None:
             yield _identified(person, same_pseudonym, "pseudonym")
-        for known in self._by_name.get(name_key_of(person.name), ()):
+        for known in namesakes:
             match = _namesake(person, known)
             if match is not None:
                 yield match

@@ -20,7 +20,7 @@ from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
-from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
 from insole_core.workflows.scanned_feet import find_scanned_feet
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
@@ -157,13 +157,17 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
-    box = find_imprinted_feet(read, choice.form, choice.side)
-    if box is not None:
-        left_out = box.left_out
-        return ScanExamination(path, read.mesh, read.unit, box.form, box.feet, box.notes, left_out)
-    read, left_out, feet = find_scanned_feet(read, choice.known_size, choice.form is Form.FOOT)
+    form, known_size = choice.form, choice.known_size
+    box = find_imprinted_feet(read, form, choice.side, known_size)
+    if box is None:
+        read, left_out, feet = find_scanned_feet(read, known_size, form is Form.FOOT)
+        if form is None and len(feet) == 1:
+            feet = (with_rimless_doubt(read, feet[0]),)
+        form = form or Form.FOOT
+    else:
+        read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
     notes = read.notes if read.second is None else ()
-    return ScanExamination(path, read.mesh, read.unit, Form.FOOT, feet, notes, left_out)
+    return ScanExamination(path, read.mesh, read.unit, form, feet, notes, left_out)
 
 
 def take_foot(

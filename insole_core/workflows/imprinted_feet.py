@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
+from insole_core.errors import InputError
 from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.foot.foot_placement import find_pressed_foot
 from insole_core.geometry.arrays import FloatArray
@@ -16,9 +18,16 @@ from insole_core.imprints.foam_box import BoxScan, Imprint, find_imprints
 from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import INSIDE_OUT, ReadMesh
+from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
+from insole_core.workflows.scanned_feet import named_foot
 
-_SHALLOW_MM = 15.0
-"""Depth below which the border of a foot is not pressed in: heel and ball are widest above it."""
+_HARDLY_MM, _SHALLOW_MM = 8.0, 14.0
+"""Depths of an end that is missing in part, and of one that is rounded off: a heel and a toe are
+longest some millimetres above the ground."""
+_END = 0.12  # share of the length
+_END_SHARE = 0.95
+_FACING_UP = 0.4
+"""Mean z of the normals, from which on an open surface is a sole alone, and faces the foot."""
 _PARALLEL = 0.5  # cosine of the directions of both feet in a box
 
 
@@ -28,30 +37,35 @@ class ImprintedFeet:
 
     Parameters
     ----------
+    read
+        The scan at its final scale; its notes without what counts for a foot only.
     form
         IMPRINT, unless it was said to be a foot.
     feet
-        The left one first.
-    notes, left_out
+        The left one first, if both are in one box.
+    left_out
         A sentence each.
     """
 
+    read: ReadMesh
     form: Form
     feet: tuple[FoundFoot, ...]
-    notes: tuple[str, ...]
     left_out: tuple[str, ...]
 
 
 def find_imprinted_feet(
-    read: ReadMesh, form: Form | None = None, side: Side | None = None
+    read: ReadMesh,
+    form: Form | None = None,
+    side: Side | None = None,
+    known_size: KnownSize | None = None,
 ) -> ImprintedFeet | None:
-    """Find the feet that were pressed into a scanned surface.
+    """Find the feet that were pressed into a scanned surface, or into both of a folder.
 
     Parameters
     ----------
     read
         Of any form.
-    form, side
+    form, side, known_size
         As the user has said; None where they are to be concluded.
 
     Returns
@@ -64,6 +78,28 @@ def find_imprinted_feet(
     InputError
         When what was pressed in does not look like a foot.
     """
+    box = _in_scale(read, form, side, known_size)
+    if box is None or read.second is None:
+        return box
+    second = find_imprinted_feet(read.second, form, side, known_size)
+    if second is None:
+        return None
+    feet = named_foot(box.feet[0], box.read), named_foot(second.feet[0], second.read)
+    return replace(box, feet=feet, left_out=(*box.left_out, *second.left_out))
+
+
+def _in_scale(
+    read: ReadMesh, form: Form | None, side: Side | None, known: KnownSize | None
+) -> ImprintedFeet | None:
+    """Find the feet at the scale at which the first one has its known length."""
+    found = _in_box(read, form, side)
+    if found is None or known is None or isinstance(known, KnownDistance):
+        return found
+    factor = known_length_mm(known) / found.feet[0].candidates[0].length_mm
+    return _in_box(read.scaled(factor), form, side)
+
+
+def _in_box(read: ReadMesh, form: Form | None, side: Side | None) -> ImprintedFeet | None:
     box = find_imprints(read.mesh.flipped() if read.was_turned else read.mesh)
     if box is None or (form not in (None, Form.IMPRINT) and box.is_hollow):
         return None
@@ -73,13 +109,33 @@ def find_imprinted_feet(
     found = (
         replace(
             one.foot,
-            doubts=(*doubts, *one.side_doubts(side)),
-            notes=(*one.foot.notes, *_notes(one.imprint)),
+            doubts=(*doubts, *one.doubts(side)),
+            notes=(*one.foot.notes, *one.notes()),
         )
         for one in placed
     )
     notes = tuple(note for note in read.notes if note != INSIDE_OUT)
-    return ImprintedFeet(form or Form.IMPRINT, tuple(found), notes, (_left_out(read.mesh, box),))
+    left_out = _left_out(read.mesh, box)
+    return ImprintedFeet(
+        replace(read, notes=notes), form or Form.IMPRINT, tuple(found), (left_out,)
+    )
+
+
+def with_rimless_doubt(read: ReadMesh, found: FoundFoot) -> FoundFoot:
+    """Doubt the form of an open sole whose triangles face into the foot in its file.
+
+    Scanners let them face the sensor: those of a foot face down, those of an imprint up. The side
+    does not depend on it, but on the way in which the sole bends.
+    """
+    up = found.candidates[0].source2insole[2, :3]
+    facing = float(read.mesh.vertex_areas @ (read.mesh.vertex_normals @ up)) / read.mesh.area_mm2
+    if (-facing if read.was_turned else facing) < _FACING_UP:
+        return found
+    doubt = Message(
+        "The surface faces into the foot: it is an imprint whose rim was cut off, or a file that "
+        "is inside out; say whether it is a foam box or a foot."
+    )
+    return replace(found, doubts=(*found.doubts, doubt))
 
 
 def form_notes(form: Form) -> Iterator[Message]:
@@ -115,7 +171,8 @@ class _PressedFoot:
         """(3,) unit vector from heel to toes, source frame."""
         return self.foot.candidates[0].source2insole[1, :3]
 
-    def side_doubts(self, asked: Side | None) -> Iterator[Message]:
+    def doubts(self, asked: Side | None) -> Iterator[Message]:
+        """Yield what is doubtful, if a user has said which foot it is or has not."""
         told = self.foot.told_side
         if told is not None and self.place not in (None, told):
             yield Message(
@@ -128,6 +185,34 @@ class _PressedFoot:
             yield Message(
                 "The shape of the imprint does not tell left from right; say which foot it is."
             )
+        if self._end_mm < _HARDLY_MM:
+            yield Message(
+                "One end of the imprint is only {depth_mm:.0f} mm deep: heel or toes were hardly "
+                "pressed in, so that side and length are uncertain; say which foot it is, and "
+                "compare its length.",
+                depth_mm=self._end_mm,
+            )
+
+    def notes(self) -> Iterator[Message]:
+        yield Message(
+            "An imprint, {depth_mm:.0f} mm deep, read as the sole that was pressed in.",
+            depth_mm=self.imprint.depth_mm,
+        )
+        if _HARDLY_MM <= self._end_mm < _SHALLOW_MM:
+            yield Message(
+                "Heel or toes were pressed in by {depth_mm:.0f} mm only: the length is some "
+                "millimetres smaller than that of the foot.",
+                depth_mm=self._end_mm,
+            )
+
+    @cached_property
+    def _end_mm(self) -> float:
+        """Depth of the shallower end below the rim."""
+        along = self.imprint.mesh.vertices @ self.ahead
+        depth_mm = self.imprint.rim_mm - self.imprint.mesh.vertices @ self.imprint.dorsal
+        end_mm = _END * float(np.ptp(along))
+        ends = along < along.min() + end_mm, along > along.max() - end_mm
+        return min(float(np.quantile(depth_mm[end], _END_SHARE)) for end in ends)
 
     def at(self, place: Side) -> _PressedFoot:
         """Return the same foot at a place, which decides where the shape does not tell its side."""
@@ -139,7 +224,15 @@ class _PressedFoot:
 
 
 def _pressed_foot(imprint: Imprint) -> _PressedFoot:
-    return _PressedFoot(imprint, find_pressed_foot(imprint.mesh, imprint.dorsal))
+    try:
+        foot = find_pressed_foot(imprint.mesh, imprint.dorsal)
+    except InputError as error:
+        raise InputError(
+            "The imprint in the foam, {depth_mm:.0f} mm deep, does not look like a foot; see that "
+            "heel, ball and toes are pressed in, and take it again.",
+            depth_mm=imprint.depth_mm,
+        ) from error
+    return _PressedFoot(imprint, foot)
 
 
 def _by_position(one: _PressedFoot, other: _PressedFoot) -> list[_PressedFoot]:
@@ -157,18 +250,6 @@ def _form_doubts(box: BoxScan) -> Iterator[Message]:
         yield Message(
             "A sole stands out of a plane: it is a foot scanned with what lay around it, or a foam "
             "box whose file is inside out; say which it is."
-        )
-
-
-def _notes(imprint: Imprint) -> Iterator[Message]:
-    yield Message(
-        "An imprint, {depth_mm:.0f} mm deep, read as the sole that was pressed in.",
-        depth_mm=imprint.depth_mm,
-    )
-    if imprint.depth_mm < _SHALLOW_MM:
-        yield Message(
-            "The imprint is shallow: heel and ball are widest above its rim, so length and widths "
-            "are smaller than those of the foot."
         )
 
 

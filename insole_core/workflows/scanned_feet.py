@@ -44,7 +44,7 @@ def find_scanned_feet(
     if read.second is None:
         return read, scan.left_out, feet
     second, others, more = find_scanned_feet(read.second, known_size, is_foot)
-    named = (_named(feet[0], read), _named(more[0], second))
+    named = (named_foot(feet[0], read), named_foot(more[0], second))
     return read, (*scan.left_out, *others), named
 
 
@@ -78,7 +78,7 @@ def _feet_in(mesh: TriangleMesh) -> tuple[FoundFoot, ...]:
     return first, second
 
 
-def _named(found: FoundFoot, read: ReadMesh) -> FoundFoot:
+def named_foot(found: FoundFoot, read: ReadMesh) -> FoundFoot:
     """Hold a foot against the name of its file, which decides where the shape does not."""
     if read.part is None:
         return found

@@ -172,6 +172,7 @@ def _box_sheet(colors: Colors) -> str:
         background: {colors.base}; }}
     QCheckBox::indicator:checked, QAbstractItemView::indicator:checked {{
         background: {colors.accent}; border-color: {colors.accent}; image: url("{check}"); }}
+    QRadioButton {{ border: 2px solid transparent; padding: 2px; }}
     QRadioButton::indicator {{
         width: 14px; height: 14px; border: 1px solid {colors.quiet}; border-radius: 8px;
         background: {colors.base}; }}
@@ -205,6 +206,7 @@ def _touch_sheet(colors: Colors) -> str:
     QLineEdit, QPlainTextEdit {{ border: 1px solid {colors.line}; border-radius: 4px; }}
     QLineEdit:focus, QPlainTextEdit:focus {{ border: 2px solid {colors.accent}; }}
     QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; min-height: 0; }}
+    QLineEdit QToolButton {{ min-width: 0; min-height: 0; }}
     QLabel[form="true"] {{ min-height: 44px; }}
     QMenu::item, QMenuBar::item {{ padding: 12px 20px; }}
     """

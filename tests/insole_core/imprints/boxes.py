@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.level_cut import level_cut
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
 from insole_core.simulate.foam_box import DOUBLE_MM, FoamBox, press_feet, pressing
@@ -32,6 +33,17 @@ def double_box(feet: Sequence[TriangleMesh], apart_mm: float = 150.0, **box: flo
         for foot, sign in zip(feet, (-1, 1), strict=True)
     ]
     return press_feet(placed, FoamBox(DOUBLE_MM, **box), np.random.default_rng(6))  # type: ignore[arg-type]
+
+
+def flat_cast(foot: TriangleMesh, height_mm: float) -> TriangleMesh:
+    """Cut a foot that stands at z = 0 flat at a height, closed, as a cast poured into foam is."""
+    cut = level_cut(foot, height_mm - foot.vertices[:, 2])
+    low = TriangleMesh(cut.extended(foot.vertices), cut.triangles)
+    ends, middle = low.links.ends, len(low.vertices)
+    top = np.stack([ends[:, 1], ends[:, 0], np.full(len(ends), middle)], axis=1)
+    centre = low.vertices[np.unique(ends)].mean(axis=0)
+    triangles = np.concatenate([low.triangles, top]).astype(np.int32)
+    return TriangleMesh(np.vstack([low.vertices, centre]), triangles)
 
 
 def deviations_mm(sole: TriangleMesh, foot: TriangleMesh) -> FloatArray:

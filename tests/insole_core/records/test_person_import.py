@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
@@ -247,6 +248,14 @@ def test_a_row_that_says_something_else_is_doubtful(tmp_path, records):
     rows = _rows(tmp_path, "Name,Phone,Notes\nAnna Berg,040-9,\nAnna Berg,,new\nPer Ek,,\n")
     plan = plan_import(records, rows)
     assert [line.outcome for line in plan.lines] == [Outcome.DOUBTFUL] * 3
+
+
+def test_a_column_of_towns_taken_for_names_is_planned_in_seconds(tmp_path, records):
+    rows = _rows(tmp_path, "Name,Phone\n" + "".join(f"Malmö,{n}\n" for n in range(8000)))
+    begin = time.process_time()
+    plan = plan_import(records, rows)
+    assert time.process_time() - begin < 5
+    assert [line.outcome for line in plan.lines] == [Outcome.NEW, *[Outcome.DOUBTFUL] * 7999]
 
 
 def test_both_databases_add_the_same_persons_and_their_audit_lines(tmp_path, stations):

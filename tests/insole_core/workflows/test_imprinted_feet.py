@@ -15,16 +15,18 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.imprints.foam_box import find_imprints
 from insole_core.imprints.form import Form
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.finish_warnings import finish_warnings
+from insole_core.scans.scale import KnownFootLength
 from insole_core.workflows.clinic_devices import clinic_devices, find_device
 from insole_core.workflows.clinic_materials import ClinicMaterials
 from insole_core.workflows.import_scan import ImportChoice, ScanExamination, examine_scan, take_foot
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.starting_design import StartingDevice
-from tests.insole_core.imprints.boxes import double_box, pressed, single_box
+from tests.insole_core.imprints.boxes import double_box, flat_cast, pressed, single_box
 
 TURN = rigid(rotation_about(np.array([1.0, -0.4, 2.0]), 100.0), np.array([50.0, 400.0, -90.0]))
 
@@ -133,3 +135,67 @@ def test_a_case_keeps_the_form_of_its_scan(single, tmp_path):
 
     assert kept.source.form is Form.IMPRINT
     assert kept.foot.form is Form.IMPRINT
+
+
+@pytest.mark.parametrize("lifted_deg", [3.0, -3.0])
+def test_an_end_that_was_hardly_pressed_in_is_told(left_mesh, written, lifted_deg):
+    lift = rotation_about(np.array([1.0, 0.0, 0.0]), lifted_deg)
+    tilted = left_mesh.transformed(rigid(lift, np.zeros(3)))
+    standing = tilted.transformed(rigid(np.eye(3), -tilted.bounds_mm[0] * [0, 0, 1]))
+
+    (found,) = examine_scan(written(single_box(standing, 16.0, cell_mm=1.5))).feet
+
+    assert any("hardly pressed in" in doubt for doubt in found.doubts)
+
+
+def test_a_known_length_gives_the_scale_of_a_box(left_mesh, written):
+    box = single_box(left_mesh, cell_mm=1.5)
+    path = written(replace(box, vertices=box.vertices * 0.0137))
+
+    examination = examine_scan(path, ImportChoice(known_size=KnownFootLength(246.0)))
+
+    (found,) = examination.feet
+    assert examination.form is Form.IMPRINT
+    assert found.candidates[0].length_mm == pytest.approx(246, abs=1.5)
+
+
+def test_boxes_in_a_folder_are_both_feet(left_mesh, right_mesh, written, tmp_path):
+    for name, foot in (("left", left_mesh), ("right", right_mesh)):
+        written(single_box(foot, cell_mm=1.5)).rename(tmp_path / f"{name}.ply")
+
+    examination = examine_scan(tmp_path)
+
+    assert examination.form is Form.IMPRINT
+    assert [found.candidates[0].side for found in examination.feet] == [Side.LEFT, Side.RIGHT]
+
+
+def test_a_cast_is_what_the_user_says(left_mesh, written):
+    (found,) = examine_scan(written(left_mesh)).feet
+    examination = examine_scan(written(left_mesh), ImportChoice(form=Form.CAST))
+
+    scanned = first_taken(examination)
+    assert scanned.foot.form is Form.CAST
+    assert scanned.foot.length_mm == pytest.approx(found.candidates[0].length_mm, abs=0.5)
+    assert any("cast taken under weight" in note for note in scanned.foot.notes)
+
+
+def test_an_imprint_without_its_rim_is_asked_for_its_form(left_mesh, written):
+    scan = find_imprints(single_box(left_mesh, cell_mm=1.5))
+    assert scan is not None
+    (imprint,) = scan.imprints
+
+    as_scanned = examine_scan(written(imprint.mesh.flipped())).feet[0]
+    as_foot = examine_scan(written(imprint.mesh)).feet[0]
+
+    assert any("rim was cut off" in doubt for doubt in as_scanned.doubts)
+    assert not any("rim was cut off" in doubt for doubt in as_foot.doubts)
+    assert as_scanned.told_side is as_foot.told_side is Side.LEFT
+
+
+def test_a_low_cast_with_a_flat_top_lies_as_a_foot_does(left_mesh, written):
+    path = written(flat_cast(left_mesh, 42.0).transformed(TURN))
+
+    (found,) = examine_scan(path, ImportChoice(form=Form.CAST)).feet
+
+    assert found.told_side is Side.LEFT
+    assert found.candidates[0].length_mm == pytest.approx(245, abs=3)

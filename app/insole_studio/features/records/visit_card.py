@@ -45,6 +45,7 @@ class VisitCard(QFrame):
         self._note.say(row.note)
         self.scan = MessageLabel("quiet")
         self.scan.say_all(row.scan)
+        self.scan.setAccessibleDescription("; ".join(row.scan_details))
         self.scan.setToolTip("<br>".join(map(html.escape, row.scan_details)))
         self.compare = QCheckBox(tr("Compare"))
         self.compare.setToolTip(tr("Choose two visits to compare them"))
