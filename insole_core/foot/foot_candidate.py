@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from insole_core.geometry.arrays import FloatArray
@@ -87,12 +87,6 @@ class FootCandidate:
     covered: float = 1.0
     second_toe_found: bool = True
     leg: CutLeg | None = None
-
-    def scaled(self, factor: float) -> FootCandidate:
-        """Return the same way for the scan that was made larger about its origin."""
-        source2insole = self.source2insole.copy()
-        source2insole[:3, 3] *= factor
-        return replace(self, source2insole=source2insole, length_mm=self.length_mm * factor)
 
 
 @dataclass(frozen=True, eq=False)

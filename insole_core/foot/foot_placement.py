@@ -33,7 +33,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
 from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
@@ -41,9 +41,14 @@ Frame = Literal["reference", "unknown"]
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
+_TOE_YAWS_DEG = (4.0, -4.0)
 _MOST_WAYS = 4
 _HELD_DEG = 45.0
 """Largest rotation of a foot in a frame whose directions are known."""
+
+
+class DoubtfulScanError(InputError):
+    """How a foot lies, or whether it is one, has to be decided by a user."""
 
 
 class SideMismatchError(InsoleError):
@@ -244,6 +249,8 @@ def _found(
         (_best(even, points, poses, side, normals) for side in Side),
         key=lambda one: one.dissimilarity,
     )
+    if normals is not None:
+        nearest = _by_second_toe(even, nearest)
     if other.dissimilarity > CLEAR * nearest.dissimilarity:
         # The directions of ground and toes follow from the shape, whatever the side.
         poses = _as_it_lies(points, nearest.source2insole)
@@ -287,7 +294,10 @@ def _with_other_ways(
             break
         if _differ(pose.source2rough, tried):
             tried.append(pose.source2rough)
-            way = _best(found.even, points, [pose], pose.side, normals)
+            try:
+                way = _best(found.even, points, [pose], pose.side, normals)
+            except InputError:  # nothing faces the ground: it cannot lie like this
+                continue
             if way.dissimilarity <= limit:
                 ways.append(way)
     return replace(found, candidates=tuple(sorted(ways, key=lambda one: one.dissimilarity)))
@@ -392,6 +402,26 @@ def _best(
         rough.covered,
         foot.second_toe_found,
     )
+
+
+def _by_second_toe(surface: EvenSurface, foot: FootCandidate) -> FootCandidate:
+    """Look for the 2nd toe from either side of its usual place, so that chance does not decide."""
+    if foot.second_toe_found or foot.covered < 1:
+        return foot
+    for yaw_deg in _TOE_YAWS_DEG:
+        turned = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg), np.zeros(3))
+        try:
+            other = level(surface, foot.side, turned @ foot.source2insole)
+        except InputError:
+            return foot
+        if other.second_toe_found:
+            return replace(
+                foot,
+                source2insole=other.source2insole,
+                length_mm=other.length_mm,
+                second_toe_found=True,
+            )
+    return foot
 
 
 def _side_notes(asked: FootCandidate, other: FootCandidate | None) -> Iterator[str]:

@@ -11,9 +11,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
-from insole_core.foot.foot_placement import find_foot, placed_foot
+from insole_core.foot.foot_placement import placed_foot
 from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
@@ -156,13 +155,8 @@ def examine_surface(
     form, known_size = choice.form, choice.known_size
     box = find_imprinted_feet(read, form, choice.side, known_size)
     if box is None:
-
-        def find(mesh: TriangleMesh, factor: float) -> FoundFoot:
-            pose = None if choice.pose is None else choice.pose.scaled(factor)
-            return find_foot(mesh, choice.side, pose)
-
         read, left_out, feet = find_scanned_feet(
-            read, known_size, find=find, is_foot=form is Form.FOOT
+            read, known_size, form is Form.FOOT, choice.side, choice.pose
         )
         if form is None and len(feet) == 1:
             feet = (with_rimless_doubt(read, feet[0]),)

@@ -6,7 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.errors import UsageError
+from insole_core.foot.foot_placement import DoubtfulScanError
 from insole_core.geometry.side import Side
+from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
 from insole_core.scans.scan_folder import holds_scans
@@ -39,6 +41,8 @@ def open_scan(
         When the shape is that of the other foot, unless forced.
     ProportionsError
         When the surface is no foot by its proportions, unless forced.
+    DoubtfulScanError
+        When it is not sure how the foot lies or whether it is one, unless forced.
     InputError
         When the file cannot be read.
     ReconstructionError
@@ -90,4 +94,11 @@ def _mesh_foot(
     feet = examination.feet
     found = next((foot for foot in feet if foot.candidates[0].side is side), feet[0])
     candidate = next(one for one in found.candidates if one.side is side)
-    return take_foot(examination, found, candidate, choice)
+    scanned = take_foot(examination, found, candidate, choice)
+    if found.doubts and not choice.force:
+        raise DoubtfulScanError(
+            "{path} is doubtful: {doubts} Open it in the window, or insist with --force.",
+            path=path,
+            doubts=joined(found.doubts, " "),
+        )
+    return scanned

@@ -2,36 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
-from insole_core.foot.foot_candidate import FoundFoot
+from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
+from insole_core.foot.foot_placement import find_foot
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
 from insole_core.scans.surroundings import second_foot, without_surroundings
 
-FindFoot = Callable[[TriangleMesh, float], FoundFoot]
-"""Finds a foot in a surface that was made larger by a factor since it was read."""
 _SCALE_ROUNDS, _SCALE_ERROR = 4, 0.002
 
 
 def find_scanned_feet(
     read: ReadMesh,
     known_size: KnownSize | None = None,
-    *,
-    find: FindFoot,
     is_foot: bool = False,
+    side: Side | None = None,
+    pose: PoseClicks | FootCandidate | None = None,
 ) -> tuple[ReadMesh, tuple[str, ...], tuple[FoundFoot, ...]]:
     """Leave out what surrounds the feet in a scan, find them, and scale them to a known length.
 
     Parameters
     ----------
-    find
-        Finds a foot in a surface.
     is_foot
         Whether the user has said that it is a foot, and no imprint.
+    side, pose
+        As the user has said; they do not count where there are two feet.
 
     Returns
     -------
@@ -48,37 +47,44 @@ def find_scanned_feet(
         When it does not look like a foot.
     """
     scan = without_surroundings(read.mesh, is_foot=is_foot)
-    read, feet = _in_scale(replace(read, mesh=scan.mesh), known_size, find)
+    read, feet = _in_scale(replace(read, mesh=scan.mesh), known_size, side, pose)
     if read.second is None:
         return read, scan.left_out, feet
-    second, others, more = find_scanned_feet(read.second, known_size, find=find, is_foot=is_foot)
+    second, others, more = find_scanned_feet(read.second, known_size, is_foot)
     named = (named_foot(feet[0], read), named_foot(more[0], second))
     return read, (*scan.left_out, *others), named
 
 
 def _in_scale(
-    read: ReadMesh, known: KnownSize | None, find: FindFoot
+    read: ReadMesh,
+    known: KnownSize | None,
+    side: Side | None,
+    pose: PoseClicks | FootCandidate | None,
 ) -> tuple[ReadMesh, tuple[FoundFoot, ...]]:
     """Return the scan at the scale at which the first foot has its known length, and the feet."""
-    feet = _feet_in(read.mesh, find, 1.0)
     if known is None or isinstance(known, KnownDistance):
-        return read, feet
-    length_mm, total = known_length_mm(known), 1.0
+        return read, _feet_in(read.mesh, side, pose)
+    clicks = pose if isinstance(pose, PoseClicks) else None  # a candidate holds for one scale only
+    feet = _feet_in(read.mesh, side, clicks)
+    length_mm = known_length_mm(known)
     for _ in range(_SCALE_ROUNDS):
         factor = length_mm / feet[0].candidates[0].length_mm
         if abs(factor - 1) < _SCALE_ERROR:
             break
-        read, total = read.scaled(factor), total * factor
-        feet = _feet_in(read.mesh, find, total)
+        read = read.scaled(factor)
+        clicks = None if clicks is None else clicks.scaled(factor)
+        feet = _feet_in(read.mesh, side, clicks)
     return read, feet
 
 
-def _feet_in(mesh: TriangleMesh, find: FindFoot, factor: float) -> tuple[FoundFoot, ...]:
+def _feet_in(
+    mesh: TriangleMesh, side: Side | None, pose: PoseClicks | FootCandidate | None
+) -> tuple[FoundFoot, ...]:
     """Return the foot in a scan, or both where two stand in it without touching."""
     is_second = second_foot(mesh)
     if is_second is None:
-        return (find(mesh, factor),)
-    first, second = (find(mesh.part(part), factor) for part in (~is_second, is_second))
+        return (find_foot(mesh, side, pose),)
+    first, second = find_foot(mesh.part(~is_second)), find_foot(mesh.part(is_second))
     if first.told_side is not None and first.told_side is second.told_side:
         doubt = Message(
             "Both feet in the scan look like a {side} one; say which foot is which.",

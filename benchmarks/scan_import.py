@@ -1,0 +1,103 @@
+"""Scans as clinics have them: which foot is found, how it lies, and what is asked.
+
+    SCANS=4 TURNS=24 python -m benchmarks scan_import
+
+Real feet (where the shared data are) and simulated ones: as they are, reduced to 2000 triangles,
+cut at three heights, without toes, with a long leg in standing and pointed by 30 and 60 degrees;
+each turned 24 ways, in turn in millimetres, centimetres, metres and inches. Asked for: the side
+right or doubted in all, the axis within 3 degrees and the length within 1 % of the upright foot,
+no wrong side without a doubt. The two last columns are of the scans that were not doubted.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from benchmarks._measure import print_table
+from benchmarks._scan_variants import KnownFoot, known_feet, quarter_turns, turned
+from insole_core.errors import InsoleError
+from insole_core.export.ply import write_ply
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.workflows.import_scan import examine_scan
+
+SIMULATED = int(os.environ.get("SCANS", "4"))
+TURNS = int(os.environ.get("TURNS", "24"))
+MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+MOST_DEG, MOST_SHARE = 3.0, 0.01
+
+
+@dataclass(frozen=True)
+class Result:
+    """What was found of one scan."""
+
+    refused: bool
+    doubted: bool = False
+    right_side: bool = False
+    axis_deg: float = 180.0
+    length_error: float = 1.0
+
+    @property
+    def is_right(self) -> bool:
+        placed = self.axis_deg <= MOST_DEG and abs(self.length_error) <= MOST_SHARE
+        return self.right_side and placed
+
+
+def main() -> None:
+    rows, start, count = [], time.process_time(), 0
+    turns = list(quarter_turns())[:: max(24 // TURNS, 1)][:TURNS]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scan.ply"
+        for known in known_feet(SIMULATED):
+            for name, variant in known.variants.items():
+                mesh = variant(known.foot)
+                results = [
+                    _found(known, mesh, rotation, unit, path)
+                    for rotation, unit in zip(turns, list(MM_PER_UNIT) * len(turns), strict=False)
+                ]
+                count += len(results)
+                rows.append((known.name, name, *_row(results)))
+    print_table(
+        ("foot", "scan", "scans", "right", "doubted", "refused", "wrong side unsaid",
+         "worst axis deg", "worst length %"),
+        rows,
+    )  # fmt: skip
+    print(f"{(time.process_time() - start) / count:.2f} s of processor time a scan")
+
+
+def _found(
+    known: KnownFoot, mesh: TriangleMesh, rotation: FloatArray, unit: str, path: Path
+) -> Result:
+    scan = turned(mesh, rotation)
+    write_ply(replace(scan, vertices=scan.vertices / MM_PER_UNIT[unit]), path)
+    try:
+        foot = examine_scan(path).feet[0]
+    except InsoleError:
+        return Result(refused=True)
+    likely = foot.candidates[0]
+    doubted = bool(foot.doubts) or foot.told_side is None
+    axis_deg = rotation_angle_deg(likely.source2insole[:3, :3] @ rotation)
+    length_error = likely.length_mm / known.foot.length_mm - 1
+    return Result(False, doubted, likely.side is known.foot.side, axis_deg, length_error)
+
+
+def _row(results: list[Result]) -> tuple[object, ...]:
+    sure = [one for one in results if not one.refused and not one.doubted]
+    return (
+        len(results),
+        sum(one.is_right for one in results),
+        sum(one.doubted for one in results),
+        sum(one.refused for one in results),
+        sum(not one.right_side for one in sure),
+        f"{max((one.axis_deg for one in sure), default=0.0):.1f}",
+        f"{100 * max((abs(one.length_error) for one in sure), default=0.0):.1f}",
+    )
+
+
+if __name__ == "__main__":
+    main()
