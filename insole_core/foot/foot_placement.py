@@ -9,11 +9,25 @@ from typing import Literal
 import numpy as np
 
 from insole_core.errors import InputError, InsoleError
+from insole_core.foot.clicked_pose import clicked_frames
 from insole_core.foot.foot import Foot
-from insole_core.foot.foot_candidate import CLEAR, FootCandidate, FoundFoot
-from insole_core.foot.foot_proportions import check_length, check_proportions
+from insole_core.foot.foot_candidate import CLEAR, FootCandidate, FoundFoot, PoseClicks
+from insole_core.foot.foot_proportions import (
+    check_length,
+    check_proportions,
+    proportion_doubts,
+    proportions,
+)
+from insole_core.foot.front_height import rated_pose
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, at_origin, is_cut_behind, level
-from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
+from insole_core.foot.pose import (
+    Pose,
+    find_poses,
+    poses_as_it_lies,
+    surface_points,
+    surface_samples,
+    turned_poses,
+)
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
@@ -27,6 +41,7 @@ Frame = Literal["reference", "unknown"]
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
+_MOST_WAYS = 4
 _HELD_DEG = 45.0
 """Largest rotation of a foot in a frame whose directions are known."""
 
@@ -86,21 +101,27 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     if frame == "unknown":
         check_length(foot.length_mm)
         if not force:
-            check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
+            check_proportions(proportions(foot.mesh, foot.length_mm))
     return foot
 
 
-def find_foot(mesh: TriangleMesh) -> FoundFoot:
+def find_foot(
+    mesh: TriangleMesh, side: Side | None = None, pose: PoseClicks | FootCandidate | None = None
+) -> FoundFoot:
     """Find how a surface that lies in any way can be a left or a right foot.
 
     Parameters
     ----------
     mesh : mm, any frame
+    side
+        Which foot it is, where that is known and need not be doubted.
+    pose
+        How it lies, where that is known: by clicked points, or as found before.
 
     Returns
     -------
     FoundFoot
-        With a candidate of either side.
+        With a candidate of either side, and further ones where it may lie in other ways.
 
     Raises
     ------
@@ -108,15 +129,19 @@ def find_foot(mesh: TriangleMesh) -> FoundFoot:
         When the surface does not look like a foot in any pose, or has no sole.
     """
     mesh, scraps = without_scraps(mesh)
-    points = surface_points(mesh)
-    poses = _foot_poses(mesh, points)
+    points, normals = surface_samples(mesh)
+    if isinstance(pose, FootCandidate):
+        mesh, inside_out = _outside_out(mesh, pose.source2insole)
+        notes = tuple(_surface_notes(scraps, inside_out))
+        return FoundFoot(mesh, EvenSurface.of(mesh), (pose,), notes=notes)
+    poses = _foot_poses(mesh, points) if pose is None else _clicked_poses(points, normals, pose)
+    poses = sorted((rated_pose(one, points, normals) for one in poses), key=_dissimilarity)
     mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
-    notes = (
-        "The file does not say how the foot lies: of all ways it could stand, the one that"
-        " looks most like a foot was taken.",
-        *_surface_notes(scraps, inside_out),
-    )
-    return _found(mesh, points, poses, notes)
+    notes = (_pose_note(pose), *_surface_notes(scraps, inside_out))
+    found = _found(mesh, points, poses, notes, normals)
+    if pose is None:
+        found = _with_other_ways(found, points, normals, poses)
+    return replace(found, doubts=tuple(_doubts(found, side)))
 
 
 def find_pressed_foot(mesh: TriangleMesh, dorsal: FloatArray) -> FoundFoot:
@@ -207,12 +232,17 @@ def _held_foot(mesh: TriangleMesh) -> FoundFoot:
 
 
 def _found(
-    mesh: TriangleMesh, points: FloatArray, poses: list[Pose], notes: tuple[str, ...] = ()
+    mesh: TriangleMesh,
+    points: FloatArray,
+    poses: list[Pose],
+    notes: tuple[str, ...] = (),
+    normals: FloatArray | None = None,
 ) -> FoundFoot:
     """Level the surface as a foot of either side."""
     even = EvenSurface.of(mesh)
     nearest, other = sorted(
-        (_best(even, points, poses, side) for side in Side), key=lambda one: one.dissimilarity
+        (_best(even, points, poses, side, normals) for side in Side),
+        key=lambda one: one.dissimilarity,
     )
     if other.dissimilarity > CLEAR * nearest.dissimilarity:
         # The directions of ground and toes follow from the shape, whatever the side.
@@ -232,6 +262,82 @@ def _foot_poses(
             " check that the file holds a foot or its sole, and nothing else."
         )
     return poses
+
+
+def _clicked_poses(points: FloatArray, normals: FloatArray, clicks: PoseClicks) -> list[Pose]:
+    """Return the poses that agree with clicked points, the most likely first."""
+    frames = clicked_frames(points, normals, clicks)
+    return [pose for frame in frames for pose in turned_poses(points, frame[:3, :3])]
+
+
+def _dissimilarity(pose: Pose) -> float:
+    return pose.side_dissimilarity
+
+
+def _with_other_ways(
+    found: FoundFoot, points: FloatArray, normals: FloatArray, poses: list[Pose]
+) -> FoundFoot:
+    """Add candidates that lie in another way and look nearly as much like a foot."""
+    nearest = found.candidates[0]
+    limit = min(CLEAR * nearest.dissimilarity, _NO_FOOT)
+    ways = list(found.candidates)
+    tried: list[FloatArray] = [way.source2insole for way in ways]
+    for pose in poses:
+        if len(tried) == _MOST_WAYS or pose.side_dissimilarity > limit:
+            break
+        if _differ(pose.source2rough, tried):
+            tried.append(pose.source2rough)
+            way = _best(found.even, points, [pose], pose.side, normals)
+            if way.dissimilarity <= limit:
+                ways.append(way)
+    return replace(found, candidates=tuple(sorted(ways, key=lambda one: one.dissimilarity)))
+
+
+def _differ(source2rough: FloatArray, frames: list[FloatArray]) -> bool:
+    """Return whether a frame (4, 4) is turned far from all of some others."""
+    turns = (source2rough[:3, :3] @ frame[:3, :3].T for frame in frames)
+    return all(rotation_angle_deg(turn) > _HELD_DEG for turn in turns)
+
+
+def _doubts(found: FoundFoot, side: Side | None) -> Iterator[Message]:
+    """Say what has to be asked before the most likely candidate is taken, a sentence each."""
+    likely = found.candidates[0] if side is None else found.best(side) or found.candidates[0]
+    mesh = found.mesh.transformed(at_origin(found.mesh, likely.source2insole))
+    yield from proportion_doubts(proportions(mesh, likely.length_mm))
+    limit = CLEAR * likely.dissimilarity
+    others = [one for one in found.candidates if _differ(one.source2insole, [likely.source2insole])]
+    others = [one for one in others if side in (None, one.side) and one.dissimilarity < limit]
+    for other in others:
+        yield Message(
+            "The foot may lie in another way as well: taken is a {side} foot of {length_mm:.0f} "
+            "mm, turned otherwise it is a {other_side} one of {other_mm:.0f} mm; see that heel, "
+            "toes and sole are right.",
+            side=likely.side,
+            length_mm=likely.length_mm,
+            other_side=other.side,
+            other_mm=other.length_mm,
+        )
+    if side is None and found.told_side is None:
+        lengths = {one: found.best(one) for one in Side}
+        yield Message(
+            "The shape does not tell left from right (a left foot of {left_mm:.0f} mm, or a right "
+            "one of {right_mm:.0f} mm); say which foot it is.",
+            left_mm=_length(lengths[Side.LEFT]),
+            right_mm=_length(lengths[Side.RIGHT]),
+        )
+
+
+def _length(candidate: FootCandidate | None) -> float:
+    return np.nan if candidate is None else candidate.length_mm
+
+
+def _pose_note(clicks: PoseClicks | None) -> Message:
+    if clicks is not None:
+        return Message("The foot lies as heel, toe and sole were clicked.")
+    return Message(
+        "The file does not say how the foot lies: of all ways it could stand, the one that"
+        " looks most like a foot was taken."
+    )
 
 
 def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[TriangleMesh, bool]:
@@ -261,7 +367,13 @@ def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     return held if held and held[0].side_dissimilarity < poses[0].side_dissimilarity else poses
 
 
-def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Side) -> FootCandidate:
+def _best(
+    surface: EvenSurface,
+    points: FloatArray,
+    poses: list[Pose],
+    side: Side,
+    normals: FloatArray | None = None,
+) -> FootCandidate:
     """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
     foot = level(surface, side, rough.source2rough, rough.covered)
@@ -270,6 +382,8 @@ def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Sid
         for pose in poses_as_it_lies(points, foot.source2insole)
         if (pose.side, pose.covered) == (side, rough.covered)
     )
+    if normals is not None:
+        levelled = rated_pose(levelled, points, normals)
     return FootCandidate(
         side,
         foot.source2insole,

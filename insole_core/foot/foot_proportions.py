@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from insole_core.errors import InputError
+from insole_core.foot.front_height import MOST_FRONT_HEIGHT, front_height
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
+from insole_core.foot.pose import surface_samples
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.messages import Message
 
 LENGTH_MM = (90.0, 350.0)
 """EU 16 to 52, and somewhat more."""
 _BALL_SHARES, _HEEL_SHARES = (0.60, 0.75), (0.08, 0.20)
-_BALL_TO_LENGTH = (0.26, 0.60)
-_HEEL_TO_BALL = (0.40, 0.88)
+_BALL_TO_LENGTH, _USUAL_BALL_TO_LENGTH = (0.26, 0.52), (0.31, 0.47)
+_HEEL_TO_BALL, _USUAL_HEEL_TO_BALL = (0.40, 0.88), (0.52, 0.84)
+_MIDFOOT_SHARES, _MOST_MIDFOOT_TO_BALL = (0.40, 0.50), 1.0
+_USUAL_LENGTH_MM = (110.0, 320.0)
+"""EU 17 to 49."""
 _BORDERS = (0.5, 99.5)
 _LEAST_HEIGHT_TO_LENGTH = 0.07
 """Mean thickness of a closed surface; of a foot it is 0.13 or more, of an insole 0.04."""
@@ -27,31 +34,41 @@ class ProportionsError(InputError):
 
 @dataclass(frozen=True)
 class Proportions:
-    """Sizes of a placed surface, mm; `thickness_mm` is NaN for an open one."""
+    """Sizes of a placed surface, mm; `thickness_mm` is NaN for an open one.
+
+    Parameters
+    ----------
+    toe_height
+        Where the toes lie, in shares of the length.
+    """
 
     length_mm: float
     ball_mm: float
     heel_mm: float
+    midfoot_mm: float
+    toe_height: float
     thickness_mm: float
 
 
-def proportions(mesh: TriangleMesh, points: FloatArray, length_mm: float) -> Proportions:
+def proportions(mesh: TriangleMesh, length_mm: float) -> Proportions:
     """Measure a surface as a foot.
 
     Parameters
     ----------
     mesh : mm, insole frame
-    points : (n, 3) float64, mm, insole frame
-        Its `surface_points`.
     length_mm
         From the heel to the toes, estimated where they are missing.
     """
+    points, normals = surface_samples(mesh)
     low = points[points[:, 2] < OUTLINE_HEIGHT_MM]
-    ball, heel = (_width(low, length_mm, shares) for shares in (_BALL_SHARES, _HEEL_SHARES))
+    ball, heel, midfoot = (
+        _width(low, length_mm, shares) for shares in (_BALL_SHARES, _HEEL_SHARES, _MIDFOOT_SHARES)
+    )
+    toe_height = front_height(points, normals, np.eye(4))
     thickness = np.nan
     if mesh.is_closed and ball > 0:
         thickness = abs(mesh.volume_mm3) / (length_mm * ball)
-    return Proportions(length_mm, ball, heel, float(thickness))
+    return Proportions(length_mm, ball, heel, midfoot, toe_height, float(thickness))
 
 
 def check_length(length_mm: float) -> None:
@@ -72,25 +89,17 @@ def check_length(length_mm: float) -> None:
         )
 
 
-def check_proportions(mesh: TriangleMesh, points: FloatArray, length_mm: float) -> None:
+def check_proportions(sizes: Proportions) -> None:
     """Check that a placed surface has proportions that feet can have.
-
-    Parameters
-    ----------
-    mesh, points, length_mm
-        As for `proportions`.
 
     Raises
     ------
     ProportionsError
         With the numbers.
     """
-    sizes = proportions(mesh, points, length_mm)
+    length_mm = sizes.length_mm
     ball, heel = sizes.ball_mm / length_mm, sizes.heel_mm / max(sizes.ball_mm, 1e-9)
-    if not (
-        _BALL_TO_LENGTH[0] <= ball <= _BALL_TO_LENGTH[1]
-        and _HEEL_TO_BALL[0] <= heel <= _HEEL_TO_BALL[1]
-    ):
+    if not (_within(ball, _BALL_TO_LENGTH) and _within(heel, _HEEL_TO_BALL)):
         raise ProportionsError(
             "The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm "
             "wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole "
@@ -106,6 +115,42 @@ def check_proportions(mesh: TriangleMesh, points: FloatArray, length_mm: float) 
             thickness_mm=sizes.thickness_mm,
             length_mm=length_mm,
         )
+    if sizes.toe_height > MOST_FRONT_HEIGHT:
+        raise ProportionsError(
+            "The surface is no foot by its shape: {length_mm:.0f} mm long, but {toe_mm:.0f} mm "
+            "high where the toes would be, and feet are {usual_mm:.0f} mm there at most; check "
+            "that the file holds one whole foot or its sole, and nothing else.",
+            length_mm=length_mm,
+            toe_mm=sizes.toe_height * length_mm,
+            usual_mm=MOST_FRONT_HEIGHT * length_mm,
+        )
+
+
+def proportion_doubts(sizes: Proportions) -> Iterator[Message]:
+    """Say what about a placed surface is unusual for a foot, a sentence each."""
+    length_mm = sizes.length_mm
+    if not _within(length_mm, _USUAL_LENGTH_MM):
+        yield Message(
+            "The foot would be {length_mm:.0f} mm long, which few feet are; check the unit.",
+            length_mm=length_mm,
+        )
+    ball, heel = sizes.ball_mm / length_mm, sizes.heel_mm / max(sizes.ball_mm, 1e-9)
+    narrow_waist = sizes.midfoot_mm <= _MOST_MIDFOOT_TO_BALL * sizes.ball_mm
+    usual = _within(ball, _USUAL_BALL_TO_LENGTH) and _within(heel, _USUAL_HEEL_TO_BALL)
+    if not (usual and narrow_waist):
+        yield Message(
+            "The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm "
+            "wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; "
+            "see that it is one whole foot.",
+            length_mm=length_mm,
+            ball_mm=sizes.ball_mm,
+            midfoot_mm=sizes.midfoot_mm,
+            heel_mm=sizes.heel_mm,
+        )
+
+
+def _within(value: float, limits: tuple[float, float]) -> bool:
+    return limits[0] <= value <= limits[1]
 
 
 def _width(low: FloatArray, length_mm: float, shares: tuple[float, float]) -> float:

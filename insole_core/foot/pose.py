@@ -26,6 +26,7 @@ _SAMPLES = 6000
 _FACES = 12
 _SAME_FACE_DEG = 10.0
 _YAWS_DEG = (-10.0, -5.0, 0.0, 5.0, 10.0)
+_WORTH_TURNING = 1.7  # the yaw changes a dissimilarity by less than this ratio
 _COVERED = (1.0, 0.85, 0.75)
 
 
@@ -75,18 +76,32 @@ def find_poses(
         When the surface is flat.
     """
     ups = _up_directions(mesh, points) if dorsal is None else [dorsal]
+    rotations = [rotation for up in ups for rotation in _both_ways(points, up)]
+    first = [_least_dissimilarity(points, rotation) for rotation in rotations]
     poses = [
         pose
-        for up in ups
-        for rotation in _both_ways(points, up)
-        for pose in _turned(points, rotation)
+        for rotation, dissimilarity in zip(rotations, first, strict=True)
+        if dissimilarity <= _WORTH_TURNING * min(first)
+        for pose in turned_poses(points, rotation)
     ]
     return sorted(poses, key=lambda pose: pose.side_dissimilarity)
+
+
+def _least_dissimilarity(points: FloatArray, rotation: FloatArray) -> float:
+    """Return the dissimilarity of an orientation (3, 3) before its yaw is found."""
+    poses = poses_as_it_lies(points, rigid(rotation, np.zeros(3)))
+    return min(pose.side_dissimilarity for pose in poses)
 
 
 def surface_points(mesh: TriangleMesh) -> FloatArray:
     """Sample some thousand points (n, 3), mm, evenly over a surface."""
     return area_samples(mesh, mesh.area_mm2 / _SAMPLES)[0]
+
+
+def surface_samples(mesh: TriangleMesh) -> tuple[FloatArray, FloatArray]:
+    """Return the `surface_points` (n, 3), mm, and the unit normals (n, 3) there."""
+    points, triangle = area_samples(mesh, mesh.area_mm2 / _SAMPLES)
+    return points, TriangleMesh(mesh.vertices, mesh.triangles[triangle]).triangle_normals
 
 
 def _up_directions(mesh: TriangleMesh, points: FloatArray) -> Iterator[FloatArray]:
@@ -126,8 +141,8 @@ def _both_ways(points: FloatArray, up: FloatArray) -> Iterator[FloatArray]:
         yield np.stack([np.cross(toes, up), toes, up])
 
 
-def _turned(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
-    """Find the best yaw of one orientation, for either side."""
+def turned_poses(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
+    """Find the best yaw about one orientation (3, 3), for either side."""
     turns = [rotation_about(np.array([0.0, 0.0, 1.0]), yaw) @ rotation for yaw in _YAWS_DEG]
     poses = [pose for turn in turns for pose in poses_as_it_lies(points, rigid(turn, np.zeros(3)))]
     for side in Side:

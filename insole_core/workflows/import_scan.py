@@ -12,8 +12,7 @@ from pathlib import Path
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import placed_foot
-from insole_core.foot.foot_proportions import check_length, check_proportions
-from insole_core.foot.pose import surface_points
+from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
@@ -21,7 +20,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
 from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
-from insole_core.workflows.scanned_feet import find_scanned_feet
+from insole_core.workflows.scanned_feet import FootSaid, find_scanned_feet
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -157,10 +156,10 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
-    form, known_size = choice.form, choice.known_size
-    box = find_imprinted_feet(read, form, choice.side, known_size)
+    form, said = choice.form, FootSaid(choice.side, choice.pose, choice.known_size)
+    box = find_imprinted_feet(read, form, said)
     if box is None:
-        read, left_out, feet = find_scanned_feet(read, known_size, form is Form.FOOT)
+        read, left_out, feet = find_scanned_feet(read, said, form is Form.FOOT)
         if form is None and len(feet) == 1:
             feet = (with_rimless_doubt(read, feet[0]),)
         form = form or Form.FOOT
@@ -199,7 +198,7 @@ def take_foot(
     foot = placed_foot(found, candidate, force=choice.force)
     check_length(foot.length_mm)
     if not choice.force:
-        check_proportions(foot.mesh, surface_points(foot.mesh), foot.length_mm)
+        check_proportions(proportions(foot.mesh, foot.length_mm))
     form = examination.form
     notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
     source = mesh_source(found.path or examination.path, form)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from insole_core.foot.foot_candidate import FoundFoot
+from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import find_foot
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
@@ -15,8 +16,40 @@ from insole_core.scans.surroundings import second_foot, without_surroundings
 _SCALE_ROUNDS, _SCALE_ERROR = 4, 0.002
 
 
+@dataclass(frozen=True)
+class FootSaid:
+    """What a user has said of a foot; None where it is to be concluded.
+
+    Parameters
+    ----------
+    side
+    pose
+        As it was clicked, or as found before.
+    known_size
+    """
+
+    side: Side | None = None
+    pose: PoseClicks | FootCandidate | None = None
+    known_size: KnownSize | None = None
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether it is said which foot it is."""
+        return self.side is not None or isinstance(self.pose, FootCandidate)
+
+    @property
+    def length_mm(self) -> float | None:
+        """Length of the foot, by which a scan without a scale is scaled."""
+        if self.known_size is None or isinstance(self.known_size, KnownDistance):
+            return None
+        return known_length_mm(self.known_size)
+
+
+NOTHING_SAID = FootSaid()
+
+
 def find_scanned_feet(
-    read: ReadMesh, known_size: KnownSize | None = None, is_foot: bool = False
+    read: ReadMesh, said: FootSaid = NOTHING_SAID, is_foot: bool = False
 ) -> tuple[ReadMesh, tuple[str, ...], tuple[FoundFoot, ...]]:
     """Leave out what surrounds the feet in a scan, find them, and scale them to a known length.
 
@@ -40,34 +73,34 @@ def find_scanned_feet(
         When it does not look like a foot.
     """
     scan = without_surroundings(read.mesh, is_foot=is_foot)
-    read, feet = _in_scale(replace(read, mesh=scan.mesh), known_size)
+    read, feet = _in_scale(replace(read, mesh=scan.mesh), said)
     if read.second is None:
         return read, scan.left_out, feet
-    second, others, more = find_scanned_feet(read.second, known_size, is_foot)
+    second, others, more = find_scanned_feet(read.second, said, is_foot)
     named = (named_foot(feet[0], read), named_foot(more[0], second))
     return read, (*scan.left_out, *others), named
 
 
-def _in_scale(read: ReadMesh, known: KnownSize | None) -> tuple[ReadMesh, tuple[FoundFoot, ...]]:
+def _in_scale(read: ReadMesh, said: FootSaid) -> tuple[ReadMesh, tuple[FoundFoot, ...]]:
     """Return the scan at the scale at which the first foot has its known length, and the feet."""
-    feet = _feet_in(read.mesh)
-    if known is None or isinstance(known, KnownDistance):
+    feet = _feet_in(read.mesh, said)
+    length_mm = said.length_mm
+    if length_mm is None:
         return read, feet
-    length_mm = known_length_mm(known)
     for _ in range(_SCALE_ROUNDS):
         factor = length_mm / feet[0].candidates[0].length_mm
         if abs(factor - 1) < _SCALE_ERROR:
             break
         read = read.scaled(factor)
-        feet = _feet_in(read.mesh)
+        feet = _feet_in(read.mesh, said)
     return read, feet
 
 
-def _feet_in(mesh: TriangleMesh) -> tuple[FoundFoot, ...]:
+def _feet_in(mesh: TriangleMesh, said: FootSaid) -> tuple[FoundFoot, ...]:
     """Return the foot in a scan, or both where two stand in it without touching."""
     is_second = second_foot(mesh)
     if is_second is None:
-        return (find_foot(mesh),)
+        return (find_foot(mesh, said.side, said.pose),)
     first, second = find_foot(mesh.part(~is_second)), find_foot(mesh.part(is_second))
     if first.told_side is not None and first.told_side is second.told_side:
         doubt = Message(
