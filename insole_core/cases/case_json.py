@@ -17,6 +17,7 @@ from insole_core.cases.case_record import (
     ScanSource,
     Variant,
 )
+from insole_core.cases.plantar_json import plantar_from_json, plantar_to_json
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -91,7 +92,7 @@ def foot_to_json(record: FootRecord) -> dict[str, Any]:
     }
     if record.earlier is not None:
         content["earlier"] = template_to_json(record.earlier)
-    return content
+    return content | plantar_to_json(record.plantar)
 
 
 def _annotations_to_json(annotations: Annotations) -> dict[str, Any]:
@@ -133,6 +134,7 @@ def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
         chosen=foot.choice("chosen", names),
         annotations=_annotations(foot.object("annotations")),
         earlier=_earlier(foot, side),
+        plantar=plantar_from_json(foot),
     )
 
 

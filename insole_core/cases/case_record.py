@@ -19,6 +19,7 @@ from insole_core.geometry.transforms import rotation_about
 from insole_core.imprints.form import Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.template import Template
+from insole_core.pressure.laid_map import PlantarLayers
 
 Point = tuple[float, float, float]
 FIRST_NAME = "A"
@@ -144,6 +145,8 @@ class FootRecord:
         Name of the variant that is shown, checked and made.
     earlier
         The prescription on the previous scan, to be repeated on this one.
+    plantar
+        A map of pressures and a picture that lie under the foot.
     """
 
     foot: Foot
@@ -152,6 +155,7 @@ class FootRecord:
     chosen: str
     annotations: Annotations = Annotations()
     earlier: Template | None = None
+    plantar: PlantarLayers = field(default_factory=PlantarLayers)
 
     @classmethod
     def begun(
@@ -332,3 +336,8 @@ class CaseRecord:
     def annotations(self) -> Annotations:
         """Marks on the current foot."""
         return Annotations() if self.current is None else self.current.annotations
+
+    @property
+    def plantar(self) -> PlantarLayers:
+        """What lies under the current foot."""
+        return PlantarLayers() if self.current is None else self.current.plantar

@@ -391,15 +391,16 @@ def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
 
 def _pictures(sheet: JobSheet) -> Image:
     """Draw the height map, if there is one, and the sections, to equal scales."""
-    figure = Figure(figsize=(7, 2.9), layout="constrained")
+    # Fixed places: an automatic layout would take most of the time of a sheet.
+    figure = Figure(figsize=(7, 2.9))
     FigureCanvasAgg(figure)
-    left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 1.7]), dtype=object)
     if sheet.height_map is not None:
-        axes = left.subplots()
+        axes = figure.add_axes((0.06, 0.15, 0.19, 0.8))
         _draw_map(axes, sheet.height_map, sheet.failed_mm)
-        left.colorbar(axes.images[0], ax=axes, label="mm", shrink=0.8)
+        figure.colorbar(axes.images[0], cax=figure.add_axes((0.27, 0.23, 0.014, 0.64)), label="mm")
     count = max(1, len(sheet.sections))
-    rows = right.subplots(count, 1, squeeze=False, sharex=True, sharey=True)[:, 0]
+    places = figure.add_gridspec(count, 1, left=0.4, right=0.99, bottom=0.08, top=0.92, hspace=0.7)
+    rows = places.subplots(squeeze=False, sharex=True, sharey=True)[:, 0]
     for axes, section in zip(rows, sheet.sections, strict=False):
         axes.fill_between(section.along_mm, section.bottom_mm, section.top_mm, color="tan")
         axes.set_title(with_known_letters(section.title), fontsize=8)
@@ -430,9 +431,9 @@ def _draw_map(
 def _nesting_picture(nesting: Nesting) -> Image:
     """Draw the block from above with its parts, heel and toes of each named."""
     width, length, height = nesting.block_mm
-    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
+    figure = Figure(figsize=(6.4, 6.4))
     FigureCanvasAgg(figure)
-    axes = figure.subplots()
+    axes = figure.add_axes((0.08, 0.07, 0.78, 0.91))
     words = paper_texts("words")
     for part in nesting.parts:
         _draw_map(axes, part.heights, part.failed_mm, height)
@@ -445,7 +446,7 @@ def _nesting_picture(nesting: Nesting) -> Image:
                 ha="center", va="center", fontsize=9,
                 bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
             )  # fmt: skip
-    figure.colorbar(axes.images[0], ax=axes, label="mm", shrink=0.6)
+    figure.colorbar(axes.images[0], cax=figure.add_axes((0.89, 0.25, 0.025, 0.55)), label="mm")
     axes.add_patch(Rectangle((0, 0), width, length, fill=False, linewidth=1.5))
     axes.set_xlim(-6, width + 6)
     axes.set_ylim(-6, length + 6)

@@ -29,8 +29,8 @@ from insole_core.records.schema import (
 )
 from insole_core.records.times import TIME_FORMAT
 
-_ID: Final = re.compile(r"[0-9a-f]{8}-[0-9a-f-]{27}|[0-9a-f]{64}")
-"""Of a row, or the SHA-256 of a file."""
+_ID: Final = re.compile(r"[0-9a-f]{8}-[0-9a-f-]{27}|[0-9a-f]{64}|age1\w{58}")
+"""Of a row, the SHA-256 of a file, or the public key of backups."""
 _SHOWN_DIGITS: Final = 8
 
 

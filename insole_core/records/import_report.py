@@ -33,6 +33,19 @@ def count_outcomes(lines: Iterable[Outcomes]) -> Message:
     )
 
 
+def count_added(lines: Sequence[Outcomes], *, with_doubtful: bool) -> Message:
+    """Return how many an import has added, and the outcomes: "4 added (3 new, 1 doubtful)".
+
+    Parameters
+    ----------
+    with_doubtful
+        Whether doubtful ones were added.
+    """
+    added = {Outcome.NEW, Outcome.DOUBTFUL} if with_doubtful else {Outcome.NEW}
+    count = sum(line.outcome in added for line in lines)
+    return Message("{count} added ({outcomes})", count=count, outcomes=count_outcomes(lines))
+
+
 def report_csv(headings: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Return a report as CSV; texts of the imported file in it are never formulas."""
     written = io.StringIO()

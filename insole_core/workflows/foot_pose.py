@@ -87,6 +87,7 @@ def lying_anew(record: FootRecord, foot: Foot) -> FootRecord:
         foot=foot,
         variants=tuple(variants),
         annotations=_moved_annotations(record.annotations, step),
+        plantar=record.plantar.with_foot(step),
     )
 
 

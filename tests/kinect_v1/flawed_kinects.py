@@ -52,7 +52,7 @@ class OddCamera(EmulatedCamera):
     def control_out(self, kind: int, request: int, value: int, data: bytes) -> None:
         """Take long to reply, with garbage before."""
         super().control_out(kind, request, value, data)
-        self._replies[-1:-1] = [b""] * 9 + [b"\x5a" * 512] * 2 + [b""] * 5
+        self._replies[-1:-1] = [b""] * 3 + [b"\x5a" * 512] * 2 + [b""] * 2
 
     def microframes(self, endpoint: int, count: int) -> list[bytes]:
         """Pause in the midst of frames, count from elsewhere, and fill the unknown bytes."""

@@ -101,6 +101,7 @@ class MainController(QObject):
         self._services.recent.changed.connect(self._show_recent)
         self._stage.recent_chosen.connect(self._open_recent)
         self._stage.action_requested.connect(self._run_requested)
+        self._stage.plantar.changed.connect(self._show_choices)
         self._stage.steps.chosen.connect(self._go_to_step)
 
     def _connect_features(self) -> None:
@@ -142,8 +143,12 @@ class MainController(QObject):
 
     def _show_accounts(self) -> None:
         """Show what has to do with signing in only where the record has accounts."""
+        clinic = self._services.clinic
         for key in OF_ACCOUNTS:
-            self._window.actions_by_key[key].setVisible(self._services.clinic.has_accounts)
+            self._window.actions_by_key[key].setVisible(clinic.has_accounts)
+        author = clinic.author if clinic.has_accounts and clinic.is_open else None
+        text = "" if author is None else tr("Signed in as {name}").format(name=author.name)
+        self._window.status.show_user(text)
 
     def _quit_locked(self) -> None:
         """End without a question or a picture of the case, whose copy is offered at the start."""

@@ -14,7 +14,7 @@ PADS = "pads"
 RECENT = "recent"
 """Placeholder for the recent files in the menu."""
 
-MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference")
+MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference", "map_pressure")
 BESIDE_KEYS = ("beside_nothing", "beside_foot", "beside_variant")
 TOOL_KEYS = (
     "tool_orbit",
@@ -28,6 +28,7 @@ TOOL_KEYS = (
     "tool_brush",
     "tool_plane",
     "tool_section",
+    "tool_plantar",
 )
 
 MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
@@ -112,7 +113,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Tools"),
-        (*TOOL_KEYS, SEPARATOR, "compare", "calibrate", "print_boards"),
+        (*TOOL_KEYS, SEPARATOR, "lay_pressure", SEPARATOR, "compare", "calibrate", "print_boards"),
     ),
     (
         lambda: tr("&Prescribe"),

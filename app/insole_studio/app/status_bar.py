@@ -41,6 +41,11 @@ class StatusBar(QStatusBar):
         self._kept = QLabel()
         self._kept.setContentsMargins(8, 0, 8, 0)
         self.addPermanentWidget(self._kept)
+        self._user = QLabel()
+        self._user.setObjectName("quiet")
+        self._user.setContentsMargins(8, 0, 8, 0)
+        self.addPermanentWidget(self._user)
+        self._user.hide()
         self._patience = QTimer(self)
         self._patience.setSingleShot(True)
         self._patience.setInterval(SHOW_AFTER_MS)
@@ -68,6 +73,11 @@ class StatusBar(QStatusBar):
         self._kept.setVisible(bool(text))
         self._kept.setObjectName("warning" if warns else "quiet")
         self._kept.style().polish(self._kept)  # the style sheet depends on the name
+
+    def show_user(self, text: str) -> None:
+        """Show who has signed in; empty where nobody has to."""
+        self._user.setText(text)
+        self._user.setVisible(bool(text))
 
     def _progressed(self, news: JobProgress) -> None:
         self._channel = news.channel

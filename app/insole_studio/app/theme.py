@@ -206,6 +206,7 @@ def _touch_sheet(colors: Colors) -> str:
     QLineEdit, QPlainTextEdit {{ border: 1px solid {colors.line}; border-radius: 4px; }}
     QLineEdit:focus, QPlainTextEdit:focus {{ border: 2px solid {colors.accent}; }}
     QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; min-height: 0; }}
+    QLineEdit QToolButton {{ min-width: 0; min-height: 0; }}
     QLabel[form="true"] {{ min-height: 44px; }}
     QMenu::item, QMenuBar::item {{ padding: 12px 20px; }}
     """

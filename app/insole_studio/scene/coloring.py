@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+import numpy.typing as npt
 
 from insole_core.foot.display_surface import DisplaySurface
 from insole_core.geometry.arrays import FloatArray
@@ -36,6 +37,8 @@ class Coloring:
         Unit of the values, for the legend.
     missing
         What it means that a value is NaN, for the legend; empty if it is not told there.
+    painted : (n, 3) uint8, optional
+        Colours to show in place of those of the map, such as a map over the skin.
     """
 
     values: FloatArray
@@ -44,6 +47,7 @@ class Coloring:
     signed: bool = False
     unit: str = "mm"
     missing: str = ""
+    painted: npt.NDArray[np.uint8] | None = None
 
     @property
     def color_map(self) -> str:
@@ -54,6 +58,13 @@ class Coloring:
     def colors(self) -> tuple[str, ...]:
         """The map's colours at equal steps, for the legend."""
         return _SIGNED if self.signed else _VIRIDIS
+
+
+def map_colors(values: FloatArray, limits: tuple[float, float]) -> FloatArray:
+    """Return the colours (n, 3), 0 to 255, of values (n,), as the legend of a map shows them."""
+    steps = np.array([[int(color[i : i + 2], 16) for i in (1, 3, 5)] for color in _VIRIDIS])
+    share = (values - limits[0]) / (limits[1] - limits[0]) * (len(steps) - 1)
+    return np.stack([np.interp(share, np.arange(len(steps)), steps[:, i]) for i in range(3)], 1)
 
 
 def on_display(

@@ -77,7 +77,7 @@ class Painter:
         self._ratio = pixel_ratio
         self._surface: pv.PolyData | None = None
         self._mesh: TriangleMesh | None = None
-        self._colored = ""
+        self._colored = _kind(None)
         self._wireframe = False
         self._shapes: dict[str, tuple[object, ...]] = {}
         """Geometry and style of the shown marks; a mark that keeps both only moves."""
@@ -203,13 +203,15 @@ class Painter:
         """
         if self._surface is None or self._mesh is None:
             return False
-        if self._mesh.triangles is not mesh.triangles or _title(coloring) != self._colored:
+        if self._mesh.triangles is not mesh.triangles or _kind(coloring) != self._colored:
             return False
         self._mesh = mesh
         which = slice(None) if moved is None else moved
         self._surface.points[which] = mesh.vertices[which]
         self._surface.point_data["Normals"][which] = normals[which]
-        if coloring is not None:
+        if coloring is not None and coloring.painted is not None:
+            self._surface.point_data["painted"][:] = coloring.painted
+        elif coloring is not None:
             self._surface.point_data["values"][:] = coloring.values
             self._plotter.actors["surface"].mapper.scalar_range = coloring.limits
         self._surface.Modified()
@@ -481,7 +483,11 @@ class Painter:
         self.show_lines("name-leaders", leaders, self.scheme.text, 1.0)
 
     def _surface_colors(self, mesh: TriangleMesh, coloring: Coloring | None) -> dict[str, Any]:
-        self._colored = _title(coloring)
+        self._colored = _kind(coloring)
+        if coloring is not None and coloring.painted is not None:
+            assert self._surface is not None
+            self._surface.point_data["painted"] = coloring.painted
+            return {"scalars": "painted", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
         if coloring is not None:
             assert self._surface is not None
             self._surface.point_data["values"] = coloring.values
@@ -574,8 +580,9 @@ class Painter:
         )
 
 
-def _title(coloring: Coloring | None) -> str:
-    return "" if coloring is None else coloring.title
+def _kind(coloring: Coloring | None) -> tuple[str, bool]:
+    """Return what has to be the same for colours to be exchanged without a new actor."""
+    return ("", False) if coloring is None else (coloring.title, coloring.painted is not None)
 
 
 def _half_sizes_px(words: Sequence[str], size_px: int) -> FloatArray:

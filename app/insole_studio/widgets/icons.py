@@ -27,6 +27,7 @@ _NAMES = {
     "posting": "mdi6.angle-acute",
     "plane": "mdi6.square-opacity",
     "section": "mdi6.box-cutter",
+    "plantar": "mdi6.foot-print",
     "eye": "mdi6.eye-outline",
     "eye-off": "mdi6.eye-off-outline",
     "up": "mdi6.chevron-up",

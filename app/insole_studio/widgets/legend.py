@@ -26,6 +26,8 @@ class Legend(QWidget):
 
     def show_coloring(self, coloring: Coloring | None) -> None:
         """Show another colour map; None hides the legend."""
+        if coloring is not None and not coloring.title:
+            coloring = None  # a picture, which has no scale of values
         self._coloring = coloring
         self.setVisible(coloring is not None)
         self.setToolTip("" if coloring is None else coloring.title)

@@ -38,6 +38,7 @@ log = logging.getLogger(__name__)
 KEY_VALUE: Final = "backup_key"
 """Key of the clinic's settings."""
 BACKED_UP: Final = "backed up"
+RESTORED: Final = "restored"
 """In the audit log."""
 _MOST_SETTINGS_BYTES: Final = 2**30
 _SUBJECT: Final = "record"
@@ -76,8 +77,11 @@ def key_of_backups(context: RecordsContext) -> BackupKey | None:
 
 
 def last_backup_at(context: RecordsContext) -> datetime | None:
-    """Return when any station has backed the record up last, by its audit log; None for never."""
-    query = select(audit.c.at).where(audit.c.action == BACKED_UP)
+    """Return when the record was in a backup last, by its audit log; None for never.
+
+    Any station may have made it; a record that was restored was in one by then.
+    """
+    query = select(audit.c.at).where(audit.c.action.in_((BACKED_UP, RESTORED)))
     with context.database.reading() as connection:
         at = connection.execute(query.order_by(audit.c.seq.desc()).limit(1)).scalar()
     return None if at is None else datetime.fromisoformat(at)

@@ -29,7 +29,7 @@ from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLog, AuditReport, head_of, verify_chain
 from insole_core.records.author import Author
-from insole_core.records.backup.back_up import BACKED_UP
+from insole_core.records.backup.back_up import BACKED_UP, RESTORED
 from insole_core.records.backup.backup_folder import SnapshotName
 from insole_core.records.backup.backup_key import damaged
 from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
@@ -45,7 +45,7 @@ from insole_core.records.schema import audit, contents, persons
 
 log = logging.getLogger(__name__)
 
-_NO_CHANGE = (BACKED_UP, "restored", "signed in", "refused", "seen", "exported", "swept")
+_NO_CHANGE = (BACKED_UP, RESTORED, "signed in", "refused", "seen", "exported", "swept")
 """What the audit log tells without a change of the record."""
 _BESIDE = ("-wal", "-shm")
 """Files that SQLite keeps beside a database."""
@@ -200,7 +200,7 @@ def _fill(
     migrate(database)
     with database.writing() as connection:
         erased = _erase_again(connection, opened, who)
-        AuditLog.append(connection, who, "restored", "record", f"snapshot {opened.snapshot.number}")
+        AuditLog.append(connection, who, RESTORED, "record", f"snapshot {opened.snapshot.number}")
     return replace(report, erased_again=erased)
 
 
@@ -292,48 +292,41 @@ def _check_empty(place: RecordsPlace, manifest: Manifest) -> None:
             comparison = _compared(connection, place, manifest)
     except (InsoleError, SQLAlchemyError) as error:
         log.warning("%s cannot be read before it is replaced: %s", place.name, error)
-        comparison = Message(
-            "{place} holds a record that cannot be read; restore to an empty place, or let it be "
-            "set aside.",
-            place=place.name,
+        comparison = Message("{place} holds a record that cannot be read.", place=place.name)
+    if place.is_local:
+        raise PlaceTaken(
+            "{comparison} Restore to an empty place, or let this record be set aside.",
+            comparison=comparison,
         )
-    raise PlaceTaken(comparison)
+    raise PlaceTaken("{comparison} Restore to an empty database.", comparison=comparison)
 
 
 def _compared(connection: Connection, place: RecordsPlace, manifest: Manifest) -> Message:
     """Say which of record and backup is newer, and by what; backups and readings are no change."""
     seq = manifest.audit_seq
-    last_common = select(audit.c.hash).where(audit.c.seq == seq)
     head_seq, _ = head_of(connection)
     if head_seq < seq:
         return Message(
-            "{place} holds a record with {count} entries fewer in its audit log than the backup "
-            "has; restore to an empty place, or let this record be set aside.",
+            "{place} holds a record with {count} entries fewer in its audit log than the backup.",
             place=place.name,
             count=seq - head_seq,
         )
+    last_common = select(audit.c.hash).where(audit.c.seq == seq)
     if connection.execute(last_common).scalar() not in (None, manifest.audit_hash):
-        return Message(
-            "{place} holds another record than the backup; restore to an empty place, or let this "
-            "record be set aside.",
-            place=place.name,
-        )
+        return Message("{place} holds another record than the backup.", place=place.name)
     newer = and_(audit.c.seq > seq, audit.c.action.not_in(_NO_CHANGE))
-    count, last_at = connection.execute(
-        select(func.count(), func.max(audit.c.at)).where(newer)
-    ).one()
+    query = select(func.count(), func.max(audit.c.at)).where(newer)
+    count, last_at = connection.execute(query).one()
     if count == 0:
         return Message(
-            "{place} holds the record as the backup has it: nothing was changed since. Restore to "
-            "an empty place, or let this record be set aside.",
+            "{place} holds the record as the backup has it: nothing was changed since.",
             place=place.name,
         )
     kinds = select(audit.c.subject_kind, func.count()).where(newer).group_by(audit.c.subject_kind)
     by_kind = connection.execute(kinds.order_by(func.count().desc())).all()
     return Message(
         "{place} holds a record that is newer than the backup: {count} entries of its audit log "
-        "are not in it, the last of {last_at} UTC ({kinds}). Restore to an empty place, or let "
-        "this record be set aside.",
+        "are not in it, the last of {last_at} UTC ({kinds}).",
         place=place.name,
         count=count,
         last_at=str(last_at)[:16].replace("T", " "),

@@ -192,11 +192,13 @@ def _capture_lines(capture: Capture, texts: _Texts) -> list[str]:
     facts = capture.facts
     day = (facts.recorded_at or capture.created_at)[:16].replace("T", " ")
     head = f"{texts['captures']}: {capture.file_name}, {day} UTC"
+    stored = f"– SHA-256 {capture.content_sha256}"
     if not facts.sensor_serials:
-        return [head]
+        return [head, stored]
     calibrated = facts.calibrated_on[:10] or texts["not recorded"]
     return [
         head,
+        stored,
         f"– {texts['sensors']}: {', '.join(facts.sensor_serials)}",
         f"– {texts['calibrated']}: {calibrated}",
         *(f"– {texts.translate(line)}" for line in facts.residual_lines),

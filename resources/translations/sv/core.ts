@@ -1104,6 +1104,10 @@
             <translation>Ingen fot kan göras av {session}, eftersom ingen av dess vyer kan användas ({reasons}).</translation>
         </message>
         <message>
+            <source>No footprint stands out on {file}; choose a picture with an even background, or lay it by hand.</source>
+            <translation>Inget fotavtryck framträder på {file}; välj en bild med jämn bakgrund, eller lägg den för hand.</translation>
+        </message>
+        <message>
             <source>No part of this foot faces the ground, so no contact surface can be made; check the pose of the scan.</source>
             <translation>Ingen del av foten vetter mot underlaget, så ingen kontaktyta kan göras; kontrollera skanningens läge.</translation>
         </message>
@@ -1684,6 +1688,10 @@
             <translation>Fallet har ingen sådan fot; öppna eller avbilda en först.</translation>
         </message>
         <message>
+            <source>The case has no {side} foot, so the map has none to lie under; open its scan first.</source>
+            <translation>Den fot som bilden visar ({side}) finns inte i fallet, så bilden har ingen fot att ligga under; öppna först dess skanning.</translation>
+        </message>
+        <message>
             <source>The clinic's device "{name}" is gone, so new designs start with "{usual}"; choose another one as the clinic's.</source>
             <translation>Klinikens inlägg "{name}" finns inte längre, så nya ordinationer börjar med "{usual}"; välj ett annat som klinikens.</translation>
         </message>
@@ -1710,6 +1718,14 @@
         <message>
             <source>The colour picture of view {view} is too dark; add light and capture this view again.</source>
             <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The contact does not look like the sole of this foot; check the patient and the distance of the sensors, or lay it by hand.</source>
+            <translation>Kontakten ser inte ut som sulan på den här foten; kontrollera patienten och sensorernas avstånd, eller lägg den för hand.</translation>
+        </message>
+        <message>
+            <source>The contact is {length:.0f} mm long on a foot of {foot:.0f} mm, too little to find its place; lay it by hand.</source>
+            <translation>Kontakten är {length:.0f} mm lång på en fot på {foot:.0f} mm, för lite för att hitta dess plats; lägg den för hand.</translation>
         </message>
         <message>
             <source>The copy {path} of unsaved work is damaged; it is kept as {kept}.</source>
@@ -1778,6 +1794,10 @@
         <message>
             <source>The file does not say how the foot lies: of all ways it could stand, the one that looks most like a foot was taken.</source>
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
+        </message>
+        <message>
+            <source>The file does not say the {what} of its numbers; state it.</source>
+            <translation>Filen anger inte sina tals {what}; ange det.</translation>
         </message>
         <message>
             <source>The file of colours {library} is not beside the scan or cannot be read; the scan has no colours.</source>
@@ -1854,6 +1874,14 @@
         <message>
             <source>The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the heads 2 to 4; the clinic's rule is {least_mm:g} to {most_mm:g} mm behind it.</source>
             <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; klinikens regel är {least_mm:g} till {most_mm:g} mm bakom den.</translation>
+        </message>
+        <message>
+            <source>The greatest pressure is {greatest:.0f} kPa, and a foot presses with more than 0 and at most {most:.0f} kPa; check the unit and the frame.</source>
+            <translation>Det största trycket är {greatest:.0f} kPa, och en fot trycker med mer än 0 och högst {most:.0f} kPa; kontrollera enheten och bilden i serien.</translation>
+        </message>
+        <message>
+            <source>The greatest pressure is {kpa:.0f} kPa, little for a foot that stands; check the unit.</source>
+            <translation>Det största trycket är {kpa:.0f} kPa, lite för en fot som står; kontrollera enheten.</translation>
         </message>
         <message>
             <source>The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm are usual.</source>
@@ -1934,6 +1962,10 @@
         <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
             <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
+        </message>
+        <message>
+            <source>The map does not show whether it is that of a left or a right foot; check that it is that of the {side} one.</source>
+            <translation>Tryckbilden visar inte om den är av en vänster eller höger fot; kontrollera att den är av den som är {side}.</translation>
         </message>
         <message>
             <source>The marker {marker} is seen {distances} from its place by {views} and does not count; see whether it was moved.</source>
@@ -2268,6 +2300,10 @@
             <translation>De två raderna är inte lika; skriv båda igen.</translation>
         </message>
         <message>
+            <source>The two points are too near to each other for a scale; click two that are far apart.</source>
+            <translation>De två punkterna ligger för nära varandra för en skala; klicka på två som ligger långt isär.</translation>
+        </message>
+        <message>
             <source>The two points of the known distance coincide; set them apart.</source>
             <translation>De två punkterna för det kända avståndet sammanfaller; sätt dem isär.</translation>
         </message>
@@ -2388,6 +2424,10 @@
             <translation>Uppgiften {what} tillhör {name}, {born}; namn eller födelsedatum skiljer sig.</translation>
         </message>
         <message>
+            <source>The {what} is {value:g} mm, and it must be {low:g} to {high:g} mm.</source>
+            <translation>Värdet {value:g} mm kan inte stämma ({what}); det måste vara {low:g} till {high:g} mm.</translation>
+        </message>
+        <message>
             <source>The {what} must be between {least:g} and {most:g}, not {value:g}.</source>
             <translation>{what} måste vara mellan {least:g} och {most:g}, inte {value:g}.</translation>
         </message>
@@ -2436,6 +2476,10 @@
             <translation>Mappen {folder} finns inte; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
+            <source>There is no frame {number}; choose one from 1 to {count}.</source>
+            <translation>Det finns ingen bild {number} i serien; välj en från 1 till {count}.</translation>
+        </message>
+        <message>
             <source>There is no kind of personal number {kind}; choose one.</source>
             <translation>Det finns inget slags personnummer {kind}; välj ett.</translation>
         </message>
@@ -2446,6 +2490,10 @@
         <message>
             <source>There is no order {number} in the record; check the number.</source>
             <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
+            <source>There is no step {number}; choose one from 1 to {count}.</source>
+            <translation>Det finns inget steg {number}; välj ett från 1 till {count}.</translation>
         </message>
         <message>
             <source>There is no such account any more; look at the list again.</source>
@@ -2498,6 +2546,10 @@
         <message>
             <source>This is the same person twice; choose another one to merge with.</source>
             <translation>Det är samma person två gånger; välj en annan att slå samman med.</translation>
+        </message>
+        <message>
+            <source>This looks like the map of a {other} foot, and it was laid under the {side} one; check the side, and whether it is seen from above or below.</source>
+            <translation>Detta ser ut som en annan fots tryckbild ({other}), och den lades under den här foten ({side}); kontrollera sidan, och om den är sedd uppifrån eller nerifrån.</translation>
         </message>
         <message>
             <source>This merge has been undone already; look at the persons again.</source>
@@ -2776,6 +2828,10 @@
             <translation>tillagd</translation>
         </message>
         <message>
+            <source>added files</source>
+            <translation>lade till filer</translation>
+        </message>
+        <message>
             <source>adjusted</source>
             <translation>justerad</translation>
         </message>
@@ -3000,6 +3056,10 @@
             <translation>ändrad</translation>
         </message>
         <message>
+            <source>changed password</source>
+            <translation>bytte lösenord</translation>
+        </message>
+        <message>
             <source>checked</source>
             <translation>kontrollerad</translation>
         </message>
@@ -3154,6 +3214,10 @@
         <message>
             <source>disparity</source>
             <translation>disparitet</translation>
+        </message>
+        <message>
+            <source>distance of the sensors</source>
+            <translation>sensorernas avstånd</translation>
         </message>
         <message>
             <source>distance of the sensors (mm)</source>
@@ -3396,6 +3460,10 @@
             <translation>har fler än {most} hörn</translation>
         </message>
         <message>
+            <source>has not the same number of sensors in each row</source>
+            <translation>har inte lika många sensorer i varje rad</translation>
+        </message>
+        <message>
             <source>has two feet of the same side</source>
             <translation>har två fötter av samma sida</translation>
         </message>
@@ -3492,6 +3560,10 @@
             <translation>innehåller inget material; lägg till ett</translation>
         </message>
         <message>
+            <source>holds no pressure</source>
+            <translation>innehåller inget tryck</translation>
+        </message>
+        <message>
             <source>holds the weight of a body or the points of a trim line, which belong to one foot; leave them out</source>
             <translation>innehåller en kroppsvikt eller punkterna på en klipplinje, som hör till en enda fot; utelämna dem</translation>
         </message>
@@ -3560,6 +3632,10 @@
             <translation>är ingen kontroll; kontrollerna är {check_names}</translation>
         </message>
         <message>
+            <source>is no distance of sensors</source>
+            <translation>är inget avstånd mellan sensorer</translation>
+        </message>
+        <message>
             <source>is no key of a device; check its spelling or leave it out ({known} are known)</source>
             <translation>är ingen nyckel för ett inlägg; kontrollera stavningen eller utelämna den ({known} är kända)</translation>
         </message>
@@ -3574,6 +3650,10 @@
         <message>
             <source>is no key of findings; check its spelling or leave it out</source>
             <translation>är ingen nyckel i en fil med fynd; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
+            <source>is no picture</source>
+            <translation>är ingen bild</translation>
         </message>
         <message>
             <source>is no rigid transform</source>
@@ -3708,6 +3788,10 @@
             <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
         </message>
         <message>
+            <source>kept</source>
+            <translation>sparad</translation>
+        </message>
+        <message>
             <source>kind{where} has {count} letters, and must have 1 to {most}; shorten it, or leave it out.</source>
             <translation>kind{where} har {count} bokstäver och måste ha 1 till {most}; korta den, eller utelämna den.</translation>
         </message>
@@ -3760,6 +3844,10 @@
             <translation>längd</translation>
         </message>
         <message>
+            <source>length of the insole</source>
+            <translation>inläggets längd</translation>
+        </message>
+        <message>
             <source>length of the simulated foot (mm)</source>
             <translation>den simulerade fotens längd (mm)</translation>
         </message>
@@ -3770,6 +3858,10 @@
         <message>
             <source>line of the 1st to 5th head against the heel's ground; &gt; 0 is varus</source>
             <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
+        </message>
+        <message>
+            <source>locked</source>
+            <translation>låst</translation>
         </message>
         <message>
             <source>low</source>
@@ -3910,6 +4002,10 @@
         <message>
             <source>mould</source>
             <translation>gjutform</translation>
+        </message>
+        <message>
+            <source>moved</source>
+            <translation>flyttad</translation>
         </message>
         <message>
             <source>must be a list […]</source>
@@ -4364,6 +4460,10 @@
             <translation>Anmärkningarna</translation>
         </message>
         <message>
+            <source>reset password</source>
+            <translation>återställde lösenordet</translation>
+        </message>
+        <message>
             <source>resolution of the foot's surface (mm)</source>
             <translation>upplösningen på fotens yta (mm)</translation>
         </message>
@@ -4438,6 +4538,14 @@
         <message>
             <source>sesamoid</source>
             <translation>sesamben</translation>
+        </message>
+        <message>
+            <source>set up backups</source>
+            <translation>förberedde säkerhetskopior</translation>
+        </message>
+        <message>
+            <source>settled</source>
+            <translation>avgjord</translation>
         </message>
         <message>
             <source>shape</source>
@@ -4576,8 +4684,16 @@
             <translation>supination</translation>
         </message>
         <message>
+            <source>swept</source>
+            <translation>städad</translation>
+        </message>
+        <message>
             <source>switched off</source>
             <translation>avstängd</translation>
+        </message>
+        <message>
+            <source>switched on</source>
+            <translation>slogs på</translation>
         </message>
         <message>
             <source>tape round the foot through the two points of the ball</source>
@@ -4636,6 +4752,10 @@
             <translation>avståndet mellan kamerorna</translation>
         </message>
         <message>
+            <source>the distance of the sensors</source>
+            <translation>sensorernas avstånd</translation>
+        </message>
+        <message>
             <source>the distortion of the depth is corrected by what was measured on sensor {owner}, not on {serial}, so the depth may be wrong by several millimetres; give the session the calibration of its own sensor</source>
             <translation>djupets distorsion rättas med vad som mättes på sensor {owner}, inte på {serial}, så djupet kan vara flera millimeter fel; ge sessionen kalibreringen från dess egen sensor</translation>
         </message>
@@ -4686,6 +4806,10 @@
         <message>
             <source>the leg was not scanned, or the scan does not stand upright</source>
             <translation>benet skannades inte, eller skanningen står inte upprätt</translation>
+        </message>
+        <message>
+            <source>the length of the insole</source>
+            <translation>inläggets längd</translation>
         </message>
         <message>
             <source>the maker</source>
@@ -4758,6 +4882,10 @@
         <message>
             <source>the surface is too coarse there: {places}</source>
             <translation>ytan är för grov där: {places}</translation>
+        </message>
+        <message>
+            <source>the unit of its numbers</source>
+            <translation>talens enhet</translation>
         </message>
         <message>
             <source>the {count} markers that were pointed at cannot be seen at these places from anywhere; check which marker is which</source>
@@ -4860,6 +4988,14 @@
             <translation>underskärning</translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation>enhet</translation>
+        </message>
+        <message>
+            <source>unlocked</source>
+            <translation>upplåst</translation>
+        </message>
+        <message>
             <source>unmerged</source>
             <translation>åter isär</translation>
         </message>
@@ -4910,6 +5046,14 @@
         <message>
             <source>weight in kg</source>
             <translation>Vikten i kg</translation>
+        </message>
+        <message>
+            <source>whether it is seen from above or below</source>
+            <translation>om den är sedd uppifrån eller nerifrån</translation>
+        </message>
+        <message>
+            <source>which foot it is</source>
+            <translation>vilken fot det är</translation>
         </message>
         <message>
             <source>width</source>
@@ -5032,8 +5176,20 @@
             <translation>{columns}×{rows} inre hörn, ruta {square_mm:g} mm</translation>
         </message>
         <message>
+            <source>{comparison} Restore to an empty database.</source>
+            <translation>{comparison} Återställ till en tom databas.</translation>
+        </message>
+        <message>
+            <source>{comparison} Restore to an empty place, or let this record be set aside.</source>
+            <translation>{comparison} Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+        </message>
+        <message>
             <source>{count:g} places</source>
             <translation>{count:g} punkter</translation>
+        </message>
+        <message>
+            <source>{count} added ({outcomes})</source>
+            <translation>{count} tillagda ({outcomes})</translation>
         </message>
         <message>
             <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
@@ -5112,8 +5268,20 @@
             <translation>{days:.0f} dagar gammal</translation>
         </message>
         <message>
+            <source>{dpi:g} dots per inch are none of a scanner; they must be {low:g} to {high:g}.</source>
+            <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
+        </message>
+        <message>
             <source>{fault} ({reason})</source>
             <translation>{fault} ({reason})</translation>
+        </message>
+        <message>
+            <source>{file} does not say how many dots per inch it has; state them, or click two points whose distance is known.</source>
+            <translation>{file} anger inte hur många punkter per tum den har; ange dem, eller klicka på två punkter vars avstånd är känt.</translation>
+        </message>
+        <message>
+            <source>{file} does not say {what}; state it.</source>
+            <translation>{file} anger inte {what}; ange det.</translation>
         </message>
         <message>
             <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
@@ -5136,12 +5304,20 @@
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
         </message>
         <message>
+            <source>{file} is the map of a {side} foot, and the foot is a {foot_side} one; choose the other foot, or the other map.</source>
+            <translation>{file} är en annan fots tryckbild ({side}) än den öppna foten ({foot_side}); välj den andra foten, eller den andra tryckbilden.</translation>
+        </message>
+        <message>
             <source>{file} may only be read by you; ask for the right to write to it.</source>
             <translation>Du får bara läsa {file}; be om rätten att skriva till den.</translation>
         </message>
         <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
             <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
+        </message>
+        <message>
+            <source>{file} would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to {high:.0f} mm; check the dots per inch or the distance.</source>
+            <translation>{file} skulle bli {longest:.0f} mm lång, och en bild av en fot är {low:.0f} till {high:.0f} mm; kontrollera punkterna per tum eller avståndet.</translation>
         </message>
         <message>
             <source>{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore the file from a backup.</source>
@@ -5536,12 +5712,20 @@
             <translation>{path} finns inte; ange en mapp som innehåller en sensor.json.</translation>
         </message>
         <message>
+            <source>{path} does not say how many sensels there are and how large they are; export it again.</source>
+            <translation>{path} anger inte hur många sensorer det finns och hur stora de är; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} has a triangle with the corner 0, but an OBJ counts from 1; export it again.</source>
             <translation>{path} har en triangel med hörnet 0, men en OBJ räknar från 1; exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} has lost its {file}; restore the file from a backup.</source>
             <translation>{path} har förlorat {file}; återställ filen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path} has more than {most} million pixels; scan it with fewer dots per inch.</source>
+            <translation>{path} har mer än {most} miljoner bildpunkter; skanna med färre punkter per tum.</translation>
         </message>
         <message>
             <source>{path} has more than {most} rows; divide it.</source>
@@ -5564,8 +5748,16 @@
             <translation>{path} innehåller koordinater som inte är tal; den är skadad, så exportera den igen.</translation>
         </message>
         <message>
+            <source>{path} holds more sensors or frames than a plate has; export one step only.</source>
+            <translation>{path} innehåller fler sensorer eller bilder än en tryckplatta har; exportera bara ett steg.</translation>
+        </message>
+        <message>
             <source>{path} holds more than {count} files; choose the folder of one visit.</source>
             <translation>{path} innehåller mer än {count} filer; välj mappen för ett besök.</translation>
+        </message>
+        <message>
+            <source>{path} holds no frame of pressures; export it again.</source>
+            <translation>{path} innehåller ingen tryckbild; exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} holds no manifest.json, so it is not a recorded session; choose the folder or zip archive of a session.</source>
@@ -5576,6 +5768,10 @@
             <translation>{path} innehåller ingen ordination än; välj ett fall med en design.</translation>
         </message>
         <message>
+            <source>{path} holds no pressure above 0; export it again.</source>
+            <translation>{path} innehåller inget tryck över 0; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} holds no raw 11-bit depth of 640×480; record it with depth format 11 bit.</source>
             <translation>{path} innehåller inget rått 11-bitars djup på 640×480; spela in med djupformatet 11 bitar.</translation>
         </message>
@@ -5584,8 +5780,16 @@
             <translation>{path} innehåller ingen skanning; ange en fil i något av formaten {suffixes}, eller en mapp eller ett zip-arkiv med en persons skanningar.</translation>
         </message>
         <message>
+            <source>{path} holds no sensor; export it again.</source>
+            <translation>{path} innehåller ingen sensor; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} holds no surface that can be read, as if it were cut off or held a few points only; export it again as a triangle mesh.</source>
             <translation>{path} innehåller ingen yta som kan läsas, som om den vore avklippt eller bara innehöll några få punkter; exportera den igen som ett triangelnät.</translation>
+        </message>
+        <message>
+            <source>{path} holds no table of pressures: at least {rows} rows of {columns} numbers; choose the export of a pressure plate.</source>
+            <translation>{path} innehåller ingen tabell med tryck: minst {rows} rader med {columns} tal; välj exporten från en tryckplatta.</translation>
         </message>
         <message>
             <source>{path} holds no {file}, so it is no case; choose an .insole file.</source>
@@ -5594,6 +5798,10 @@
         <message>
             <source>{path} holds only triangles without area; export it again.</source>
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds pressures below 0; export it again, calibrated.</source>
+            <translation>{path} innehåller tryck under 0; exportera den på nytt, kalibrerad.</translation>
         </message>
         <message>
             <source>{path} holds two scans of the {side} foot by their names ({first}, {second}); open the one that is meant.</source>
@@ -5624,6 +5832,10 @@
             <translation>{path} är komprimerad med {method}, vilket inte kan läsas; exportera den igen utan komprimering.</translation>
         </message>
         <message>
+            <source>{path} is cut off; export it again.</source>
+            <translation>{path} är avkortad; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
             <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
         </message>
@@ -5648,6 +5860,10 @@
             <translation>{path} är större än {limit_mb} MB, vilket ingen sådan fil är; välj en annan fil.</translation>
         </message>
         <message>
+            <source>{path} is longer than five minutes; export a part of the walk.</source>
+            <translation>{path} är längre än fem minuter; exportera en del av gången.</translation>
+        </message>
+        <message>
             <source>{path} is named for two results; give each of them a name of its own.</source>
             <translation>{path} anges för två resultat; ge vart och ett ett eget namn.</translation>
         </message>
@@ -5668,6 +5884,10 @@
             <translation>{path} är ingen rå djupbild (16 bitar grått, tal till 2047); spela in sensorns råa tal.</translation>
         </message>
         <message>
+            <source>{path} is no readable PNG, JPEG or TIFF; save the picture again.</source>
+            <translation>{path} är ingen läsbar PNG, JPEG eller TIFF; spara bilden på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is no readable case file; it may be damaged or cut off, so restore it from a backup.</source>
             <translation>{path} är ingen läsbar fallfil; den kan vara skadad eller avskuren, så återställ den från en säkerhetskopia.</translation>
         </message>
@@ -5680,12 +5900,20 @@
             <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
         </message>
         <message>
+            <source>{path} is no readable text; export it again.</source>
+            <translation>{path} är ingen läsbar text; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.</source>
             <translation>{path} är ingen skanning som kan läsas; ange en fil i något av formaten {suffixes}.</translation>
         </message>
         <message>
             <source>{path} is no table of text; save it again as CSV UTF-8.</source>
             <translation>{path} är ingen tabell med text; spara den igen som CSV UTF-8.</translation>
+        </message>
+        <message>
+            <source>{path} is no text; export the pressure map as text, or save the table as CSV.</source>
+            <translation>{path} är ingen text; exportera tryckbilden som text, eller spara tabellen som CSV.</translation>
         </message>
         <message>
             <source>{path} is no valid JSON: {reason}; export the design again.</source>
@@ -5764,6 +5992,10 @@
             <translation>{path} anger inget format som {what} skrivs i; välj {formats}.</translation>
         </message>
         <message>
+            <source>{path} says that its sensors are {pitch:g} mm apart, and they are {low:g} to {high:g} mm apart; export it again.</source>
+            <translation>{path} anger att dess sensorer ligger {pitch:g} mm isär, och de ligger {low:g} till {high:g} mm isär; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} was changed by another program since it was opened here.</source>
             <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
         </message>
@@ -5774,6 +6006,30 @@
         <message>
             <source>{path} was changed while it was being stored; try again.</source>
             <translation>{path} ändrades medan den sparades; försök igen.</translation>
+        </message>
+        <message>
+            <source>{path}: "{text}" is no distance of sensors; write such as 5 or 5 x 7.</source>
+            <translation>{path}: ”{text}” är inget avstånd mellan sensorer; skriv till exempel 5 eller 5 x 7.</translation>
+        </message>
+        <message>
+            <source>{path}: line {line} holds "{text}" in place of a pressure; export it again.</source>
+            <translation>{path}: rad {line} innehåller ”{text}” i stället för ett tryck; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the frames differ in the number of their rows or columns; export it again.</source>
+            <translation>{path}: bilderna har olika antal rader eller kolumner; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the pressures of a frame do not make up the force that it states; the file is damaged, so export it again.</source>
+            <translation>{path}: trycken i en bild ger inte den kraft som den anger; filen är skadad, så exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the rows of the table differ in length; export it again.</source>
+            <translation>{path}: tabellens rader är olika långa; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path}: the unit "{unit}" is none of pressure; calibrate the recording and export it in kPa.</source>
+            <translation>{path}: enheten ”{unit}” är ingen enhet för tryck; kalibrera mätningen och exportera den i kPa.</translation>
         </message>
         <message>
             <source>{path}: {entries} cannot be understood, so the defaults are used for them; the file is kept as {kept}.</source>
@@ -5828,28 +6084,28 @@
             <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
-            <source>{place} holds a record that cannot be read; restore to an empty place, or let it be set aside.</source>
-            <translation>{place} innehåller en journal som inte går att läsa; återställ till en tom plats, eller låt den läggas åt sidan.</translation>
+            <source>{place} holds a record that cannot be read.</source>
+            <translation>{place} innehåller en journal som inte går att läsa.</translation>
         </message>
         <message>
-            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}). Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}). Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}).</source>
+            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}).</translation>
         </message>
         <message>
             <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
             <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
-            <source>{place} holds a record with {count} entries fewer in its audit log than the backup has; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian har; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds a record with {count} entries fewer in its audit log than the backup.</source>
+            <translation>{place} innehåller en journal med {count} poster färre i loggen än säkerhetskopian.</translation>
         </message>
         <message>
-            <source>{place} holds another record than the backup; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en annan journal än säkerhetskopian; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds another record than the backup.</source>
+            <translation>{place} innehåller en annan journal än säkerhetskopian.</translation>
         </message>
         <message>
-            <source>{place} holds the record as the backup has it: nothing was changed since. Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
+            <source>{place} holds the record as the backup has it: nothing was changed since.</source>
+            <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess.</translation>
         </message>
         <message>
             <source>{place} is damaged; restore the record from a backup, and keep the damaged file until that has been checked.</source>

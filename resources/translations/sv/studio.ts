@@ -1612,6 +1612,10 @@
             <translation>Sidled</translation>
         </message>
         <message>
+            <source>Signed in as {name}</source>
+            <translation>Inloggad som {name}</translation>
+        </message>
+        <message>
             <source>Size of the shoe, which decides the length</source>
             <translation>Skons storlek, som bestämmer längden</translation>
         </message>

@@ -43,6 +43,7 @@ def misplaced_mm(found_b2a: np.ndarray, true_b2a: np.ndarray, b: TriangleMesh) -
     return float(np.linalg.norm(away, axis=1).max())
 
 
+@pytest.mark.slow
 def test_a_surface_larger_than_any_foot_is_compared_as_no_foot(left_foot: Foot) -> None:
     large = replace(left_foot.mesh, vertices=1.8 * left_foot.mesh.vertices)
     assert surface_measures(left_foot.mesh) is not None

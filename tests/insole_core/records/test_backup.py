@@ -46,9 +46,12 @@ from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
 from insole_core.records.backup.schedule import BackupSchedule
 from insole_core.records.backup.snapshot import open_snapshot
+from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext
+from insole_core.records.database import Database
 from insole_core.records.migrate import SCHEMA
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import Records
 from insole_core.records.signing import SignatureReport, verify_signatures
 
 NOT_COMPARED = {"audit", "audit_head", "clinic"}
@@ -93,6 +96,24 @@ def test_a_restored_record_equals_the_one_that_was_backed_up(
     assert told.rows == report.rows > 10
     for path in (tmp_path / "another machine").rglob("*"):
         assert stat.S_IMODE(path.stat().st_mode) == (0o700 if path.is_dir() else 0o600)
+    restored.database.close()
+
+
+@pytest.mark.parametrize("tables", ["0001", SCHEMA])
+def test_persons_of_a_restored_record_are_found(tables: str, folder: Path, tmp_path: Path) -> None:
+    place = RecordsPlace.local(tmp_path)
+    sample = Path(__file__).parent / "schemas" / f"{tables}.sqlite.sql"
+    with closing(sqlite3.connect(place.database_file)) as connection:
+        connection.executescript(sample.read_text("utf-8"))
+    older = RecordsContext(Database(place), ContentStore(place.contents), ANNA)
+    set_up_backups(older, BackupKey.for_recipients([RECIPIENT]))
+    back_up(older, folder)
+    older.database.close()
+    assert open_snapshot(folder, SECRET).manifest.schema == tables
+    restored, told = restored_at(folder, tmp_path / "new")
+    assert told.audit.is_intact
+    found = Records(restored.database, restored.contents, ANNA).persons.search("berg 1970-02")
+    assert [person.name for person in found] == ["Anna Berg"]
     restored.database.close()
 
 

@@ -37,6 +37,7 @@ def in_window(measured: MeasuredSession) -> MadeFoot:
     return make_foot(measured, LIMITS, on_preview=lambda _: None, compare_views=True)
 
 
+@pytest.mark.slow
 def test_window_commands_and_case_files_get_the_same_foot(in_window: MadeFoot) -> None:
     surface = reconstruct_session(open_session(SMALL)).mesh
     assert np.array_equal(surface.vertices, in_window.mesh.vertices)

@@ -27,6 +27,7 @@ from insole_studio.settings import load_settings
 from insole_studio.user_paths import UserPaths
 
 
+@pytest.mark.slow
 def test_the_whole_journey_by_program(
     qapp: QApplication, paths: UserPaths, small_session: Path, tmp_path: Path
 ) -> None:

@@ -178,6 +178,7 @@ def test_a_design_that_cannot_be_built_warns_beside_the_insole(
     assert opened.stage.preview.problem == ""
 
 
+@pytest.mark.slow
 def test_a_session_opens_and_shows_its_foot(
     app: Application, settle: Settle, small_session: Path
 ) -> None:

@@ -128,6 +128,7 @@ def test_findings_add_up(clinic: Path, scan: Path, tmp_path: Path) -> None:
     assert plain.volume < lifted.volume < both.volume
 
 
+@pytest.mark.slow
 def test_a_table_of_materials_says_how_thick_it_is_made(
     scan: Path, clinic: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

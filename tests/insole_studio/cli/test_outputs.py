@@ -159,20 +159,28 @@ def test_one_place_for_two_results_is_refused(
 
 KILLED = """
 import itertools, os, signal, sys
-left = itertools.count(int(sys.argv[1]), -1)
-def dying(real):
+told = os.dup(1)
+os.dup2(2, 1)
+from insole_studio.cli.main import run
+def dying(real, left):
     def step(*arguments, **more):
         if next(left) == 0:
             os.kill(os.getpid(), signal.SIGKILL)
         return real(*arguments, **more)
     return step
-for name in ("replace", "rename", "link"):
-    setattr(os, name, dying(getattr(os, name)))
-from insole_studio.cli.main import run
-from insole_studio.stop_signals import STOP_SIGNALS
-sys.exit(run(sys.argv[2:]))
+run(sys.argv[1:])  # what it loads, its children have
+os.write(told, b"ready\\n")
+for line in sys.stdin:
+    child = os.fork()
+    if child == 0:
+        left = itertools.count(int(line), -1)
+        for name in ("replace", "rename", "link"):
+            setattr(os, name, dying(getattr(os, name), left))
+        os._exit(run(sys.argv[1:]))
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    os.write(told, f"{status}\\n".encode())
 """
-"""Runs a command in a process that dies in the place of a renaming."""
+"""Runs a command in processes that die in the place of the renaming of a number, line by line."""
 
 
 @pytest.mark.slow
@@ -184,18 +192,25 @@ def test_a_command_killed_between_two_renames_is_settled_by_the_next(
     call = ["measure", str(inputs / "f.ply"), "--side", "right"]
     call += ["--report", str(inputs / "m.json"), "--csv", str(inputs / "m.csv")]
     outcomes = []
-    for steps in range(20):
-        (inputs / "m.json").write_text("old")
-        (inputs / "m.csv").write_text("old")
-        process = [sys.executable, "-c", KILLED, str(steps), *call]
-        status = subprocess.run(process, check=False, capture_output=True).returncode
-        assert run(["sensors", "--emulate", str(SMALL_SESSION)]) == 0  # any command settles it
-        new = {name: (inputs / name).read_text() != "old" for name in ("m.json", "m.csv")}
-        assert len(set(new.values())) == 1, new
-        outcomes.append(new["m.csv"])
-        if status == 0:
-            break
-        assert status == -signal.SIGKILL
+    with subprocess.Popen(
+        [sys.executable, "-c", KILLED, *call],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+    ) as process:  # fmt: skip
+        assert process.stdin is not None
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        for steps in range(20):
+            (inputs / "m.json").write_text("old")
+            (inputs / "m.csv").write_text("old")
+            print(steps, file=process.stdin, flush=True)
+            status = int(process.stdout.readline())
+            assert run(["sensors", "--emulate", str(SMALL_SESSION)]) == 0  # any command settles it
+            new = {name: (inputs / name).read_text() != "old" for name in ("m.json", "m.csv")}
+            assert len(set(new.values())) == 1, new
+            outcomes.append(new["m.csv"])
+            if status == 0:
+                break
+            assert status == -signal.SIGKILL
     assert outcomes[0] is False
     assert outcomes[-1] is True
     assert len(outcomes) >= 5

@@ -79,7 +79,7 @@ def test_a_table_is_imported_after_a_dry_run_and_the_order_of_days_is_asked(
     assert person.birth_date == date(1970, 3, 2)
     assert run([*command, "--day-first"]) == 0
     captured = capsys.readouterr()
-    assert "Done: 2 already there" in captured.err
+    assert "Done: 0 added (2 already there)" in captured.err
     assert captured.out.splitlines() == [
         "2\talready there\tÅsa Öberg\tIt is Åsa Öberg, born 1970-03-02.",
         "3\talready there\tPer Ek\tIt is Per Ek, born 1980-01-01.",
@@ -121,7 +121,7 @@ def test_a_folder_of_cases_is_imported(record, tmp_path, capsys):
     (cases / "b.insole").write_bytes(b"")
     assert run(["records", "import", str(cases), "--record", str(record)]) == 0
     captured = capsys.readouterr()
-    assert "Done: 1 new, 1 refused" in captured.err
+    assert "Done: 1 added (1 new, 1 refused)" in captured.err
     assert captured.out.startswith("b.insole\trefused")
     assert _names(record) == {"Anna Berg", "Anna Bergman"}
     assert run(["records", "import", str(cases), "--day-first", "--record", str(record)]) == 2

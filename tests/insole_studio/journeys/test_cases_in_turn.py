@@ -185,7 +185,6 @@ def scan_of(small_session: Path, folder: Path) -> Path:
 
 CASES = {
     "example": lambda _session, _one, _folder: resource_path("example/example.insole"),
-    "pair": lambda _session, _one, folder: folder / "pair.insole",
     "one foot": lambda _session, one, _folder: one,
     "scan": lambda session, _one, folder: scan_of(session, folder),
     "session": lambda session, _one, folder: session_of(session, folder),

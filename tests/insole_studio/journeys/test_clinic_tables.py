@@ -22,6 +22,8 @@ from insole_studio.features.design.devices.devices_view import DevicesView
 from insole_studio.features.design.devices.materials_dialog import MaterialsDialog
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.slow
+
 LEFT = Qt.MouseButton.LeftButton
 
 

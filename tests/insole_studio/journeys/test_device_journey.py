@@ -21,6 +21,8 @@ from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.slow
+
 
 def act(app: Application, key: str) -> None:
     app.window.actions_by_key[key].trigger()

@@ -30,6 +30,8 @@ from insole_studio.scene.name_label import NameLabel
 from insole_studio.services.questions import SameSide
 from insole_studio.user_paths import UserPaths
 
+pytestmark = pytest.mark.slow
+
 LEFT_BUTTON = Qt.MouseButton.LeftButton
 Settle = Callable[[], None]
 MakeFoot = Callable[[Side], Foot]
@@ -208,7 +210,6 @@ def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> Non
     assert design(two_feet).corrections == ()
 
 
-@pytest.mark.slow
 def test_variants_are_made_named_chosen_and_deleted(
     opened: Application, settle: Settle, export: Callable[[Path], Path], tmp_path: Path
 ) -> None:

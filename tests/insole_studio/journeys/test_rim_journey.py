@@ -48,6 +48,8 @@ from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.slider_field import SliderField
 from insole_studio.widgets.tab_order import tab_stops
 
+pytestmark = pytest.mark.slow
+
 
 def act(app: Application, key: str) -> None:
     app.window.actions_by_key[key].trigger()

@@ -18,6 +18,8 @@ from insole_core.insole.surface.rocker import heads_ahead
 from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(params=["left", "right"])
 def rocked(

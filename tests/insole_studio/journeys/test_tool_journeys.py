@@ -31,6 +31,8 @@ from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tour import Tour
 
+pytestmark = pytest.mark.slow
+
 USUAL_MM = load_rules().pelott_usual_behind_heads_mm
 
 

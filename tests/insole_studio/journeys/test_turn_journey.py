@@ -18,6 +18,8 @@ from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def foot(opened: Application) -> SceneView:

@@ -38,6 +38,8 @@ from insole_studio.services.questions import Answer
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.slow
+
 KEY, CTRL = Qt.Key, Qt.KeyboardModifier.ControlModifier
 NONE = Qt.KeyboardModifier.NoModifier
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)

@@ -15,6 +15,7 @@ from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.place import add_place, opened
 
 if TYPE_CHECKING:
+    from insole_core.records.import_report import Outcomes
     from insole_core.records.person_columns import ColumnMapping, PersonField
     from insole_core.records.persons_of_table import PersonRows
     from insole_core.records.records import Records
@@ -83,7 +84,6 @@ Report = tuple[Sequence[str], Sequence[Sequence[str]], str]
 
 
 def _cases(records: Records, arguments: argparse.Namespace, progress: Progress) -> Report:
-    from insole_core.records.import_report import count_outcomes
     from insole_core.workflows.records.import_cases import import_cases, plan_cases
 
     _refuse_options_of_tables(arguments)
@@ -97,7 +97,15 @@ def _cases(records: Records, arguments: argparse.Namespace, progress: Progress) 
         (line.path, str(line.outcome), line.name, str(line.day or ""), line.reason)
         for line in plan.lines
     ]
-    return ("file", "outcome", "name", "visit", "reason"), rows, count_outcomes(plan.lines)
+    return ("file", "outcome", "name", "visit", "reason"), rows, _counts(plan.lines, arguments)
+
+
+def _counts(lines: Sequence[Outcomes], arguments: argparse.Namespace) -> str:
+    from insole_core.records.import_report import count_added, count_outcomes
+
+    if arguments.dry_run:
+        return count_outcomes(lines)
+    return count_added(lines, with_doubtful=arguments.doubtful)
 
 
 def _refuse_options_of_tables(arguments: argparse.Namespace) -> None:
@@ -113,7 +121,6 @@ def _refuse_options_of_tables(arguments: argparse.Namespace) -> None:
 
 
 def _persons(records: Records, arguments: argparse.Namespace, progress: Progress) -> Report:
-    from insole_core.records.import_report import count_outcomes
     from insole_core.records.person_import import import_persons, plan_import
 
     rows = _read(arguments)
@@ -125,7 +132,7 @@ def _persons(records: Records, arguments: argparse.Namespace, progress: Progress
         (str(line.line), str(line.outcome), line.person.name if line.person else "", line.reason)
         for line in plan.lines
     ]
-    return ("line", "outcome", "name", "reason"), lines, count_outcomes(plan.lines)
+    return ("line", "outcome", "name", "reason"), lines, _counts(plan.lines, arguments)
 
 
 def _read(arguments: argparse.Namespace) -> PersonRows:

@@ -215,6 +215,7 @@ class BackupDialog(RecordDialog):
         self.say("")
         self._backups.begin(is_first=True)
         self._allow()
+        self.cancel.setFocus()
 
     def _cancel(self) -> None:
         self._backups.cancel()
@@ -228,7 +229,10 @@ class BackupDialog(RecordDialog):
     def _end(self, channel: str) -> None:
         if channel == BACKUP:
             self.progress.show_work(0, "")
+            had_focus = self.cancel.hasFocus()
             self._allow()
+            if had_focus:
+                self.now.setFocus()
 
     def _finish(self, report: BackupReport) -> None:
         sentences = [report_text(report)]

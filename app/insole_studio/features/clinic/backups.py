@@ -228,8 +228,8 @@ class Backups(QObject):
 
     def _go_on(self, newest: datetime | None) -> None:
         schedule = self.schedule
-        if schedule is None:
-            return
+        if schedule is None or not self._services.clinic.is_open:
+            return  # as while it is restored
         if schedule.is_due(newest, datetime.now().astimezone()):
             self.begin()
         else:

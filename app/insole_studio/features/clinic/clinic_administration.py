@@ -159,6 +159,7 @@ class ClinicAdministration(QObject):
         dialog = RestoreDialog(self._services, self.backups)
         dialog.closing_requested.connect(self._let_go)
         dialog.restored.connect(self._note_restored)
+        self.lock.ask_after(dialog)
         dialog.open()
 
     def _let_go(self, then: Then) -> None:

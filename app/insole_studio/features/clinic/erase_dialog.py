@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QSpinBox, QWidget
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton, QSpinBox, QWidget
 
 from insole_core.records.retention import LEAST_YEARS, YEARS_VALUE, ErasureReason
 from insole_studio.document.clinic_record import ClinicRecord
@@ -65,7 +65,9 @@ class EraseDialog(RecordDialog):
         self.pseudonym.setPlaceholderText(tr("As it stands on the patient's page: P-…"))
         self.pseudonym.textEdited.connect(lambda _text: self._forget())
         self.pseudonym.returnPressed.connect(self.look_up)
-        self.find_button = self.add_button(tr("Show what is erased"), self.look_up)
+        self.find_button = QPushButton(tr("Show what is erased"))
+        self.find_button.setAutoDefault(False)
+        self.find_button.clicked.connect(self.look_up)
         self.reason = ComboBox(
             [
                 (_NO_REASON, tr("Choose why")),
@@ -114,6 +116,7 @@ class EraseDialog(RecordDialog):
         self.content.addLayout(keeping)
         self.content.addWidget(self.words)
         self.content.addWidget(self.over, 1)
+        self.content.addStretch()  # takes the space of a list that is not there
 
     def _show_over(self, shown: _Shown) -> None:
         self._over = shown.over

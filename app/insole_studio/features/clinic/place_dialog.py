@@ -79,6 +79,7 @@ class PlaceDialog(RecordDialog):
         self.close_button.setText(tr("Cancel"))
         self._lay_out()
         self._allow()
+        (self.shared if present.is_shared else self.here).setFocus()
 
     def _lay_out(self) -> None:
         folder = QHBoxLayout()

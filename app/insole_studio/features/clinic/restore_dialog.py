@@ -68,11 +68,12 @@ class RestoreDialog(RecordDialog):
         self._settings = services.paths.backed_up_folders
         self._messages = services.messages
         folder = services.settings.backup_folder
+        self._listed: Path | None = None
         self._replaces = False
         self._is_opened = False
         self._stop = Event()
         self.folder = QLineEdit(folder)
-        self.folder.editingFinished.connect(self.list_snapshots)
+        self.folder.editingFinished.connect(self._note_folder)
         self.choose = QPushButton(tr("Choose…"))
         self.choose.setAutoDefault(False)
         self.choose.clicked.connect(self._choose_folder)
@@ -102,7 +103,7 @@ class RestoreDialog(RecordDialog):
 
     def list_snapshots(self) -> None:
         """Show the backups in the folder, the newest first; this needs no passphrase."""
-        folder = self._folder
+        self._listed = folder = self._folder
         if folder is None:
             self.table.show_rows([])
             return
@@ -128,6 +129,7 @@ class RestoreDialog(RecordDialog):
             self._run(_RESTORE, lambda p: self._restore(plan, replaces, p, stop), self._finish)
             self.cancel.setEnabled(True)
             self._allow()
+            self.cancel.setFocus()
 
         self.closing_requested.emit(run)
 
@@ -183,6 +185,11 @@ class RestoreDialog(RecordDialog):
 
     def _run(self, channel: str, task: Task[Result], done: Callable[[Result], None]) -> None:
         self._jobs.start(channel, task, self.while_open(done), self.while_open(self.refuse))
+
+    def _note_folder(self) -> None:
+        """List another folder; the focus that only leaves the line changes nothing."""
+        if self._folder != self._listed:
+            self.list_snapshots()
 
     def _choose_folder(self) -> None:
         path = self._messages.questions.on(self).folder_to_open(
@@ -263,7 +270,10 @@ class RestoreDialog(RecordDialog):
 
     def _end(self, channel: str) -> None:
         self.progress.show_work(0, "")
+        had_focus = self.cancel.hasFocus()
         self._allow()
+        if had_focus:
+            self.close_button.setFocus()
         if channel == _RESTORE:
             self.clinic.open()
             if self._stop.is_set():
@@ -278,6 +288,7 @@ class RestoreDialog(RecordDialog):
             self.contents.say("")
         if isinstance(error, PlaceTaken) and not self.clinic.location.is_shared:
             self._set_replaces(True)
+            self.restore_button.setFocus()
 
     def _finish(self, report: RestoreReport) -> None:
         self.restored.emit(report)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QDialog
 
 from insole_core.errors import InsoleError
 from insole_core.records.author import Author, Role
@@ -55,6 +56,7 @@ class SessionLock(QObject):
         self._idle.idle.connect(self.lock)
         self._author: Author | None = None
         self.lock_minutes = 0
+        self._waits = False
         self.dialog: SignInDialog | None = None
         self._clinic.state_changed.connect(self._follow)
 
@@ -78,6 +80,11 @@ class SessionLock(QObject):
             self._keep_now()
         self._ask()
 
+    def ask_after(self, dialog: QDialog) -> None:
+        """Ask for a sign-in only once a dialog that closes and opens the record is done."""
+        self._waits = True
+        dialog.finished.connect(self._wait_no_more)
+
     def set_lock_minutes(self, minutes: int) -> None:
         """Lock the windows after so many minutes without input; never after 0."""
         self.lock_minutes = minutes
@@ -88,10 +95,14 @@ class SessionLock(QObject):
         self._idle.stop()
         self._end_dialog()
 
+    def _wait_no_more(self) -> None:
+        self._waits = False
+        self._follow()
+
     def _follow(self) -> None:
         state = self._clinic.state
         if state is RecordState.SIGNED_OUT:
-            if self.dialog is None:
+            if self.dialog is None and not self._waits:
                 self._ask()
         elif not self._clinic.has_accounts:
             self._author = None

@@ -9,6 +9,7 @@ from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import SideBySide
@@ -22,6 +23,7 @@ from insole_studio.features.design.actions.repeat_actions import RepeatActions
 from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
 from insole_studio.features.design.actions.variant_actions import VariantActions
 from insole_studio.features.design.devices.device_actions import DeviceActions
+from insole_studio.features.design.plantar.plantar_actions import PlantarActions
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -44,6 +46,7 @@ class Design:
     repeat: RepeatActions
     prescriber: PrescriberSetting
     devices: DeviceActions
+    plantar: PlantarActions
 
 
 def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
@@ -61,13 +64,15 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
     section, preview = SectionModel(), InsolePreview(case, jobs)
     rim = RimModel(case, preview)
     pads, rules = load_pads(), load_rules()
-    tools = make_tools(section, rim, pads, rules)
+    plantar = PlantarView()
+    tools = make_tools(section, rim, plantar, pads, rules)
     return DesignStage(
         case=case,
         surface=preview,
         foot_display=FootDisplay(case, jobs),
         section=section,
         rim=rim,
+        plantar=plantar,
         counterpart=SideBySide(case, jobs, preview.builder),
         tool_controller=ToolController(case, tools),
         pads=pads,
@@ -80,9 +85,10 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
     """Construct the actions on a stage."""
     case, tools = services.case, stage.tool_controller
     feet = FeetActions(case)
+    edit, side_by_side = EditActions(case, tools), SideBySideActions(case, stage)
     return Design(
         stage=stage,
-        edit=EditActions(case, tools),
+        edit=edit,
         navigation=KeyboardNavigation(case, stage),
         prescription=PrescriptionActions(
             case,
@@ -94,7 +100,7 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
         measures=MeasureActions(case, services.messages),
         feet=feet,
         variants=VariantActions(case, services.messages),
-        side_by_side=SideBySideActions(case, stage),
+        side_by_side=side_by_side,
         repeat=RepeatActions(services, feet),
         prescriber=PrescriberSetting(services),
         devices=DeviceActions(
@@ -104,4 +110,5 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
             stage.rules.pelott_usual_behind_heads_mm,
             stage.materials,
         ),
+        plantar=PlantarActions(services, stage.plantar, side_by_side, edit),
     )

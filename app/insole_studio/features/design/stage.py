@@ -14,6 +14,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.material_model import MaterialModel
+from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
@@ -68,6 +69,7 @@ class DesignStage(QObject):
         foot_display: FootDisplay,
         section: SectionModel,
         rim: RimModel,
+        plantar: PlantarView,
         counterpart: SideBySide,
         tool_controller: ToolController,
         pads: Sequence[LibraryPad],
@@ -76,7 +78,7 @@ class DesignStage(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        shown = ShownModels(case, surface, section, tool_controller, counterpart)
+        shown = ShownModels(case, surface, section, tool_controller, counterpart, plantar)
         self._case = case
         self.preview = surface
         self.tool_controller = self._tool_controller = tool_controller
@@ -84,6 +86,7 @@ class DesignStage(QObject):
         self.pads = pads
         self.rules = rules
         self.rim_model = rim
+        self.plantar = plantar
         self.materials = MaterialModel()
         self._cut = section
         self._was_asked = False, False
@@ -144,6 +147,7 @@ class DesignStage(QObject):
             self.pads,
             self.rules,
             rim=self.rim_model,
+            plantar=self.plantar,
             materials=self.materials,
             request_action=self.action_requested.emit,
         )

@@ -17,7 +17,7 @@ from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, rigid, transform
 from insole_core.imprints.form import Form
 from insole_core.progress import Progress
-from insole_core.scans.scale import KnownDistance
+from insole_core.scans.scale import KnownDistance, KnownFootLength
 from insole_core.workflows.import_scan import ImportChoice, take_foot
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
@@ -35,6 +35,8 @@ from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.texts import tr
 
 FIND, TAKE = "find scan", "take scan"
+_TO_CLICK_ON = KnownFootLength(250.0)
+"""What a scan of unknown size is shown at until its two points are clicked."""
 
 
 class ImportPresenter(QObject):
@@ -111,14 +113,11 @@ class ImportPresenter(QObject):
         """Read the scan in the unit and the form that are chosen now."""
         self._clicks = []
         size = self._dialog.size_fields
-        if size.distance_mm is not None:
-            self._show_clicks()
-            return
         form = self._dialog.form.currentData()
         choice = replace(
             self._found.choice,
             unit=size.unit,
-            known_size=size.known,
+            known_size=_TO_CLICK_ON if size.distance_mm is not None else size.known,
             form=Form(form) if form else None,
             pose=None,
         )
@@ -134,7 +133,7 @@ class ImportPresenter(QObject):
     def click(self, place_mm: FloatArray) -> None:
         """Take a clicked point (3,), mm, in the frame that is shown."""
         self._clicks.append(transform(inverse(self._source2shown), place_mm[None, :])[0])
-        distance_mm = self._dialog.size_fields.distance_mm
+        distance_mm = self._dialog.size_fields.distance_mm if self._wants_distance else None
         if distance_mm is not None and len(self._clicks) == 2:
             self._find(replace(self._found.choice, known_size=self._distance(distance_mm)))
         elif distance_mm is None and len(self._clicks) == len(CLICKS):
@@ -198,6 +197,12 @@ class ImportPresenter(QObject):
             return (self._candidate or foot.candidates[0]).source2insole
         return np.eye(4) if read is None else _lying(read.mesh)
 
+    @property
+    def _wants_distance(self) -> bool:
+        """Whether the points of a known distance are still to be clicked."""
+        is_known = isinstance(self._found.choice.known_size, KnownDistance)
+        return self._dialog.size_fields.distance_mm is not None and not is_known
+
     def _shown_mesh(self) -> TriangleMesh | None:
         foot, read = self._foot, self._found.read
         mesh = foot.mesh if foot is not None else None if read is None else read.mesh
@@ -260,7 +265,7 @@ class ImportPresenter(QObject):
         self._dialog.show_opening(text, is_enabled=bool(marked) and None not in marked)
 
     def _show_clicks(self, *, is_on: bool | None = None) -> None:
-        wants_distance = self._dialog.size_fields.distance_mm is not None
+        wants_distance = self._wants_distance
         on = bool(self._clicks) or wants_distance if is_on is None else is_on
         hint = ""
         if wants_distance:

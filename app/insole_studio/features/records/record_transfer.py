@@ -14,7 +14,7 @@ from insole_core.errors import InsoleError
 from insole_core.export.atomic import write_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
-from insole_core.records.import_report import count_outcomes, report_csv
+from insole_core.records.import_report import count_added, count_outcomes, report_csv
 from insole_core.records.person_columns import ColumnMapping, asks_date_order, propose_mapping
 from insole_core.records.person_import import (
     ImportLine,
@@ -104,7 +104,7 @@ class RecordTransfer(QObject):
         def add(with_doubtful: bool) -> None:
             def work(progress: Progress) -> Message:
                 plan = import_cases(records, folder, with_doubtful=with_doubtful, progress=progress)
-                return count_outcomes(plan.lines)
+                return count_added(plan.lines, with_doubtful=with_doubtful)
 
             self._add(dialog, work)
 
@@ -188,7 +188,7 @@ class RecordTransfer(QObject):
 
             def work(progress: Progress) -> Message:
                 plan = import_persons(records, rows, with_doubtful=with_doubtful, progress=progress)
-                return count_outcomes(plan.lines)
+                return count_added(plan.lines, with_doubtful=with_doubtful)
 
             self._add(dialog, work)
 

@@ -115,9 +115,10 @@ class StartPage(QWidget):
         for button in (self.back_up, self.put_off):
             button.setVisible(bool(sentence))
 
-    def show_usable(self, usable: bool) -> None:
-        """Show whether patients can be looked for; files can always be opened."""
+    def show_usable(self, usable: bool, *, changeable: bool) -> None:
+        """Show whether patients can be looked for and added; files can always be opened."""
         self._of_record.setEnabled(usable)
+        self.new_patient.setEnabled(changeable)
 
     def show_recent_files(self, files: Sequence[tuple[str, str]]) -> None:
         """Offer the files opened last, each as path and name."""

@@ -47,6 +47,7 @@ def call(step: str, folder: Path, sensors: Path, *more: str) -> list[str]:
     return ["calibrate", step, str(folder), "--serial", "SIM1", "--sensors", str(sensors), *more]
 
 
+@pytest.mark.slow
 def test_colour_camera_within_three_deviations(recorded) -> None:
     found, true = kept(recorded.sensors).color_camera, SENSOR.color_camera
     report = json.loads((recorded.sensors / "SIM1" / "camera.json").read_text())

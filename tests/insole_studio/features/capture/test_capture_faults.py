@@ -207,7 +207,7 @@ def test_one_view_captured_again_leaves_the_others(end: str, hands: Hands, qtbot
 MOMENTS: dict[str, Callable[[Hands], bool]] = {
     "at once": lambda hands: True,
     "in the first view": lambda hands: hands.progress.value() > 0,
-    "after the first view": lambda hands: hands.counts()["left"] == "30 of 30",
+    "after the first view": lambda hands: hands.counts()["left"] == "20 of 20",
     "in the last view": lambda hands: hands.progress.value() > 70,
 }
 
@@ -216,7 +216,7 @@ MOMENTS: dict[str, Callable[[Hands], bool]] = {
 def test_a_service_that_is_killed_is_told_and_started_again(
     moment: str, hands: Hands, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    hands.set_frames(30)
+    hands.set_frames(20)
     hands.click("Capture")
     hands.wait(lambda: MOMENTS[moment](hands))
     hands.kill_service()
@@ -229,8 +229,8 @@ def test_a_service_that_is_killed_is_told_and_started_again(
     if not hands.can_click("Capture anew"):  # on a busy computer it may have been done
         hands.click(hands.stage.view._capture.text())
     hands.wait(lambda: hands.can_click("Use this scan"))
-    assert hands.counts() == dict.fromkeys(ALL, "30 of 30")
-    used_scan(hands, qtbot, 30)
+    assert hands.counts() == dict.fromkeys(ALL, "20 of 20")
+    used_scan(hands, qtbot, 20)
     assert drafts(tmp_path) == []
 
 

@@ -9,6 +9,7 @@ import pytest
 from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in, type_into
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from insole_core.records.author import Author, Role
@@ -78,6 +79,15 @@ def test_a_wrong_password_is_told_and_so_is_the_lock_after_too_many(
     sign_in(dialog, "eva", OTHER_PASSWORD)
     qtbot.waitUntil(lambda: "Too many wrong passwords" in dialog.message.text())
     assert with_accounts.services.clinic.state is RecordState.SIGNED_OUT
+
+
+def test_the_status_line_says_who_has_signed_in(with_accounts: Application, qtbot: QtBot) -> None:
+    def told() -> list[str]:
+        return [label.text() for label in with_accounts.window.status.findChildren(QLabel)]
+
+    assert not any("Signed in" in text for text in told())
+    signed_in(with_accounts, qtbot)
+    assert "Signed in as eva" in told()
 
 
 def test_files_are_open_to_somebody_who_does_not_sign_in(with_accounts: Application) -> None:

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Mapping
 from datetime import date, datetime, timedelta
 from pathlib import Path
+from threading import Event
 
 import pyrage
 import pytest
@@ -308,6 +309,32 @@ def test_a_restore_waits_until_a_backup_has_stopped(
     assert "The record is as it was on" in dialog.message.text()
     record = clinic.services.clinic
     assert [p.name for p in record.ask_now(lambda r: r.persons.everybody())] == ["Anna Berg"]
+
+
+def test_no_backup_begins_once_the_record_is_closed_to_be_restored(
+    clinic: Application,
+    records: Records,
+    rest: Callable[[], None],
+    backup_folder: Path,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The schedule has looked for the last one, and its answer comes later."""
+    set_up(records)
+    back_up(records.context, backup_folder)
+    goes_on = Event()
+
+    def look_slowly(_folder: Path) -> None:
+        goes_on.wait(10)
+
+    monkeypatch.setattr(backups, "newest_in", look_slowly)
+    planned = clinic.features.clinic.backups
+    planned.set_plan(backup_folder, "daily", 0)
+    clinic.services.clinic.let_go()
+    goes_on.set()
+    rest()
+    assert snapshots_in(backup_folder) == [1]
+    assert notices_of(clinic) == []
 
 
 def _stop_slowly(

@@ -10,6 +10,8 @@ from pathlib import Path
 import pyrage
 import pytest
 from administering import OTHER_PASSWORD, shown, sign_in, type_into
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from insole_core.records import database as database_module
@@ -63,14 +65,16 @@ def restore(app: Application, secret: str, rest: Callable[[], None]) -> None:
     dialog = shown(app, RestoreDialog)
     rest()
     type_into(dialog.secret, secret)
-    dialog.show_button.click()
+    QTest.keyClick(dialog.secret, Qt.Key.Key_Return)  # shows what the backup holds
     rest()
-    dialog.restore_button.click()
+    QTest.keyClick(dialog.restore_button, Qt.Key.Key_Return)
     rest()
     if dialog.restore_button.isEnabled():  # now it sets the present record aside
-        dialog.restore_button.click()
+        QTest.keyClick(dialog.restore_button, Qt.Key.Key_Return)
         rest()
     assert "The record is as it was on" in dialog.message.text()
+    assert not any(found.isVisible() for found in app.window.findChildren(SignInDialog))
+    dialog.close_button.click()
 
 
 def test_a_damaged_record_with_accounts_is_read_after_signing_in(
@@ -90,6 +94,7 @@ def test_a_damaged_record_with_accounts_is_read_after_signing_in(
     assert [row.cells[0] for row in page.found.rows] == ["Anna Berg"]
     assert "is damaged" in page.message.text()
     assert page.remedies["restore_record"].isVisible()
+    assert not page.new_patient.isEnabled()
 
 
 def test_a_damaged_record_with_accounts_is_restored_before_signing_in(

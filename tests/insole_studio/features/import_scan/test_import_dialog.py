@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from asked_scan import asked_scan
+from pointing import pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
@@ -196,3 +197,46 @@ def test_both_feet_of_a_foam_box_are_opened_at_once(
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     settle()
     assert [foot.side for foot in app.case.record.feet] == [Side.LEFT, Side.RIGHT]
+
+
+@pytest.mark.slow
+def test_two_clicked_points_give_the_scale_of_a_scan_without_unit(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(replace(right_foot, vertices=right_foot.vertices * 0.003))
+    assert dialog is not None
+    choose_size(dialog.size_fields, "distance")
+    settle()
+    length_mm = float(np.ptp(right_foot.vertices[:, 1]))
+    shown_mm = 250.0  # what it is shown at, so that it can be clicked on
+    field = dialog.size_fields.numbers["distance"]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, f"{(180 - 20) * length_mm / shown_mm:.1f}")
+    QTest.keyClick(field, Qt.Key.Key_Tab)
+    settle()
+    assert "two points" in dialog.hint.text()
+    scene = dialog.model.scene
+    for y_mm in (20.0, 180.0):
+        QTest.mouseClick(scene.surface, LEFT, pos=pixel(scene, 0.0, y_mm))
+    settle()
+    assert not dialog.hint.isVisible()
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.length_mm == pytest.approx(length_mm, rel=0.02)
+
+
+def test_the_shoe_size_gives_the_scale_of_a_scan_without_unit(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(replace(right_foot, vertices=right_foot.vertices * 0.003))
+    assert dialog is not None
+    assert not dialog.open_button.isEnabled()
+    choose_size(dialog.size_fields, "shoe")
+    settle()
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.length_mm == pytest.approx(40 * 20 / 3 - 15, abs=12.0)

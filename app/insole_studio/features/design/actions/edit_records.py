@@ -152,6 +152,21 @@ EDIT_ACTIONS: tuple[ActionRecord[Design], ...] = (
         shortcut="Shift+F2",
         needs_foot=True,
     ),
+    _tool(
+        "plantar",
+        lambda: tr("Pressure and footprint"),
+        lambda: tr("Move and turn the pressure map or footprint under the foot"),
+        "Shift+Q",
+        lambda: tr("Pressure"),
+    ),
+    ActionRecord(
+        "lay_pressure",
+        lambda: tr("Lay a pressure map or footprint…"),
+        lambda: tr("Open a pressure map or a picture of a footprint, and align it to its foot"),
+        lambda design, _on: design.plantar.ask(),
+        icon="plantar",
+        needs_foot=True,
+    ),
     ActionRecord(
         "next_panel",
         lambda: tr("Next panel"),

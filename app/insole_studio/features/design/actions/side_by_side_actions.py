@@ -52,8 +52,13 @@ class SideBySideActions:
         Raises
         ------
         UsageError
-            If there is nothing to compare with.
+            If there is nothing to compare with, or nothing lies under the foot.
         """
+        plantar = self._case.record.plantar
+        if kind is MapKind.PRESSURE and plantar.pressure is None and plantar.picture is None:
+            raise UsageError(
+                tr("Nothing lies under this foot yet; lay a pressure map or a footprint (Tools).")
+            )
         if kind is MapKind.DIFFERENCE and self.counterpart.kind is Beside.NOTHING:
             two_feet = self._case.record.other is not None
             self.show_beside(Beside.FOOT if two_feet else Beside.VARIANT)
@@ -70,4 +75,5 @@ class SideBySideActions:
 
     def _show(self, kind: MapKind) -> None:
         self._stage.insole_presenter.show_map(kind)
+        self._stage.foot_presenter.show_plantar(kind is MapKind.PRESSURE)
         self._stage.foot_presenter.show_difference(kind is MapKind.DIFFERENCE)

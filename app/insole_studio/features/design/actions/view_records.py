@@ -71,6 +71,12 @@ VIEW_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda: tr("Colour by the difference to what stands beside, mirrored where it has to be"),
         "J",
     ),
+    _map(
+        MapKind.PRESSURE,
+        lambda: tr("Pressure map"),
+        lambda: tr("Paint the pressure map or footprint over foot and insole"),
+        "Q",
+    ),
     ActionRecord(
         "contours",
         lambda: tr("Contour lines"),

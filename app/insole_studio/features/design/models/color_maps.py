@@ -25,6 +25,7 @@ class MapKind(StrEnum):
     THICKNESS = "thickness"
     FIT = "fit"
     DIFFERENCE = "difference"
+    PRESSURE = "pressure"
 
 
 def color_by(kind: MapKind, surface: InsolePreview, counterpart: SideBySide) -> Coloring | None:

@@ -19,10 +19,12 @@ from insole_core.insole.outline.shoe_outline import heel_lift_mm, shoe_outline
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
 from insole_core.insole.surface.rocker import rocker_line
+from insole_core.pressure.laid_map import PlantarLayers
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.document.variants import choose_variant
@@ -33,6 +35,7 @@ from insole_studio.features.design.models.color_maps import (
     numbers_text,
 )
 from insole_studio.features.design.models.model_panel import ModelPanel
+from insole_studio.features.design.models.plantar_colors import painted_foot, painted_insole
 from insole_studio.features.design.models.rear_lines import axes_of
 from insole_studio.features.design.models.shoe_lines import shoe_lines
 from insole_studio.features.design.models.side_by_side_layout import (
@@ -61,6 +64,7 @@ OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
 SECTION_POINTS = 192
 _NOTHING = (object(),) * 8
+_NO_VERTEX = np.zeros(0, dtype=np.int64)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +76,7 @@ class ShownModels:
     section: SectionModel
     tool_controller: ToolController
     counterpart: SideBySide
+    plantar: PlantarView
 
 
 class ModelPresenter:
@@ -86,6 +91,9 @@ class ModelPresenter:
         self._surface = shown.surface
         self._section = shown.section
         self._tool_controller = shown.tool_controller
+        self._plantar = shown.plantar
+        self._painted: PlantarLayers | None = None
+        """What lay under the foot when it was last painted over the surface."""
         self._marked: tuple[object, ...] = _NOTHING
         """State for which the marks were last drawn; several signals may report one change."""
         self._follow(shown)
@@ -101,6 +109,18 @@ class ModelPresenter:
         shown.section.changed.connect(self._show_section)
         tools.gesture_ended.connect(self.rest)
         shown.counterpart.changed.connect(self.show_counterpart)
+        for signal in (case.changed, case.preview_changed):
+            signal.connect(self._follow_plantar)
+        shown.plantar.changed.connect(self.paint)
+
+    def _follow_plantar(self) -> None:
+        """Paint again if what lies under the foot has moved."""
+        if self._case.shown.plantar is not self._painted:
+            self.paint()
+
+    def paint(self) -> None:
+        """Paint what lies under the foot over the surface, while that is asked for."""
+        raise NotImplementedError
 
     @property
     def side(self) -> Side:
@@ -357,6 +377,7 @@ class FootPresenter(ModelPresenter):
 
     subject = Subject.FOOT
     _is_compared = False
+    _is_painted = False
     _ghost = False
     """Whether the insole is shown translucently below the foot."""
 
@@ -401,6 +422,31 @@ class FootPresenter(ModelPresenter):
         if self._case.foot is not None:
             self._show_foot(self._case.foot)
 
+    def show_plantar(self, shown: bool) -> None:
+        """Paint pressure map or footprint over the sole, or show the foot in its own colours."""
+        self._is_painted = shown
+        if self._case.foot is not None:
+            self._show_foot(self._case.foot)
+
+    def paint(self) -> None:
+        """Paint what lies under the foot over its sole."""
+        foot = self._case.foot
+        if not self._is_painted or foot is None:
+            return
+        mesh = self._shown_mesh(foot)
+        coloring = self._plantar_coloring(mesh)
+        if not self.panel.move_mesh(mesh, mesh.vertex_normals, _NO_VERTEX, coloring):
+            self._show_foot(foot)
+
+    def _plantar_coloring(self, mesh: TriangleMesh) -> Coloring | None:
+        self._painted = self._case.shown.plantar
+        shown = self._plantar.shown(self._painted)
+        return None if shown is None else painted_foot(shown, mesh, self._plantar.opacity)
+
+    def _shown_mesh(self, foot: Foot) -> TriangleMesh:
+        display = self._display.surface
+        return foot.mesh if display is None else display.mesh
+
     def show_counterpart(self) -> None:
         """Show the other foot, and the difference to it."""
         super().show_counterpart()
@@ -408,6 +454,11 @@ class FootPresenter(ModelPresenter):
             self._show_foot(self._case.foot)
 
     def _show_foot(self, foot: Foot) -> None:
+        if self._is_painted:
+            mesh = self._shown_mesh(foot)
+            self.panel.show_mesh(mesh, self._plantar_coloring(mesh))
+            self.panel.show_numbers("")
+            return
         coloring = color_foot(foot, self._counterpart) if self._is_compared else None
         shown = self._display.surface
         if shown is None:
@@ -498,6 +549,24 @@ class InsolePresenter(ModelPresenter):
         """The colour map of the insole."""
         return self._map
 
+    def paint(self) -> None:
+        """Paint what lies under the foot over the insole."""
+        mesh, normals = self._surface.mesh, self._surface.normals
+        if self._map is not MapKind.PRESSURE or mesh is None or normals is None:
+            return
+        if not self.panel.move_mesh(mesh, normals, _NO_VERTEX, self._coloring()):
+            self._show_mesh_anew()
+
+    def _plantar_coloring(self) -> Coloring | None:
+        self._painted = self._case.shown.plantar
+        shown, mesh = self._plantar.shown(self._painted), self._surface.mesh
+        bottom = self._surface.bottom_heights_mm
+        if shown is None or mesh is None or bottom is None:
+            return None
+        size = len(bottom)
+        is_top = self._surface.values_everywhere(np.ones(size), np.zeros(size)) > 0
+        return painted_insole(shown, mesh.vertices, is_top, self._plantar.opacity)
+
     def _beside(self) -> TriangleMesh | None:
         built = self._counterpart.built
         return None if built is None else built.solid
@@ -585,6 +654,9 @@ class InsolePresenter(ModelPresenter):
         self.panel.show_directions(side, bounds)
 
     def _coloring(self) -> Coloring | None:
+        if self._map is MapKind.PRESSURE:
+            self.panel.show_numbers("")
+            return self._plantar_coloring()
         coloring = color_by(self._map, self._surface, self._counterpart)
         foot, text = self._case.record.current, ""
         if coloring is not None and foot is not None and self._map is MapKind.DIFFERENCE:

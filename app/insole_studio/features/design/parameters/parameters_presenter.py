@@ -17,9 +17,11 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.insole.prescription.design_limits import Range
+from insole_core.pressure.regions import RELIEF_KPA
 from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.case import Case
 from insole_studio.document.material_model import MaterialModel
+from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.correction_names import name_of, pad_text
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
@@ -35,6 +37,7 @@ from insole_studio.features.design.parameters.device_fields import (
     with_usual_thickness,
 )
 from insole_studio.features.design.parameters.foot_proposals import FootProposals
+from insole_studio.features.design.parameters.plantar_fields import PlantarFields
 from insole_studio.features.design.rim_texts import place_text
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.brush_tool import BrushTool
@@ -77,6 +80,7 @@ class ParametersPresenter:
         rules: ClinicRules,
         *,
         rim: RimModel,
+        plantar: PlantarView,
         materials: MaterialModel,
         request_action: Callable[[str], None],
     ) -> None:
@@ -89,6 +93,10 @@ class ParametersPresenter:
         self._tool_controller = tool_controller
         self._pads = pads
         self._foot_offers = FootProposals(case, rules, default_pelott(pads))
+        self._plantar = PlantarFields(
+            case, plantar, pads, rules.pelott_usual_behind_heads_mm, RELIEF_KPA
+        )
+        plantar.changed.connect(self.show)
         panel.field_edited.connect(self.edit)
         panel.field_moved.connect(self.slide)
         panel.move_cancelled.connect(tool_controller.cancel)
@@ -156,6 +164,8 @@ class ParametersPresenter:
             self._remove(name)
         elif kind == "thickness":
             self._take_thickness()
+        elif kind == "plantar":
+            self._plantar.choose(name)
 
     def _groups(self, design: InsoleDesign) -> list[FieldGroup]:
         tool, selected = self._tool_controller.tool, self._selected(design)
@@ -427,6 +437,7 @@ _TOOL_GROUPS: dict[str, Callable[[ParametersPresenter], list[FieldGroup]]] = {
     "rim": ParametersPresenter._rim_groups,
     "turn": lambda presenter: presenter._foot_offers.pose_groups(),
     "key_point": lambda presenter: presenter._foot_offers.landmark_groups(),
+    "plantar": lambda presenter: presenter._plantar.groups(),
 }
 """Field groups of the tools that show their own values, whatever is selected."""
 _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
@@ -443,5 +454,6 @@ _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "layers": ParametersPresenter._edit_layers,
     "outline": ParametersPresenter._edit_outline,
     "plane": ParametersPresenter._edit_plane,
+    "plantar": lambda presenter, name, value: presenter._plantar.edit(name, value),
     "pose": lambda presenter, name, value: presenter._foot_offers.turn(name, value),
 }

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad, default_pelott
+from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.features.design.tools.brush_tool import BrushTool
@@ -15,6 +16,7 @@ from insole_studio.features.design.tools.orbit_tool import OrbitTool
 from insole_studio.features.design.tools.outline_tool import OutlineTool
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.plane_tool import PlaneTool
+from insole_studio.features.design.tools.plantar_tool import PlantarTool
 from insole_studio.features.design.tools.posting_tool import PostingTool
 from insole_studio.features.design.tools.rim_tool import RimTool
 from insole_studio.features.design.tools.section_tool import SectionTool
@@ -23,7 +25,11 @@ from insole_studio.features.design.tools.turn_tool import TurnTool
 
 
 def make_tools(
-    section: SectionModel, rim: RimModel, pads: Sequence[LibraryPad], rules: ClinicRules
+    section: SectionModel,
+    rim: RimModel,
+    plantar: PlantarView,
+    pads: Sequence[LibraryPad],
+    rules: ClinicRules,
 ) -> tuple[Tool, ...]:
     """Construct one instance of every tool.
 
@@ -33,6 +39,8 @@ def make_tools(
         Plane of the section tool.
     rim
         Rim that its tool shapes.
+    plantar
+        Pressure map and footprint that their tool lays.
     pads
         Library of the clinic.
     rules
@@ -51,4 +59,5 @@ def make_tools(
         BrushTool(),
         PlaneTool(),
         SectionTool(section),
+        PlantarTool(plantar),
     )

@@ -1,0 +1,1 @@
+"""Maps of plantar pressure and pictures of footprints, laid over a foot."""

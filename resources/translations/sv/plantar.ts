@@ -1,0 +1,267 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>3rd head</source>
+            <translation>3:e huvudet</translation>
+        </message>
+        <message>
+            <source>4th head</source>
+            <translation>4:e huvudet</translation>
+        </message>
+        <message>
+            <source>Add the relief of the library under this head; it can be undone and changed</source>
+            <translation>Lägg bibliotekets avlastning under huvudet; den kan ångras och ändras</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>Alla</translation>
+        </message>
+        <message>
+            <source>Click two points whose distance is known</source>
+            <translation>Klicka på två punkter vars avstånd är känt</translation>
+        </message>
+        <message>
+            <source>Counter-clockwise, seen from above</source>
+            <translation>Moturs, sett uppifrån</translation>
+        </message>
+        <message>
+            <source>Distance of two clicks</source>
+            <translation>Avstånd mellan två klick</translation>
+        </message>
+        <message>
+            <source>Dots</source>
+            <translation>Punkter</translation>
+        </message>
+        <message>
+            <source>Dots, or two clicks and their distance</source>
+            <translation>Punkter, eller två klick och deras avstånd</translation>
+        </message>
+        <message>
+            <source>Drag around the middle to turn the map</source>
+            <translation>Dra runt mitten för att vrida bilden</translation>
+        </message>
+        <message>
+            <source>Drag the map to move it, the handle ahead of it to turn it; arrow keys move too</source>
+            <translation>Dra bilden för att flytta den, handtaget framför för att vrida den; piltangenterna flyttar också</translation>
+        </message>
+        <message>
+            <source>Every head above it is relieved.</source>
+            <translation>Varje huvud över gränsen är avlastat.</translation>
+        </message>
+        <message>
+            <source>Footprint</source>
+            <translation>Fotavtryck</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <source>Greatest pressure</source>
+            <translation>Största tryck</translation>
+        </message>
+        <message>
+            <source>Ground contact</source>
+            <translation>Markkontakt</translation>
+        </message>
+        <message>
+            <source>How much the map covers foot and insole</source>
+            <translation>Hur mycket bilden täcker fot och inlägg</translation>
+        </message>
+        <message>
+            <source>Lay a map or picture…</source>
+            <translation>Lägg en tryckbild eller bild…</translation>
+        </message>
+        <message>
+            <source>Lay a map under the foot</source>
+            <translation>Lägg en bild under foten</translation>
+        </message>
+        <message>
+            <source>Lay a pressure map or a footprint under this foot first (Tools)</source>
+            <translation>Lägg först en tryckbild eller ett fotavtryck under den här foten (Verktyg)</translation>
+        </message>
+        <message>
+            <source>Lay a pressure map or footprint…</source>
+            <translation>Lägg en tryckbild eller ett fotavtryck…</translation>
+        </message>
+        <message>
+            <source>Lay under the foot</source>
+            <translation>Lägg under foten</translation>
+        </message>
+        <message>
+            <source>Length of the insole</source>
+            <translation>Inläggets längd</translation>
+        </message>
+        <message>
+            <source>Map</source>
+            <translation>Tryckbild</translation>
+        </message>
+        <message>
+            <source>Move and turn the pressure map or footprint under the foot</source>
+            <translation>Flytta och vrid tryckbilden eller fotavtrycket under foten</translation>
+        </message>
+        <message>
+            <source>Move the map</source>
+            <translation>Flytta bilden</translation>
+        </message>
+        <message>
+            <source>Not known</source>
+            <translation>Okänt</translation>
+        </message>
+        <message>
+            <source>Nothing lies under this foot yet.</source>
+            <translation>Ännu ligger inget under den här foten.</translation>
+        </message>
+        <message>
+            <source>Nothing lies under this foot yet; lay a pressure map or a footprint (Tools).</source>
+            <translation>Ännu ligger inget under den här foten; lägg en tryckbild eller ett fotavtryck (Verktyg).</translation>
+        </message>
+        <message>
+            <source>One frame</source>
+            <translation>En bild</translation>
+        </message>
+        <message>
+            <source>Opacity</source>
+            <translation>Täckning</translation>
+        </message>
+        <message>
+            <source>Open a pressure map or a picture of a footprint, and align it to its foot</source>
+            <translation>Öppna en tryckbild eller en bild av ett fotavtryck, och passa in den mot foten</translation>
+        </message>
+        <message>
+            <source>Paint the pressure map or footprint over foot and insole</source>
+            <translation>Måla tryckbilden eller fotavtrycket över fot och inlägg</translation>
+        </message>
+        <message>
+            <source>Peak pressure</source>
+            <translation>Högsta tryck</translation>
+        </message>
+        <message>
+            <source>Peak pressure under a head from which on a relief is proposed</source>
+            <translation>Högsta tryck under ett huvud från vilket en avlastning föreslås</translation>
+        </message>
+        <message>
+            <source>Peaks in kPa: {list}</source>
+            <translation>Högsta tryck i kPa: {list}</translation>
+        </message>
+        <message>
+            <source>Pressure</source>
+            <translation>Tryck</translation>
+        </message>
+        <message>
+            <source>Pressure and footprint</source>
+            <translation>Tryck och fotavtryck</translation>
+        </message>
+        <message>
+            <source>Pressure map</source>
+            <translation>Tryckbild</translation>
+        </message>
+        <message>
+            <source>Pressure map or footprint</source>
+            <translation>Tryckbild eller fotavtryck</translation>
+        </message>
+        <message>
+            <source>Relief under the {head} ({kpa:.0f} kPa)</source>
+            <translation>Avlastning under {head} ({kpa:.0f} kPa)</translation>
+        </message>
+        <message>
+            <source>Relieve from</source>
+            <translation>Avlasta från</translation>
+        </message>
+        <message>
+            <source>Relieve where the pressure is high</source>
+            <translation>Avlasta där trycket är högt</translation>
+        </message>
+        <message>
+            <source>Remove the map</source>
+            <translation>Ta bort bilden</translation>
+        </message>
+        <message>
+            <source>Seen from</source>
+            <translation>Sedd</translation>
+        </message>
+        <message>
+            <source>Sensors apart</source>
+            <translation>Sensorernas avstånd</translation>
+        </message>
+        <message>
+            <source>Sensors apart, across</source>
+            <translation>Sensorernas avstånd, tvärs</translation>
+        </message>
+        <message>
+            <source>Sensors apart, along</source>
+            <translation>Sensorernas avstånd, längs</translation>
+        </message>
+        <message>
+            <source>Shown</source>
+            <translation>Visas</translation>
+        </message>
+        <message>
+            <source>Still to be said: {list}</source>
+            <translation>Ännu att ange: {list}</translation>
+        </message>
+        <message>
+            <source>Turn the map</source>
+            <translation>Vrid bilden</translation>
+        </message>
+        <message>
+            <source>Turned</source>
+            <translation>Vriden</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Enhet</translation>
+        </message>
+        <message>
+            <source>above, as one sees one's own foot</source>
+            <translation>uppifrån, som man ser sin egen fot</translation>
+        </message>
+        <message>
+            <source>below, as a scanner sees it</source>
+            <translation>nerifrån, som en skanner ser den</translation>
+        </message>
+        <message>
+            <source>hallux</source>
+            <translation>stortån</translation>
+        </message>
+        <message>
+            <source>heel</source>
+            <translation>hälen</translation>
+        </message>
+        <message>
+            <source>midfoot</source>
+            <translation>mellanfoten</translation>
+        </message>
+        <message>
+            <source>per inch</source>
+            <translation>per tum</translation>
+        </message>
+        <message>
+            <source>table</source>
+            <translation>tabell</translation>
+        </message>
+        <message>
+            <source>toes 2–5</source>
+            <translation>tårna 2–5</translation>
+        </message>
+        <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
+            <source>{name} ({device})</source>
+            <translation>{name} ({device})</translation>
+        </message>
+        <message>
+            <source>{number}: frames {first} to {last}</source>
+            <translation>{number}: bild {first} till {last}</translation>
+        </message>
+    </context>
+</TS>

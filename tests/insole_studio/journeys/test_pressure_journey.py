@@ -1,0 +1,163 @@
+"""A pressure map comes under a foot: asked, aligned, painted, moved, relieved, undone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import CannedQuestions
+from PIL import Image
+from pointing import LEFT, drag, pixel
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from insole_core.insole.prescription.design import Pelott
+from insole_core.pressure.placement import Placement
+from insole_core.pressure.sole_print import SolePrint
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.design.models.color_maps import MapKind
+from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog, PressureDialog
+from insole_studio.widgets.combo_box import ComboBox
+
+Settle = Callable[[], None]
+
+
+def act(app: Application, key: str) -> None:
+    app.window.actions_by_key[key].trigger()
+
+
+def pick(box: ComboBox, value: str) -> None:
+    """Choose an entry as the user does."""
+    box.setCurrentIndex(box.findData(value))
+    box.activated.emit(box.currentIndex())
+
+
+def written_plate(app: Application, path: Path) -> Path:
+    """Write the heights of the sole as pressures of 6 mm cells, toes first; seen from above."""
+    assert app.case.foot is not None
+    sole = SolePrint.of(app.case.foot).heights_mm[::3, ::3]
+    kpa = np.round(np.clip(7 - sole, 0, None)[::-1] * 70, 1)
+    rows = "\n".join(";".join(str(value) for value in row) for row in kpa)
+    path.write_text(f"unit: kPa\npitch_mm: 6\n{rows}\n")
+    return path
+
+
+@pytest.fixture
+def laid(
+    opened: Application, questions: CannedQuestions, settle: Settle, tmp_path: Path
+) -> Application:
+    """The application with a pressure map under its left foot."""
+    questions.path = written_plate(opened, tmp_path / "plate.csv")
+    act(opened, "lay_pressure")
+    settle()
+    (dialog,) = opened.window.findChildren(PressureDialog)
+    assert not dialog.lay_button.isEnabled()
+    pick(dialog.side, "left")
+    assert not dialog.lay_button.isEnabled()
+    pick(dialog.seen_from, "above")
+    QTest.mouseClick(dialog.lay_button, LEFT)
+    settle()
+    return opened
+
+
+def test_a_map_is_laid_painted_and_undone(laid: Application, settle: Settle) -> None:
+    pressure = laid.case.record.plantar.pressure
+    assert pressure is not None
+    assert abs(pressure.placement.turn_deg) < 5
+    design = laid.features.design
+    assert design.side_by_side.map_kind is MapKind.PRESSURE
+    assert laid.window.actions_by_key["map_pressure"].isChecked()
+    assert laid.stage.tool_controller.tool.key == "plantar"
+    act(laid, "undo")
+    assert laid.case.record.plantar.pressure is None
+    act(laid, "redo")
+    assert laid.case.record.plantar.pressure is pressure
+    laid.stage.parameters.proposal_chosen.emit("plantar.remove")
+    assert laid.case.record.plantar.pressure is None
+
+
+def test_the_map_follows_the_mouse_and_the_keys(laid: Application, settle: Settle) -> None:
+    before = laid.case.record.plantar.pressure
+    assert before is not None
+    view = laid.stage.foot.scene
+    act(laid, "look_plantar")
+    steps = laid.case.history.undo_sentence
+    drag(view, pixel(view, 0.0, 60.0), pixel(view, 10.0, 75.0))
+    settle()
+    after = laid.case.record.plantar.pressure
+    assert after is not None
+    moved = after.placement.middle_mm - before.placement.middle_mm
+    assert moved == pytest.approx([10.0, 15.0], abs=1.5)
+    assert laid.case.history.undo_sentence != steps
+    view.take_focus()
+    QTest.keyClick(view.surface, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
+    nudged = laid.case.record.plantar.pressure
+    assert nudged is not None
+    assert nudged.placement.y_mm == pytest.approx(after.placement.y_mm + 5.0)
+    laid.stage.parameters.field_edited.emit("plantar.turn_deg", 12.5)
+    turned = laid.case.record.plantar.pressure
+    assert turned is not None
+    assert turned.placement == Placement(nudged.placement.x_mm, nudged.placement.y_mm, 12.5)
+
+
+def test_a_relief_is_proposed_and_never_made_by_itself(laid: Application, settle: Settle) -> None:
+    design = laid.case.record.design
+    assert design is not None
+    assert not [pad for pad in design.corrections if isinstance(pad, Pelott)]
+    laid.stage.parameters.field_edited.emit("plantar.threshold", 100.0)
+    laid.stage.parameters.proposal_chosen.emit("plantar.relieve-3")
+    settle()
+    relieved = laid.case.record.design
+    assert relieved is not None
+    (pad,) = [pad for pad in relieved.corrections if isinstance(pad, Pelott)]
+    assert pad.kind == "relief_head_3"
+    act(laid, "undo")
+    assert laid.case.record.design == design
+
+
+def test_a_picture_is_scaled_by_two_clicks(
+    opened: Application, questions: CannedQuestions, settle: Settle, tmp_path: Path
+) -> None:
+    assert opened.case.foot is not None
+    sole = SolePrint.of(opened.case.foot).heights_mm[::-1]
+    grey = np.where(sole < 6, 40, 230).astype(np.uint8)
+    path = tmp_path / "ink.png"
+    Image.fromarray(np.stack([grey] * 3, axis=-1)).save(path)
+    questions.path = path
+    act(opened, "lay_pressure")
+    settle()
+    (dialog,) = opened.window.findChildren(PictureDialog)
+    pick(dialog.side, "left")
+    pick(dialog.seen_from, "above")
+    assert not dialog.lay_button.isEnabled()
+    view = dialog.picture
+    shown = view._place()
+    for share in (0.1, 0.9):
+        y = shown.top() + round(share * shown.height())
+        QTest.mouseClick(view, LEFT, pos=QPoint(shown.center().x(), y))
+    dialog.distance.setValue(0.8 * 2.0 * grey.shape[0])  # cells of 2 mm
+    QTest.mouseClick(dialog.lay_button, LEFT)
+    settle()
+    picture = opened.case.record.plantar.picture
+    assert picture is not None
+    assert picture.pitch_mm == pytest.approx(2.0, rel=0.02)
+    assert abs(picture.placement.turn_deg) < 5
+    assert opened.case.record.plantar.pressure is None
+
+
+def test_a_map_without_a_foot_of_its_side_is_told(
+    opened: Application, questions: CannedQuestions, settle: Settle, tmp_path: Path
+) -> None:
+    questions.path = written_plate(opened, tmp_path / "plate.csv")
+    act(opened, "lay_pressure")
+    settle()
+    (dialog,) = opened.window.findChildren(PressureDialog)
+    pick(dialog.side, "right")
+    pick(dialog.seen_from, "above")
+    QTest.mouseClick(dialog.lay_button, LEFT)
+    settle()
+    assert opened.case.record.plantar.pressure is None
+    (told,) = opened.services.messages.dialogs
+    assert "no right foot" in told.text()
