@@ -19,7 +19,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
 from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
-from insole_core.workflows.scanned_feet import find_scanned_feet
+from insole_core.workflows.scanned_feet import FootSaid, find_scanned_feet
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -152,12 +152,10 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
-    form, known_size = choice.form, choice.known_size
-    box = find_imprinted_feet(read, form, choice.side, known_size)
+    form, said = choice.form, FootSaid(choice.side, choice.pose, choice.known_size)
+    box = find_imprinted_feet(read, form, said)
     if box is None:
-        read, left_out, feet = find_scanned_feet(
-            read, known_size, form is Form.FOOT, choice.side, choice.pose
-        )
+        read, left_out, feet = find_scanned_feet(read, said, form is Form.FOOT)
         if form is None and len(feet) == 1:
             feet = (with_rimless_doubt(read, feet[0]),)
         form = form or Form.FOOT
