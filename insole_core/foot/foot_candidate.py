@@ -36,11 +36,11 @@ class PoseClicks:
     sole: Point
 
     def scaled(self, factor: float) -> PoseClicks:
-        """Return the same places on a surface that was scaled by a factor."""
-        (a, b, c), (d, e, f), (g, h, i) = (
+        """Return the points of the scan that was made larger about its origin."""
+        heel, toe, sole = (
             (x * factor, y * factor, z * factor) for x, y, z in (self.heel, self.toe, self.sole)
         )
-        return PoseClicks((a, b, c), (d, e, f), (g, h, i))
+        return PoseClicks(heel, toe, sole)
 
 
 @dataclass(frozen=True)

@@ -72,7 +72,7 @@ persons = Table(
     Column("consent_on", Date),
     Column("pseudonym", Text, nullable=False, unique=True),
     Column("is_erased", Boolean, nullable=False, server_default=text("false")),
-    Column("merged_into", Text, ForeignKey("persons.id")),
+    Column("merged_into", Text, ForeignKey("persons.id"), index=True),
     # seq of the latest line of the audit log that concerns this person: the order of recent ones
     Column("last_seq", BigInteger, nullable=False, server_default="0", index=True),
     *_times(),

@@ -61,15 +61,20 @@ def search_text_of(
 
 def search_words(text: str) -> list[str]:
     """Return the words of what somebody typed, as they stand in a search text."""
-    words = (_plain(word)[:MOST_WORD] for word in fold(text).split())
+    words = (_plain(word)[:MOST_WORD] for word in _split(text))
     return list(dict.fromkeys(word for word in words if word))
 
 
 def _words_of(text: str) -> Iterator[str]:
     """Yield the words of a text, and what follows a sign within one, as in "Berg-Lund"."""
-    for word in fold(text).split():
+    for word in _split(text):
         for start in _starts(word):
             yield _plain(word[start:])
+
+
+def _split(text: str) -> list[str]:
+    """Return the folded words of a text: "Berg, Anna" has two, and no comma."""
+    return fold(text).replace(",", " ").replace(";", " ").split()
 
 
 def _starts(word: str) -> Iterator[int]:

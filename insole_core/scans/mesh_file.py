@@ -32,6 +32,7 @@ _MOST_AREA_MM2 = 3e6  # ten times a foot with its lower leg
 _LEAST_DEPTH_MM = 4.0  # anything flatter has no shape to design on
 _MOST_TRIANGLES = 4_000_000
 _MOST_POINTS = 10_000_000
+_SAMPLED_TRIANGLES = 200_000
 _FINE_TRIANGLES = 600_000  # more of them show the scanner's noise, not the foot
 _MOST_CUBES = 2**20  # along an axis, so that their numbers stay below 2**63
 _MOST_COORDINATE = 1e9  # in any unit; beyond it the numbers are no lengths
@@ -172,15 +173,21 @@ def _checked(raw: RawSurface, path: Path) -> RawSurface:
             "{path} names corners that it does not hold; it is damaged, so export it again.",
             path=path,
         )
-    is_number = np.asarray(np.isfinite(raw.vertices).all(axis=1))
-    is_number &= (np.abs(raw.vertices) < _MOST_COORDINATE).all(axis=1)
-    wrong = not (is_number.all() or (len(raw.triangles) and is_number[raw.triangles].all()))
-    if wrong:
+    if not _are_numbers(raw):
         raise InputError(
             "{path} holds coordinates that are not numbers; it is damaged, so export it again.",
             path=path,
         )
     return raw
+
+
+def _are_numbers(raw: RawSurface) -> bool:
+    """Return whether all coordinates are lengths; vertices without triangle do not count."""
+    least, greatest = raw.vertices.min(), raw.vertices.max()  # not a number if one of them is none
+    if least > -_MOST_COORDINATE and greatest < _MOST_COORDINATE:
+        return True
+    is_number = np.asarray((np.abs(raw.vertices) < _MOST_COORDINATE).all(axis=1))
+    return len(raw.triangles) > 0 and bool(is_number[raw.triangles].all())
 
 
 def _too_large(path: Path) -> InputError:
@@ -196,15 +203,24 @@ def _too_large(path: Path) -> InputError:
 def _sound_surface(raw: RawSurface, path: Path) -> tuple[TriangleMesh, float]:
     """Return the surface without what is no triangle, and at which pitch it was thinned, or 0."""
     surface = merged(TriangleMesh(raw.vertices, raw.triangles, raw.colors, raw.touches))
-    if not surface.area_mm2 > 0:
+    pitch = 0.0
+    if len(surface.triangles) > _FINE_TRIANGLES:
+        pitch = max(
+            float(np.sqrt(_about_area(surface) / _THIN_VERTICES)),
+            float(np.ptp(surface.vertices, axis=0).max()) / _MOST_CUBES,
+        )
+    if pitch > 0:
+        surface = thinned(surface, pitch)
+    surface = without_flat_triangles(surface)
+    if not len(surface.triangles):
         raise InputError("{path} holds only triangles without area; export it again.", path=path)
-    if len(surface.triangles) <= _FINE_TRIANGLES:
-        return without_flat_triangles(surface), 0.0
-    pitch = max(
-        float(np.sqrt(surface.area_mm2 / _THIN_VERTICES)),
-        float(np.ptp(surface.vertices, axis=0).max()) / _MOST_CUBES,
-    )
-    return without_flat_triangles(thinned(surface, pitch)), pitch
+    return surface, pitch
+
+
+def _about_area(mesh: TriangleMesh) -> float:
+    """Return the area of a fine mesh within a percent or so, by a part of its triangles."""
+    step = len(mesh.triangles) // _SAMPLED_TRIANGLES
+    return step * replace(mesh, triangles=mesh.triangles[::step]).area_mm2
 
 
 def _without_outliers(raw: RawSurface) -> RawSurface:

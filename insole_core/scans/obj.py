@@ -6,6 +6,7 @@ A text of this size is read as columns of numbers; a loop over its lines would t
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,6 +30,10 @@ from insole_core.scans.texture import NO_COLOR, sampled
 
 _INDENTED = re.compile(rb"^[ \t]+", re.MULTILINE)
 _SLASHED = re.compile(rb"/[^ \t\n]*")
+
+
+_Counts = Callable[[], IntArray]
+"""How many vertices or coordinates stand before each polygon (m,)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,14 +65,14 @@ def read_obj(source: ScanContent) -> RawSurface:
         raise ValueError("a point in it has fewer than three coordinates")
     corners = _corners(
         lines.joined(is_face),
-        np.cumsum(is_vertex, dtype=np.int64)[is_face],
-        np.cumsum(lines.begin_with(b"vt"), dtype=np.int64)[is_face],
+        lambda: np.cumsum(is_vertex, dtype=np.int64)[is_face],
+        lambda: np.cumsum(lines.begin_with(b"vt"), dtype=np.int64)[is_face],
         source,
     )
     triangles = corners.vertex[fans(corners.vertex, corners.counts)]
     colors = _own_colors(rows)
     notes: list[Message] = []
-    if colors is None and len(triangles) and lines.begin_with(b"usemtl").any():
+    if colors is None and len(triangles) and b"usemtl" in text:
         colors, notes = _material_colors(lines, is_face, corners, len(rows), source)
     return RawSurface(
         np.ascontiguousarray(rows[:, :3]),
@@ -91,9 +96,9 @@ def _rows(text: bytes, count: int, letters: bytes) -> FloatArray:
 
 
 def _corners(
-    text: bytes, vertices_before: IntArray, coordinates_before: IntArray, source: ScanContent
+    text: bytes, vertices_before: _Counts, coordinates_before: _Counts, source: ScanContent
 ) -> _Corners:
-    """Read the polygons; what is before them counts for relative indices."""
+    """Read the polygons; relative indices count back from what is before them."""
     counts = words_per_line(text) - 1 if text else np.empty(0, dtype=np.int64)
     per_corner, with_texture = _form(text)
     if per_corner == 0:  # corners of different forms
@@ -127,7 +132,7 @@ def _form(text: bytes) -> tuple[int, bool]:
 
 
 def _from_zero(
-    numbers: IntArray, before: IntArray, counts: IntArray, source: ScanContent
+    numbers: IntArray, before: _Counts, counts: IntArray, source: ScanContent
 ) -> IntArray:
     """Return indices that count from 0, whether they count from 1 or back from their line."""
     if (numbers == 0).any():
@@ -137,7 +142,7 @@ def _from_zero(
         )
     if numbers.min(initial=1) > 0:
         return numbers - 1
-    return np.where(numbers > 0, numbers - 1, np.repeat(before, counts) + numbers)
+    return np.where(numbers > 0, numbers - 1, np.repeat(before(), counts) + numbers)
 
 
 def _own_colors(rows: FloatArray) -> ByteArray | None:

@@ -8,6 +8,7 @@ from pathlib import Path, PurePosixPath
 
 from insole_core.errors import InputError
 from insole_core.given_file import given_errors, read_given
+from insole_core.regular_file import open_regular
 from insole_core.zip_archive import ZipArchive
 
 MOST_BYTES = 600_000_000
@@ -66,7 +67,9 @@ def file_content(path: Path) -> ScanContent:
             path=path,
             most_mb=MOST_BYTES // 1_000_000,
         )
-    return ScanContent(path, path.suffix.lower(), read_given(path, MOST_BYTES), beside)
+    with given_errors(path, MOST_BYTES), open_regular(path) as file:
+        content = file.read(MOST_BYTES)  # at once: blocks that are joined take twice the memory
+    return ScanContent(path, path.suffix.lower(), content, beside)
 
 
 def archive_content(path: Path, archive: ZipArchive, name: str) -> ScanContent:

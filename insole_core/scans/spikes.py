@@ -10,6 +10,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 
 _ROUNDS = 2
+_LEAST_DEGREE = 4
 _LEAST_VERTICES = 1000  # with fewer of them a corner of the form itself may look like a spike
 _LEAST_SLENDERNESS = 2.2
 """Height of a spike over the radius of its base: no toe is a cone of less than 50
@@ -39,31 +40,40 @@ def without_spikes(mesh: TriangleMesh) -> tuple[TriangleMesh, int]:
 
 
 def _spikes(mesh: TriangleMesh) -> tuple[FloatArray, BoolArray]:
-    """Return the middle (n, 3) of each vertex's neighbours, and whether it is a spike (n,).
+    """Return the middle (n, 3) of the neighbours of each spike, and whether it is one (n,).
 
-    Medians, since among the neighbours there may be other spikes.
+    Medians, since among the neighbours there may be other spikes. They are only computed where the
+    mean of the neighbours is far off, which on most surfaces is nowhere.
     """
-    adjacency = mesh.links.adjacency
-    starts, neighbour = adjacency.indptr.astype(np.int64), adjacency.indices
-    degree = np.diff(starts)
-    owner = np.repeat(np.arange(len(degree)), degree)
-    around = mesh.vertices[neighbour]
-    middle = np.column_stack([_medians(column, owner, starts, degree) for column in around.T])
-    radius = _medians(np.linalg.norm(around - middle[owner], axis=1), owner, starts, degree)
-    height = np.linalg.norm(mesh.vertices - middle, axis=1)
-    typical = _medians(height[neighbour], owner, starts, degree)
-    inner = (degree >= 4) & ~mesh.links.is_boundary
-    usual = float(np.median(np.linalg.norm(around - mesh.vertices[owner], axis=1)))
+    links, vertices = mesh.links, mesh.vertices
+    starts, ends = links.edges[0].T
+    usual = float(np.median(np.linalg.norm(vertices[starts] - vertices[ends], axis=1)))
+    off = np.linalg.norm(links.mean @ vertices - vertices, axis=1)
+    middle, is_spike = vertices.copy(), np.zeros(len(vertices), dtype=bool)
+    suspects = np.flatnonzero((off > usual) & ~links.is_boundary)
+    if len(suspects) == 0:
+        return middle, is_spike
+    involved = np.unique(np.concatenate([suspects, links.adjacency[suspects].indices]))
+    rows = links.adjacency[involved]
+    degree = np.diff(rows.indptr)
+    owner = np.repeat(np.arange(len(involved)), degree)
+    around = vertices[rows.indices]
+    middle[involved] = np.column_stack([_medians(column, owner, degree) for column in around.T])
+    radius = np.zeros(len(vertices))
+    from_middle = np.linalg.norm(around - middle[involved][owner], axis=1)
+    radius[involved] = _medians(from_middle, owner, degree)
+    height = np.linalg.norm(vertices - middle, axis=1)
+    typical = np.zeros(len(vertices))
+    typical[involved] = _medians(height[rows.indices], owner, degree)
     least = np.maximum(_LEAST_SLENDERNESS * np.maximum(radius, usual), 3 * typical)
-    is_spike = inner & (height > least)
+    found = suspects[(height > least)[suspects]]
+    found = found[degree[np.searchsorted(involved, found)] >= _LEAST_DEGREE]
+    is_spike[found] = True
     return middle, is_spike
 
 
-def _medians(values: FloatArray, owner: IntArray, starts: IntArray, degree: IntArray) -> FloatArray:
-    """Return the lower median (n,) of each owner's values; 0 for one without any."""
+def _medians(values: FloatArray, owner: IntArray, degree: IntArray) -> FloatArray:
+    """Return the lower median (n,) of each owner's values; each has at least one."""
     order = np.lexsort((values, owner))
-    place = starts[:-1] + np.maximum(degree - 1, 0) // 2
-    found = np.zeros(len(degree))
-    has = degree > 0
-    found[has] = values[order[place[has]]]
-    return found
+    firsts = np.cumsum(degree) - degree
+    return np.asarray(values[order[firsts + (degree - 1) // 2]])

@@ -13,14 +13,13 @@ from pathlib import Path
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import placed_foot
 from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
 from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
-from insole_core.workflows.scanned_feet import find_scanned_feet
+from insole_core.workflows.scanned_feet import FootSaid, find_scanned_feet
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -61,10 +60,8 @@ class ScanExamination:
     Parameters
     ----------
     path
-    surface : mm, source frame
-        All that was read.
-    unit
-        As given or concluded.
+    read
+        What was read, at its final scale, without what surrounds the feet.
     form
         As given or concluded.
     feet
@@ -76,8 +73,7 @@ class ScanExamination:
     """
 
     path: Path
-    surface: TriangleMesh
-    unit: Unit
+    read: ReadMesh
     form: Form
     feet: tuple[FoundFoot, ...]
     notes: tuple[str, ...] = ()
@@ -156,19 +152,17 @@ def examine_surface(
     Cancelled
     """
     progress.step(0.0, "Finding the pose of the foot")
-    form, known_size = choice.form, choice.known_size
-    box = find_imprinted_feet(read, form, choice.side, known_size)
+    form, said = choice.form, FootSaid(choice.side, choice.pose, choice.known_size)
+    box = find_imprinted_feet(read, form, said)
     if box is None:
-        read, left_out, feet = find_scanned_feet(
-            read, known_size, form is Form.FOOT, choice.side, choice.pose
-        )
+        read, left_out, feet = find_scanned_feet(read, said, form is Form.FOOT)
         if form is None and len(feet) == 1:
             feet = (with_rimless_doubt(read, feet[0]),)
         form = form or Form.FOOT
     else:
         read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
     notes = read.notes if read.second is None else ()
-    return ScanExamination(path, read.mesh, read.unit, form, feet, notes, left_out)
+    return ScanExamination(path, read, form, feet, notes, left_out)
 
 
 def take_foot(

@@ -9,17 +9,17 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.errors import InputError
-from insole_core.foot.foot_candidate import FoundFoot
-from insole_core.foot.foot_placement import find_pressed_foot
+from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
+from insole_core.foot.foot_placement import find_foot, find_pressed_foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import transform
 from insole_core.imprints.foam_box import BoxScan, Imprint, find_imprints
 from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import INSIDE_OUT, ReadMesh
-from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
-from insole_core.workflows.scanned_feet import named_foot
+from insole_core.workflows.scanned_feet import NOTHING_SAID, FootSaid, named_foot
 
 _HARDLY_MM, _SHALLOW_MM = 8.0, 14.0
 """Depths of an end that is missing in part, and of one that is rounded off: a heel and a toe are
@@ -54,10 +54,7 @@ class ImprintedFeet:
 
 
 def find_imprinted_feet(
-    read: ReadMesh,
-    form: Form | None = None,
-    side: Side | None = None,
-    known_size: KnownSize | None = None,
+    read: ReadMesh, form: Form | None = None, said: FootSaid = NOTHING_SAID
 ) -> ImprintedFeet | None:
     """Find the feet that were pressed into a scanned surface, or into both of a folder.
 
@@ -65,8 +62,10 @@ def find_imprinted_feet(
     ----------
     read
         Of any form.
-    form, side, known_size
-        As the user has said; None where they are to be concluded.
+    form
+        As the user has said; None where it is to be concluded.
+    said
+        What else the user has said.
 
     Returns
     -------
@@ -78,38 +77,40 @@ def find_imprinted_feet(
     InputError
         When what was pressed in does not look like a foot.
     """
-    box = _in_scale(read, form, side, known_size)
+    box = _in_scale(read, form, said)
     if box is None or read.second is None:
         return box
-    second = find_imprinted_feet(read.second, form, side, known_size)
+    second = find_imprinted_feet(read.second, form, said)
     if second is None:
         return None
     feet = named_foot(box.feet[0], box.read), named_foot(second.feet[0], second.read)
     return replace(box, feet=feet, left_out=(*box.left_out, *second.left_out))
 
 
-def _in_scale(
-    read: ReadMesh, form: Form | None, side: Side | None, known: KnownSize | None
-) -> ImprintedFeet | None:
+def _in_scale(read: ReadMesh, form: Form | None, said: FootSaid) -> ImprintedFeet | None:
     """Find the feet at the scale at which the first one has its known length."""
-    found = _in_box(read, form, side)
-    if found is None or known is None or isinstance(known, KnownDistance):
+    found = _in_box(read, form, said)
+    length_mm = said.length_mm
+    if found is None or length_mm is None:
         return found
-    factor = known_length_mm(known) / found.feet[0].candidates[0].length_mm
-    return _in_box(read.scaled(factor), form, side)
+    return _in_box(read.scaled(length_mm / found.feet[0].candidates[0].length_mm), form, said)
 
 
-def _in_box(read: ReadMesh, form: Form | None, side: Side | None) -> ImprintedFeet | None:
+def _in_box(read: ReadMesh, form: Form | None, said: FootSaid) -> ImprintedFeet | None:
     box = find_imprints(read.mesh.flipped() if read.was_turned else read.mesh)
     if box is None or (form not in (None, Form.IMPRINT) and box.is_hollow):
         return None
-    feet = [_pressed_foot(imprint) for imprint in box.imprints]
+    posed = _posed_imprint(box, said.pose)
+    feet = [
+        _pressed_foot(imprint, said.pose if number == posed else None)
+        for number, imprint in enumerate(box.imprints)
+    ]
     placed = _by_position(*feet) if len(feet) == 2 else feet
     doubts = () if form else tuple(_form_doubts(box))
     found = (
         replace(
             one.foot,
-            doubts=(*doubts, *one.doubts(side)),
+            doubts=(*doubts, *one.doubts(said)),
             notes=(*one.foot.notes, *one.notes()),
         )
         for one in placed
@@ -171,8 +172,8 @@ class _PressedFoot:
         """(3,) unit vector from heel to toes, source frame."""
         return self.foot.candidates[0].source2insole[1, :3]
 
-    def doubts(self, asked: Side | None) -> Iterator[Message]:
-        """Yield what is doubtful, if a user has said which foot it is or has not."""
+    def doubts(self, said: FootSaid) -> Iterator[Message]:
+        """Yield what a user is to be asked."""
         told = self.foot.told_side
         if told is not None and self.place not in (None, told):
             yield Message(
@@ -181,11 +182,11 @@ class _PressedFoot:
                 place=self.place,
                 told=told,
             )
-        elif told is None and self.place is None and asked is None:
+        elif told is None and self.place is None and not said.is_decided:
             yield Message(
                 "The shape of the imprint does not tell left from right; say which foot it is."
             )
-        if self._end_mm < _HARDLY_MM:
+        if self._end_mm < _HARDLY_MM and not said.is_decided:
             yield Message(
                 "One end of the imprint is only {depth_mm:.0f} mm deep: heel or toes were hardly "
                 "pressed in, so that side and length are uncertain; say which foot it is, and "
@@ -223,7 +224,20 @@ class _PressedFoot:
         return replace(self, foot=foot, place=place)
 
 
-def _pressed_foot(imprint: Imprint) -> _PressedFoot:
+def _posed_imprint(box: BoxScan, pose: PoseClicks | FootCandidate | None) -> int:
+    """Return the number of the imprint that a pose is meant for: the one nearest to it."""
+    centres = np.array([imprint.centre for imprint in box.imprints])
+    if isinstance(pose, FootCandidate):
+        return int(np.abs(transform(pose.source2insole, centres)[:, 0]).argmin())
+    if pose is None:
+        return 0
+    clicked = np.mean([pose.heel, pose.toe, pose.sole], axis=0)
+    return int(np.linalg.norm(centres - clicked, axis=1).argmin())
+
+
+def _pressed_foot(imprint: Imprint, pose: PoseClicks | FootCandidate | None) -> _PressedFoot:
+    if pose is not None:
+        return _PressedFoot(imprint, replace(find_foot(imprint.mesh, None, pose), doubts=()))
     try:
         foot = find_pressed_foot(imprint.mesh, imprint.dorsal)
     except InputError as error:

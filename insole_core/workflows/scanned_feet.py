@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import find_foot
@@ -16,12 +16,45 @@ from insole_core.scans.surroundings import second_foot, without_surroundings
 _SCALE_ROUNDS, _SCALE_ERROR = 4, 0.002
 
 
+@dataclass(frozen=True)
+class FootSaid:
+    """What a user has said of a foot; None where it is to be concluded.
+
+    Parameters
+    ----------
+    side
+    pose
+        As it was clicked, or as found before.
+    known_size
+    """
+
+    side: Side | None = None
+    pose: PoseClicks | FootCandidate | None = None
+    known_size: KnownSize | None = None
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether it is said which foot it is."""
+        return self.side is not None or isinstance(self.pose, FootCandidate)
+
+    @property
+    def length_mm(self) -> float | None:
+        """Length of the foot, by which a scan without a scale is scaled."""
+        if self.known_size is None or isinstance(self.known_size, KnownDistance):
+            return None
+        return known_length_mm(self.known_size)
+
+    def scaled(self, factor: float) -> FootSaid:
+        """Return what still holds of a scan that was scaled: a candidate does at one scale only."""
+        pose = self.pose.scaled(factor) if isinstance(self.pose, PoseClicks) else None
+        return replace(self, pose=pose)
+
+
+NOTHING_SAID = FootSaid()
+
+
 def find_scanned_feet(
-    read: ReadMesh,
-    known_size: KnownSize | None = None,
-    is_foot: bool = False,
-    side: Side | None = None,
-    pose: PoseClicks | FootCandidate | None = None,
+    read: ReadMesh, said: FootSaid = NOTHING_SAID, is_foot: bool = False
 ) -> tuple[ReadMesh, tuple[str, ...], tuple[FoundFoot, ...]]:
     """Leave out what surrounds the feet in a scan, find them, and scale them to a known length.
 
@@ -29,8 +62,6 @@ def find_scanned_feet(
     ----------
     is_foot
         Whether the user has said that it is a foot, and no imprint.
-    side, pose
-        As the user has said; they do not count where there are two feet.
 
     Returns
     -------
@@ -47,43 +78,34 @@ def find_scanned_feet(
         When it does not look like a foot.
     """
     scan = without_surroundings(read.mesh, is_foot=is_foot)
-    read, feet = _in_scale(replace(read, mesh=scan.mesh), known_size, side, pose)
+    read, feet = _in_scale(replace(read, mesh=scan.mesh), said)
     if read.second is None:
         return read, scan.left_out, feet
-    second, others, more = find_scanned_feet(read.second, known_size, is_foot)
+    second, others, more = find_scanned_feet(read.second, said, is_foot)
     named = (named_foot(feet[0], read), named_foot(more[0], second))
     return read, (*scan.left_out, *others), named
 
 
-def _in_scale(
-    read: ReadMesh,
-    known: KnownSize | None,
-    side: Side | None,
-    pose: PoseClicks | FootCandidate | None,
-) -> tuple[ReadMesh, tuple[FoundFoot, ...]]:
+def _in_scale(read: ReadMesh, said: FootSaid) -> tuple[ReadMesh, tuple[FoundFoot, ...]]:
     """Return the scan at the scale at which the first foot has its known length, and the feet."""
-    if known is None or isinstance(known, KnownDistance):
-        return read, _feet_in(read.mesh, side, pose)
-    clicks = pose if isinstance(pose, PoseClicks) else None  # a candidate holds for one scale only
-    feet = _feet_in(read.mesh, side, clicks)
-    length_mm = known_length_mm(known)
+    feet = _feet_in(read.mesh, said)
+    length_mm = said.length_mm
+    if length_mm is None:
+        return read, feet
     for _ in range(_SCALE_ROUNDS):
         factor = length_mm / feet[0].candidates[0].length_mm
         if abs(factor - 1) < _SCALE_ERROR:
             break
-        read = read.scaled(factor)
-        clicks = None if clicks is None else clicks.scaled(factor)
-        feet = _feet_in(read.mesh, side, clicks)
+        read, said = read.scaled(factor), said.scaled(factor)
+        feet = _feet_in(read.mesh, said)
     return read, feet
 
 
-def _feet_in(
-    mesh: TriangleMesh, side: Side | None, pose: PoseClicks | FootCandidate | None
-) -> tuple[FoundFoot, ...]:
+def _feet_in(mesh: TriangleMesh, said: FootSaid) -> tuple[FoundFoot, ...]:
     """Return the foot in a scan, or both where two stand in it without touching."""
     is_second = second_foot(mesh)
     if is_second is None:
-        return (find_foot(mesh, side, pose),)
+        return (find_foot(mesh, said.side, said.pose),)
     first, second = find_foot(mesh.part(~is_second)), find_foot(mesh.part(is_second))
     if first.told_side is not None and first.told_side is second.told_side:
         doubt = Message(

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import ast
 import builtins
+import dataclasses
+import re
 import string
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 from xml.etree import ElementTree
 
 import numpy as np
@@ -20,9 +22,12 @@ import insole_studio
 from insole_core.calibration.boards.board import Chequerboard
 from insole_core.calibration.plausibility import USUAL_DEPTH, find_misfit
 from insole_core.errors import CalibrationError, InputError
+from insole_core.export.paper import paper_texts
+from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
-from insole_core.insole.pads.pad_kinds import pad_name
-from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.pads.pad_kinds import PAD_NAMES, pad_name
+from insole_core.insole.pads.pad_shapes import PAD_SHAPES
+from insole_core.insole.prescription.design import Correction, InsoleDesign, Shell
 from insole_core.insole.prescription.design_differences import LABELS, WORDS
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.messages import Message, joined
@@ -60,6 +65,23 @@ PUT_TOGETHER = {"shoe height"} | {
     for column in ("left", "centre", "right")
 }
 """Words of the catalogue that the core makes of parts."""
+PAPER_TEXTS = {
+    text
+    for paper in ("person_summary", "prescription", "words")
+    for text in paper_texts(paper).values()
+}
+"""Texts of the papers that are written in the language of the program."""
+PRESCRIBED = (
+    {name[0].upper() + name[1:] for name in PAD_NAMES.values()}
+    | {
+        re.sub(r"_(mm|deg|eu)$", "", field.name).replace("_", " ")
+        for correction in get_args(Correction)
+        for field in dataclasses.fields(correction)
+    }
+    | {word.replace("_", " ") for word in (*PAD_SHAPES, "three_quarter", *DEFINITIONS)}
+    | {"rearfoot post", "forefoot post", "depth camera"}
+)
+"""Words of a prescription, of measures, and of calibrations that are made of identifiers."""
 SHOP = read_shop()
 STOCK = {block.name for block in SHOP.blocks} | set(SHOP.materials)
 """What the shop that comes with the product has in stock."""
@@ -276,6 +298,7 @@ def test_nothing_is_translated_that_nobody_says() -> None:
         if isinstance(node, ast.Constant)
     }
     unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK - LIBRARY - MATERIALS
+    unused -= PAPER_TEXTS | PRESCRIBED
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
 
 

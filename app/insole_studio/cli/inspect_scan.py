@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 def report(examination: ScanExamination) -> dict[str, Any]:
     """Return what a scan shows; lengths in mm."""
     return {
-        "unit": examination.unit,
+        "unit": examination.read.unit,
         "form": examination.form.value,
         "feet": [_foot(foot) for foot in examination.feet],
         "notes": list(map(str, examination.notes)),

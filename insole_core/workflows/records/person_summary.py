@@ -210,8 +210,8 @@ def _prescription_lines(
 ) -> list[str]:
     head = [_filled(texts["variant"], name=variant.name), _version_text(version, texts)]
     scans = (c.file_name for c in dossier.captures if c.id == version.capture_id)
-    made = [_filled(texts["program of a version"], version=version.program_version)]
-    made += [_filled(texts["scan of a version"], name=name) for name in scans]
+    made = [_filled(texts["version_program"], version=version.program_version)]
+    made += [_filled(texts["version_scan"], name=name) for name in scans]
     made += [_filled(texts["signature"], signature=version.signature)] if version.signature else []
     facts = (
         f"{texts.translate(name)} {texts.translate(value)}"

@@ -40,6 +40,10 @@
             <translation>”{view}” kan inte vara namnet på en vy; använd 1 till 32 av tecknen a-z, 0-9 och _.</translation>
         </message>
         <message>
+            <source>0°</source>
+            <translation>0°</translation>
+        </message>
+        <message>
             <source>1st head</source>
             <translation>1:a huvudet</translation>
         </message>
@@ -448,6 +452,10 @@
             <translation>Klinik</translation>
         </message>
         <message>
+            <source>Closing the insole</source>
+            <translation>Inlägget sluts</translation>
+        </message>
+        <message>
             <source>Closing the {kind}</source>
             <translation>Sluter {kind}</translation>
         </message>
@@ -470,6 +478,10 @@
         <message>
             <source>Continuing the surface to the edges</source>
             <translation>Fortsätter ytan till kanterna</translation>
+        </message>
+        <message>
+            <source>Copying {name}</source>
+            <translation>{name} kopieras</translation>
         </message>
         <message>
             <source>Cork and EVA</source>
@@ -580,6 +592,10 @@
             <translation>Ritar skillnaden</translation>
         </message>
         <message>
+            <source>Drawing the foot</source>
+            <translation>Foten ritas</translation>
+        </message>
+        <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
         </message>
@@ -634,6 +650,10 @@
         <message>
             <source>Exporting orders</source>
             <translation>Exporterar beställningar</translation>
+        </message>
+        <message>
+            <source>Exporting the order {number}</source>
+            <translation>Beställningen {number} exporteras</translation>
         </message>
         <message>
             <source>Exporting the visit of {day}</source>
@@ -1334,6 +1354,10 @@
         <message>
             <source>Reading the session</source>
             <translation>Läser sessionen</translation>
+        </message>
+        <message>
+            <source>Reading version {number}</source>
+            <translation>Version {number} läses</translation>
         </message>
         <message>
             <source>Reading {file}</source>
@@ -2786,6 +2810,10 @@
         <message>
             <source>Writing the identification</source>
             <translation>Skriver märkningen</translation>
+        </message>
+        <message>
+            <source>Writing the insole</source>
+            <translation>Inlägget skrivs</translation>
         </message>
         <message>
             <source>Writing the job sheet</source>
@@ -5212,6 +5240,14 @@
             <translation>{comparison} Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
+            <source>{correction}: {values}</source>
+            <translation>{correction}: {values}</translation>
+        </message>
+        <message>
+            <source>{correction}: {values} ({signed})</source>
+            <translation>{correction}: {values} ({signed})</translation>
+        </message>
+        <message>
             <source>{count:g} places</source>
             <translation>{count:g} punkter</translation>
         </message>
@@ -5608,12 +5644,20 @@
             <translation>{name} är {value} (vanligt: {low} till {high})</translation>
         </message>
         <message>
+            <source>{name} {angle}</source>
+            <translation>{name} {angle}</translation>
+        </message>
+        <message>
             <source>{name} {count} points</source>
             <translation>{name} {count} punkter</translation>
         </message>
         <message>
             <source>{name} {share} % of the length</source>
             <translation>{name} {share} % av längden</translation>
+        </message>
+        <message>
+            <source>{name} {values}{unit}</source>
+            <translation>{name} {values}{unit}</translation>
         </message>
         <message>
             <source>{name}: "{key}" must hold {what}; calibrate the sensor again.</source>
@@ -5626,6 +5670,18 @@
         <message>
             <source>{name}: the array {array} is damaged, or of a kind that does not belong there; restore the file.</source>
             <translation>{name}: matrisen {array} är skadad, eller av ett slag som inte hör hemma där; återställ filen.</translation>
+        </message>
+        <message>
+            <source>{number:g}</source>
+            <translation>{number:g}</translation>
+        </message>
+        <message>
+            <source>{numbers} mm</source>
+            <translation>{numbers} mm</translation>
+        </message>
+        <message>
+            <source>{number} mm</source>
+            <translation>{number} mm</translation>
         </message>
         <message>
             <source>{paper} is a paper, which is written as .pdf; change its suffix.</source>
@@ -6112,20 +6168,12 @@
             <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
         </message>
         <message>
-            <source>{place} holds a record already; restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller redan en journal; återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
-        </message>
-        <message>
             <source>{place} holds a record that cannot be read.</source>
             <translation>{place} innehåller en journal som inte går att läsa.</translation>
         </message>
         <message>
             <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it, the last of {last_at} UTC ({kinds}).</source>
             <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i loggen finns inte i den, den senaste från {last_at} UTC ({kinds}).</translation>
-        </message>
-        <message>
-            <source>{place} holds a record that is newer than the backup: {count} entries of its audit log are not in it. Restore to an empty place, or let this record be set aside.</source>
-            <translation>{place} innehåller en journal som är nyare än säkerhetskopian: {count} poster i dess logg finns inte i den. Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
             <source>{place} holds a record with {count} entries fewer in its audit log than the backup.</source>
@@ -6266,6 +6314,10 @@
         <message>
             <source>{view} is left out: {reason}.</source>
             <translation>{view} utelämnas: {reason}.</translation>
+        </message>
+        <message>
+            <source>{weight} kg</source>
+            <translation>{weight} kg</translation>
         </message>
         <message>
             <source>{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of that range.</source>

@@ -32,6 +32,10 @@
             <translation>Välj filens enhet, eller en längd som är känd.</translation>
         </message>
         <message>
+            <source>Choose which foot it is.</source>
+            <translation>Välj vilken fot det är.</translation>
+        </message>
+        <message>
             <source>Click heel, toes and sole</source>
             <translation>Klicka på häl, tår och fotsula</translation>
         </message>
@@ -98,10 +102,6 @@
         <message>
             <source>The scan shows</source>
             <translation>Skanningen visar</translation>
-        </message>
-        <message>
-            <source>The shape does not tell left from right: choose which foot it is.</source>
-            <translation>Formen visar inte om det är vänster eller höger: välj vilken fot det är.</translation>
         </message>
         <message>
             <source>The shoe size is known</source>

@@ -136,16 +136,12 @@
             <translation>Måla tryckbilden eller fotavtrycket över fot och inlägg</translation>
         </message>
         <message>
-            <source>Peak pressure</source>
-            <translation>Högsta tryck</translation>
-        </message>
-        <message>
             <source>Peak pressure under a head from which on a relief is proposed</source>
             <translation>Högsta tryck under ett huvud från vilket en avlastning föreslås</translation>
         </message>
         <message>
-            <source>Peaks in kPa: {list}</source>
-            <translation>Högsta tryck i kPa: {list}</translation>
+            <source>Peaks, kPa</source>
+            <translation>Högsta tryck, kPa</translation>
         </message>
         <message>
             <source>Pressure</source>
@@ -164,8 +160,8 @@
             <translation>Tryckbild eller fotavtryck</translation>
         </message>
         <message>
-            <source>Relief under the {head} ({kpa:.0f} kPa)</source>
-            <translation>Avlastning under {head} ({kpa:.0f} kPa)</translation>
+            <source>Relief: {head} ({kpa:.0f} kPa)</source>
+            <translation>Avlasta: {head} ({kpa:.0f} kPa)</translation>
         </message>
         <message>
             <source>Relieve from</source>
@@ -224,16 +220,8 @@
             <translation>nerifrån, som en skanner ser den</translation>
         </message>
         <message>
-            <source>hallux</source>
-            <translation>stortån</translation>
-        </message>
-        <message>
-            <source>heel</source>
-            <translation>hälen</translation>
-        </message>
-        <message>
-            <source>midfoot</source>
-            <translation>mellanfoten</translation>
+            <source>heel {heel}, midfoot {midfoot}, heads 1–5: {heads}, hallux {hallux}, toes {toes}</source>
+            <translation>häl {heel}, mellanfot {midfoot}, huvud 1–5: {heads}, stortå {hallux}, tår {toes}</translation>
         </message>
         <message>
             <source>per inch</source>
@@ -242,10 +230,6 @@
         <message>
             <source>table</source>
             <translation>tabell</translation>
-        </message>
-        <message>
-            <source>toes 2–5</source>
-            <translation>tårna 2–5</translation>
         </message>
         <message>
             <source>x</source>

@@ -106,6 +106,8 @@ def test_search_goes_by_words_of_all_that_is_known(records: Records) -> None:
     [
         ("Lena Berg-Lund", "lund"),
         ("Lena Berg-Lund", "berg-l"),
+        ("Lena Berg-Lund", "berg, lena"),
+        ("Lind, Lena", "lena lind"),
         ("O’Brien", "o'br"),
         ("O’Brien", "brien"),
         ("李小龍", "小龍"),

@@ -272,8 +272,19 @@ def test_a_folder_or_archive_with_both_feet(left_mesh, right_mesh, tmp_path, pac
     assert [part.side for part in scan_parts(place)] == [Side.LEFT, Side.RIGHT]
     read = read_mesh(place, side=Side.RIGHT)
     assert largest_distance_mm(read.mesh, right_mesh) < 1e-3
-    with pytest.raises(InputError, match="holds two scans"):
-        read_mesh(place)
+    both = read_mesh(place)
+    assert both.second is not None
+    assert largest_distance_mm(both.mesh, left_mesh) < 1e-3
+    assert largest_distance_mm(both.second.mesh, right_mesh) < 1e-3
+    with pytest.raises(InputError, match="two scans of the left foot"):
+        scan_parts(folder_with(tmp_path / "twice", "left a.stl", "left b.stl"))
+
+
+def folder_with(folder: Path, *names: str) -> Path:
+    folder.mkdir()
+    for name in names:
+        (folder / name).touch()
+    return folder
 
 
 def test_an_archive_with_one_scan_and_its_texture(left_mesh, tmp_path):

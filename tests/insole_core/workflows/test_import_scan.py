@@ -24,7 +24,7 @@ def scan(left_mesh: TriangleMesh, tmp_path_factory: pytest.TempPathFactory) -> P
 def test_a_foot_has_a_candidate_of_either_side(scan: Path) -> None:
     examination = examine_scan(scan)
     (found,) = examination.feet
-    assert (examination.unit, examination.form) == ("mm", Form.FOOT)
+    assert (examination.read.unit, examination.form) == ("mm", Form.FOOT)
     assert [one.side for one in found.candidates] == [Side.LEFT, Side.RIGHT]
     assert found.candidates[0].length_mm == pytest.approx(245, abs=2)
 

@@ -12,9 +12,10 @@ import pytest
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.export.ply import write_ply
+from insole_core.foot.foot_candidate import PoseClicks
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg, transform
 from insole_core.imprints.foam_box import find_imprints
 from insole_core.imprints.form import Form
 from insole_core.insole.build import build_insole
@@ -45,7 +46,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Callable[[TriangleMesh]
 
 @pytest.fixture(scope="module")
 def single(left_mesh, written) -> Path:
-    return written(single_box(left_mesh, cell_mm=1.5).transformed(TURN))
+    return written(single_box(left_mesh, cell_mm=2.0).transformed(TURN))
 
 
 def first_taken(examination: ScanExamination, number: int = 0) -> ScannedFoot:
@@ -65,7 +66,7 @@ def test_the_foot_of_an_imprint_lies_where_it_was_pressed_in(single, left_mesh):
     truth = transform(TURN, pressed(left_mesh).vertices)
     sole = transform(scanned.foot.source2insole, truth)
     assert sole[:, 2].min() == pytest.approx(0, abs=0.6)
-    assert any("28 mm deep" in note for note in scanned.foot.notes)
+    assert any("mm deep, read as the sole" in note for note in scanned.foot.notes)
 
 
 def test_an_imprint_opens_by_command_and_makes_an_insole(single):
@@ -80,7 +81,7 @@ def test_an_imprint_opens_by_command_and_makes_an_insole(single):
 
 
 def test_both_feet_of_a_box_are_found_left_first(left_mesh, right_mesh, written):
-    path = written(double_box([left_mesh, right_mesh], cell_mm=1.5).transformed(TURN))
+    path = written(double_box([left_mesh, right_mesh], cell_mm=2.0).transformed(TURN))
 
     examination = examine_scan(path)
 
@@ -90,14 +91,14 @@ def test_both_feet_of_a_box_are_found_left_first(left_mesh, right_mesh, written)
 
 
 def test_shapes_that_contradict_their_places_are_doubted(left_mesh, right_mesh, written):
-    examination = examine_scan(written(double_box([right_mesh, left_mesh], cell_mm=1.5)))
+    examination = examine_scan(written(double_box([right_mesh, left_mesh], cell_mm=2.0)))
 
     for found in examination.feet:
         assert any("by its shape" in doubt for doubt in found.doubts)
 
 
 def test_a_sole_that_stands_out_is_asked_and_keeps_its_side(left_mesh, written):
-    path = written(single_box(left_mesh, cell_mm=1.5).flipped())
+    path = written(single_box(left_mesh, cell_mm=2.0).flipped())
 
     asked = examine_scan(path)
     said = examine_scan(path, ImportChoice(form=Form.IMPRINT))
@@ -143,13 +144,13 @@ def test_an_end_that_was_hardly_pressed_in_is_told(left_mesh, written, lifted_de
     tilted = left_mesh.transformed(rigid(lift, np.zeros(3)))
     standing = tilted.transformed(rigid(np.eye(3), -tilted.bounds_mm[0] * [0, 0, 1]))
 
-    (found,) = examine_scan(written(single_box(standing, 16.0, cell_mm=1.5))).feet
+    (found,) = examine_scan(written(single_box(standing, 16.0, cell_mm=2.0))).feet
 
     assert any("hardly pressed in" in doubt for doubt in found.doubts)
 
 
 def test_a_known_length_gives_the_scale_of_a_box(left_mesh, written):
-    box = single_box(left_mesh, cell_mm=1.5)
+    box = single_box(left_mesh, cell_mm=2.0)
     path = written(replace(box, vertices=box.vertices * 0.0137))
 
     examination = examine_scan(path, ImportChoice(known_size=KnownFootLength(246.0)))
@@ -161,7 +162,7 @@ def test_a_known_length_gives_the_scale_of_a_box(left_mesh, written):
 
 def test_boxes_in_a_folder_are_both_feet(left_mesh, right_mesh, written, tmp_path):
     for name, foot in (("left", left_mesh), ("right", right_mesh)):
-        written(single_box(foot, cell_mm=1.5)).rename(tmp_path / f"{name}.ply")
+        written(single_box(foot, cell_mm=2.0)).rename(tmp_path / f"{name}.ply")
 
     examination = examine_scan(tmp_path)
 
@@ -180,7 +181,7 @@ def test_a_cast_is_what_the_user_says(left_mesh, written):
 
 
 def test_an_imprint_without_its_rim_is_asked_for_its_form(left_mesh, written):
-    scan = find_imprints(single_box(left_mesh, cell_mm=1.5))
+    scan = find_imprints(single_box(left_mesh, cell_mm=2.0))
     assert scan is not None
     (imprint,) = scan.imprints
 
@@ -199,3 +200,19 @@ def test_a_low_cast_with_a_flat_top_lies_as_a_foot_does(left_mesh, written):
 
     assert found.told_side is Side.LEFT
     assert found.candidates[0].length_mm == pytest.approx(245, abs=3)
+
+
+def test_three_clicks_place_the_foot_of_an_imprint(left_mesh, right_mesh, written):
+    path = written(double_box([left_mesh, right_mesh], cell_mm=2.0))
+    _, right = examine_scan(path).feet
+    to_source = np.linalg.inv(right.candidates[0].source2insole)
+    heel, toe, sole = (
+        tuple(transform(to_source, np.array(place)))
+        for place in ((0.0, 3.0, 12.0), (-8.0, 238.0, 9.0), (0.0, 160.0, 3.0))
+    )
+
+    clicked = examine_scan(path, ImportChoice(pose=PoseClicks(heel, toe, sole))).feet
+
+    assert [found.candidates[0].side for found in clicked] == [Side.LEFT, Side.RIGHT]
+    turned = clicked[1].candidates[0].source2insole @ to_source
+    assert rotation_angle_deg(turned[:3, :3]) < 2.0

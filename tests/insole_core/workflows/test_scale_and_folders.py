@@ -39,7 +39,7 @@ def test_a_known_length_of_the_foot_scales_any_unit(turned, length_mm, tmp_path,
         examine_scan(path)
     examination = examine_scan(path, ImportChoice(known_size=KnownFootLength(length_mm)))
     assert examination.feet[0].candidates[0].length_mm == pytest.approx(length_mm, rel=0.004)
-    height_mm = np.ptp(examination.surface.vertices, axis=0)
+    height_mm = np.ptp(examination.read.mesh.vertices, axis=0)
     assert height_mm == pytest.approx(np.ptp(turned.vertices, axis=0), rel=0.005)
     assert any("Scaled by the size that is known" in note for note in examination.notes)
 
@@ -51,7 +51,7 @@ def test_two_points_and_their_distance_give_the_scale(turned, tmp_path):
     first, second = scaled[10], scaled[2000]
     between_mm = float(np.linalg.norm(turned.vertices[10] - turned.vertices[2000]))
     known = KnownDistance(tuple(first), tuple(second), between_mm)
-    surface = examine_scan(path, ImportChoice(known_size=known)).surface
+    surface = examine_scan(path, ImportChoice(known_size=known)).read.mesh
     assert np.ptp(surface.vertices, axis=0) == pytest.approx(
         np.ptp(turned.vertices, axis=0), rel=1e-4
     )

@@ -81,4 +81,4 @@ def find_scan(
         examination = examine_surface(path, read, choice, progress.part(0.4, 1.0))
     except InputError as error:
         return FoundScan(choice, read, refusal=error.message)
-    return FoundScan(choice, read, examination)
+    return FoundScan(choice, examination.read, examination)

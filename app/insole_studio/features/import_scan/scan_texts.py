@@ -45,7 +45,7 @@ def candidate_text(candidate: FootCandidate) -> str:
 def finding_text(foot: FoundFoot, chosen: FootCandidate | None) -> str:
     """Say what the scan is taken for, and by what."""
     if chosen is None:
-        return tr("The shape does not tell left from right: choose which foot it is.")
+        return tr("Choose which foot it is.")
     if chosen.side is foot.told_side:
         side = {
             Side.LEFT: tr("A left foot by its shape"),

@@ -27,6 +27,7 @@ def upgrade() -> None:
         sqlite_with_rowid=False,
     )
     op.create_index("ix_persons_name_key_birth_date", "persons", ["name_key", "birth_date"])
+    op.create_index("ix_persons_merged_into", "persons", ["merged_into"])
     op.create_index("ix_audit_author_seq", "audit", ["author", "seq"])
     op.create_index("ix_audit_at_seq", "audit", ["at", "seq"])
     if op.get_bind().dialect.name == "sqlite":

@@ -770,6 +770,13 @@ CREATE INDEX ix_persons_last_seq ON public.persons USING btree (last_seq);
 
 
 --
+-- Name: ix_persons_merged_into; Type: INDEX; Schema: public; Owner: -
+--
+
+CREATE INDEX ix_persons_merged_into ON public.persons USING btree (merged_into);
+
+
+--
 -- Name: ix_persons_name_key_birth_date; Type: INDEX; Schema: public; Owner: -
 --
 

@@ -29,6 +29,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.material_model import MaterialModel
+from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.document.side_by_side import SideBySide
@@ -108,7 +109,7 @@ def case() -> Case:
 
 @pytest.fixture
 def tool_controller(case: Case, section: SectionModel, rim: RimModel) -> ToolController:
-    return ToolController(case, make_tools(section, rim, load_pads(), load_rules()))
+    return ToolController(case, make_tools(section, rim, PlantarView(), load_pads(), load_rules()))
 
 
 @pytest.fixture
@@ -140,6 +141,7 @@ def facts(
         "section": section,
         "tool_controller": tool_controller,
         "counterpart": SideBySide(case, jobs, surface.builder),
+        "plantar": PlantarView(),
     }
     jobs.close()
 
@@ -287,6 +289,7 @@ class TestParameters:
             load_pads(),
             load_rules(),
             rim=rim,
+            plantar=PlantarView(),
             materials=MaterialModel(),
             request_action=lambda _key: None,
         )
@@ -482,6 +485,7 @@ class TestModels:
             (),
             load_rules(),
             rim=rim,
+            plantar=PlantarView(),
             materials=MaterialModel(),
             request_action=lambda _key: None,
         )

@@ -16,6 +16,7 @@ from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import ArchRaise, InsoleDesign, Pelott, Posting
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
+from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.all_tools import make_tools
@@ -70,7 +71,7 @@ def case(make_foot: Any) -> Case:
 @pytest.fixture
 def tool_controller(case: Case, section: SectionModel) -> ToolController:
     rim = RimModel(case, AsScanned())
-    return ToolController(case, make_tools(section, rim, load_pads(), load_rules()))
+    return ToolController(case, make_tools(section, rim, PlantarView(), load_pads(), load_rules()))
 
 
 class AsScanned(QObject):

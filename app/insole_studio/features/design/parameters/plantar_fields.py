@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from insole_core.cases.case_record import FootRecord
@@ -119,11 +119,6 @@ class PlantarFields:
     def _peak_group(self, shown: PressureMap) -> FieldGroup:
         """Return the peaks of the regions, and a relief for each head above the threshold."""
         peaks = region_peaks(shown, landmarks_of(self._case.shown))
-        lines = [
-            f"{region_text(name)} {localised(peak, '.0f')}"
-            for name, peak in peaks.items()
-            if peak is not None
-        ]
         design = self._case.shown.design
         heads = overloaded_heads(peaks, self._threshold_kpa)
         open_heads = () if design is None else heads_to_relieve(design, self._known(heads))
@@ -131,8 +126,8 @@ class PlantarFields:
             Proposal(
                 f"plantar.relieve-{head}",
                 fill(
-                    tr("Relief under the {head} ({kpa:.0f} kPa)"),
-                    head=region_text(f"head_{head}"),
+                    tr("Relief: {head} ({kpa:.0f} kPa)"),
+                    head=head_text(head),
                     kpa=peaks[f"head_{head}"] or 0.0,
                 ),
                 tr("Add the relief of the library under this head; it can be undone and changed"),
@@ -143,10 +138,10 @@ class PlantarFields:
             "plantar.threshold", tr("Relieve from"), "kPa", self._threshold_kpa, *_THRESHOLD_KPA,
             10, 0, tip=tr("Peak pressure under a head from which on a relief is proposed"),
         )  # fmt: skip
-        note = tr("Peaks in kPa: {list}").format(list=", ".join(lines))
+        note = peaks_text(peaks)
         if heads and not open_heads:
             note += "  " + tr("Every head above it is relieved.")
-        return FieldGroup(tr("Peak pressure"), (threshold,), offers, note)
+        return FieldGroup(tr("Peaks, kPa"), (threshold,), offers, note)
 
     def _known(self, heads: tuple[int, ...]) -> tuple[int, ...]:
         """Return the heads for which the library has a relief."""
@@ -154,19 +149,30 @@ class PlantarFields:
         return tuple(head for head in heads if f"relief_head_{head}" in kinds)
 
 
-def region_text(name: str) -> str:
-    """Return the name of a region of the sole."""
-    return {
-        "heel": tr("heel"),
-        "midfoot": tr("midfoot"),
-        "head_1": tr("1st head"),
-        "head_2": tr("2nd head"),
-        "head_3": tr("3rd head"),
-        "head_4": tr("4th head"),
-        "head_5": tr("5th head"),
-        "hallux": tr("hallux"),
-        "lesser_toes": tr("toes 2–5"),
-    }[name]
+def peaks_text(peaks: Mapping[str, float | None]) -> str:
+    """Return the peaks of all regions in a line; "–" where no sensor lies."""
+    number = {name: "–" if peak is None else localised(peak, ".0f") for name, peak in peaks.items()}
+    heads = " ".join(number[f"head_{head}"] for head in range(1, 6))
+    return tr(
+        "heel {heel}, midfoot {midfoot}, heads 1–5: {heads}, hallux {hallux}, toes {toes}"
+    ).format(
+        heel=number["heel"],
+        midfoot=number["midfoot"],
+        heads=heads,
+        hallux=number["hallux"],
+        toes=number["lesser_toes"],
+    )
+
+
+def head_text(head: int) -> str:
+    """Return the name of a metatarsal head, 1 to 5."""
+    return (
+        tr("1st head"),
+        tr("2nd head"),
+        tr("3rd head"),
+        tr("4th head"),
+        tr("5th head"),
+    )[head - 1]
 
 
 def _place(key: str, label: str, value: float) -> FieldSpec:
