@@ -48,7 +48,7 @@ NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 PATIENCE_MS = 60_000
 
 
-SHARED = ("_section", "_rim")
+SHARED = ("_section", "_rim", "_view")
 """What tools hold that other panels hold as well."""
 
 
