@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.features.import_scan.size_fields import SizeFields
+from insole_studio.services.questions import SameSide
 
 LEFT = Qt.MouseButton.LeftButton
 Open = Callable[[TriangleMesh], ImportDialog | None]
@@ -275,3 +277,29 @@ def test_the_shoe_size_gives_the_scale_of_a_scan_without_unit(
     settle()
     assert app.case.foot is not None
     assert app.case.foot.length_mm == pytest.approx(40 * 20 / 3 - 15, abs=12.0)
+
+
+@pytest.mark.slow
+def test_the_same_file_at_another_size_is_another_foot(
+    app: Application,
+    questions: Any,
+    open_scan: Open,
+    settle: Callable[[], None],
+    right_foot: TriangleMesh,
+) -> None:
+    open_scan(right_foot, Side.RIGHT)  # type: ignore[call-arg]
+    before = app.case.foot
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    choose_size(dialog.size_fields, "shoe")
+    field = dialog.size_fields.numbers["shoe"]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "46")
+    QTest.keyClick(field, Qt.Key.Key_Tab)
+    settle()
+    QTest.mouseClick(dialog.open_button, LEFT)
+    questions.same_side = SameSide.REPLACE
+    settle()
+    assert app.case.foot is not before
+    assert app.case.history.undo_sentence == "Put a new scan into the place of the old"
