@@ -19,7 +19,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
 from insole_core.scans.scale import KnownSize
 from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
-from insole_core.workflows.scanned_feet import FootSaid, find_scanned_feet
+from insole_core.workflows.scanned_feet import FootSaid, find_scanned_feet, with_name
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -161,6 +161,8 @@ def examine_surface(
         form = form or Form.FOOT
     else:
         read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
+    if read.second is None and len(feet) == 1:
+        feet = (with_name(feet[0], read, said),)
     notes = read.notes if read.second is None else ()
     return ScanExamination(path, read, form, feet, notes, left_out)
 

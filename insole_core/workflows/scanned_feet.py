@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
@@ -11,6 +12,7 @@ from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
+from insole_core.scans.scan_folder import ScanPart
 from insole_core.scans.surroundings import second_foot, without_surroundings
 
 _SCALE_ROUNDS, _SCALE_ERROR = 4, 0.002
@@ -117,21 +119,40 @@ def _feet_in(mesh: TriangleMesh, said: FootSaid) -> tuple[FoundFoot, ...]:
 
 
 def named_foot(found: FoundFoot, read: ReadMesh) -> FoundFoot:
-    """Hold a foot against the name of its file, which decides where the shape does not."""
-    if read.part is None:
+    """Hold one of two feet against the name of its file, which decides where the shape does not."""
+    found = replace(with_name(found, read), notes=(*read.notes, *found.notes))
+    if read.part is None or read.part.side is None or found.told_side is not None:
         return found
-    path = read.part.path if read.part.path.is_file() else None
-    side, told = read.part.side, found.told_side
-    found = replace(found, path=path, notes=(*read.notes, *found.notes))
-    if side is None or told is side:
+    side = read.part.side
+    ordered = sorted(found.candidates, key=lambda candidate: candidate.side is not side)
+    return replace(found, candidates=tuple(ordered))
+
+
+def with_name(found: FoundFoot, read: ReadMesh, said: FootSaid = NOTHING_SAID) -> FoundFoot:
+    """Return a foot with the path of its file, in doubt if its name tells the other side."""
+    part = read.part
+    if part is None:
         return found
-    if told is None:
-        ordered = sorted(found.candidates, key=lambda candidate: candidate.side is not side)
-        return replace(found, candidates=tuple(ordered))
-    doubt = Message(
-        "{name} is named as a {side} foot, but looks like a {told} one; say which foot it is.",
-        name=read.part.path.name,
-        side=side,
-        told=told,
-    )
-    return replace(found, doubts=(doubt, *found.doubts))
+    path = part.path if part.path.is_file() else None
+    return replace(found, path=path, doubts=(*_name_doubts(found, part, said), *found.doubts))
+
+
+def _name_doubts(found: FoundFoot, part: ScanPart, said: FootSaid) -> Iterator[Message]:
+    if part.side is None or isinstance(said.pose, FootCandidate):
+        return
+    told = found.told_side
+    if told not in (None, part.side):
+        yield Message(
+            "{name} is named as a {side} foot, but looks like a {told} one; say which foot it is.",
+            name=part.path.name,
+            side=part.side,
+            told=told,
+        )
+    elif said.side not in (None, part.side):
+        yield Message(
+            "{name} is named as a {side} foot, but is opened as a {said} one; say which foot it "
+            "is.",
+            name=part.path.name,
+            side=part.side,
+            said=said.side,
+        )

@@ -2448,6 +2448,10 @@
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>
         <message>
+            <source>The {side} foot was changed while the map was being aligned to it, so the map was not laid; lay it again.</source>
+            <translation>Foten ({side}) ändrades medan bilden passades in under den, så bilden lades inte dit; lägg den igen.</translation>
+        </message>
+        <message>
             <source>The {what} cannot be right: {reason}</source>
             <translation>{what} kan inte stämma: {reason}</translation>
         </message>
@@ -5614,6 +5618,10 @@
         <message>
             <source>{name} is missing, but sensor.json names it as disparity_correction; restore it from the recording.</source>
             <translation>{name} saknas, men sensor.json anger den som disparity_correction; återställ den från inspelningen.</translation>
+        </message>
+        <message>
+            <source>{name} is named as a {side} foot, but is opened as a {said} one; say which foot it is.</source>
+            <translation>{name} heter som en {side} fot, men öppnas som en {said}; säg vilken fot det är.</translation>
         </message>
         <message>
             <source>{name} is named as a {side} foot, but looks like a {told} one; say which foot it is.</source>

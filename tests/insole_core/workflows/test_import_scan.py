@@ -12,6 +12,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.workflows.import_scan import ImportChoice, examine_scan, take_foot
+from insole_core.workflows.open_scan import open_scan
+from insole_core.workflows.scanned_foot import mesh_source
 
 
 @pytest.fixture(scope="module")
@@ -39,3 +41,33 @@ def test_the_other_side_is_taken_by_force_only(scan: Path) -> None:
     forced = take_foot(examination, found, right, ImportChoice(force=True))
     assert forced.foot.side is Side.RIGHT
     assert forced.foot.source2insole[2, :3] @ left.source2insole[2, :3] > 0.98
+
+
+def test_the_only_scan_of_a_folder_is_taken(left_mesh: TriangleMesh, tmp_path: Path) -> None:
+    file = tmp_path / "visit" / "foot.ply"
+    file.parent.mkdir()
+    write_ply(left_mesh, file)
+    examination = examine_scan(file.parent)
+    (found,) = examination.feet
+    source = take_foot(examination, found, found.candidates[0]).source
+    assert source.path == str(file.resolve())
+    assert source.sha256 == mesh_source(file).sha256
+
+
+def test_one_of_two_scans_is_taken_by_its_side(
+    left_mesh: TriangleMesh, right_mesh: TriangleMesh, tmp_path: Path
+) -> None:
+    write_ply(left_mesh, tmp_path / "left.ply")
+    write_ply(right_mesh, tmp_path / "right.ply")
+    source = open_scan(tmp_path, Side.RIGHT).source
+    assert source.path == str((tmp_path / "right.ply").resolve())
+
+
+def test_a_file_that_is_named_as_the_other_foot_is_doubted(
+    left_mesh: TriangleMesh, tmp_path: Path
+) -> None:
+    file = tmp_path / "right.ply"
+    write_ply(left_mesh, file)
+    (found,) = examine_scan(file, ImportChoice(side=Side.LEFT)).feet
+    assert [doubt for doubt in found.doubts if "is named as a right foot" in doubt]
+    assert not examine_scan(file, ImportChoice(pose=found.candidates[0])).feet[0].doubts
