@@ -19,10 +19,10 @@ _DEPTH = 2
 _MANIFEST = "manifest.json"  # of a session
 _PREFERRED = (".ply", ".stl", ".glb", ".gltf", ".obj", ".3mf", ".off", ".xyz", ".asc", ".pts")
 _WORD = re.compile(r"[A-Z]?[a-zäöüéÄÖ]+|[A-ZÄÖ]+(?![a-zäöü])")
-_LEFT = {"left", "l", "lf", "lt", "links", "linker", "linke", "vänster", "vanster", "gauche",
+_LEFT = {"left", "lf", "lt", "links", "linker", "linke", "vänster", "vanster", "gauche",
          "izquierdo", "izquierda", "izq", "sinistro", "sinistra", "sx", "leftfoot"}  # fmt: skip
-_RIGHT = {"right", "r", "rf", "rt", "rechts", "rechter", "rechte", "höger", "hoger", "droit",
-          "droite", "derecho", "derecha", "der", "destro", "destra", "dx", "rightfoot"}  # fmt: skip
+_RIGHT = {"right", "rf", "rt", "rechts", "rechter", "rechte", "höger", "hoger", "droit",
+          "droite", "derecho", "derecha", "destro", "destra", "dx", "rightfoot"}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -83,9 +83,14 @@ def part_content(part: ScanPart) -> ScanContent:
 
 
 def side_of_name(name: str) -> Side | None:
-    """Return the foot that a name tells, such as ``Left foot 2`` or ``scan_R``; None otherwise."""
-    words = {word.lower() for word in _WORD.findall(name)}
-    is_left, is_right = bool(words & _LEFT), bool(words & _RIGHT)
+    """Return the foot that a name tells, such as ``Left foot 2`` or ``scan_R``; None otherwise.
+
+    A single letter counts as the last word only: elsewhere it may be an initial of the patient.
+    """
+    words = [word.lower() for word in _WORD.findall(name)]
+    last = words[-1] if words else ""
+    is_left = last == "l" or not _LEFT.isdisjoint(words)
+    is_right = last == "r" or not _RIGHT.isdisjoint(words)
     if is_left == is_right:
         return None
     return Side.LEFT if is_left else Side.RIGHT

@@ -250,6 +250,7 @@ def test_points_far_from_all_others_are_left_out(left_mesh, tmp_path):
         ("left_foot", Side.LEFT), ("Fuss rechts", Side.RIGHT), ("scan-L", Side.LEFT),
         ("Pied_Droit", Side.RIGHT), ("höger", Side.RIGHT), ("RightFoot2", Side.RIGHT),
         ("both left and right", None), ("roller", None), ("scan 2", None), ("Leftover", None),
+        ("R_Svensson_1", None), ("Fuss der Patientin", None),
     ],
 )  # fmt: skip
 def test_names_tell_the_side_only_by_whole_words(name, side):
