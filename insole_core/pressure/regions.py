@@ -22,6 +22,7 @@ another one.
 _HEEL = 0.31  # of the way from pternion to the tip of the 2nd toe
 _HEADS_FROM = 0.08  # of the length, behind and ahead of the heads' line
 _TOES_FROM = 0.09
+_MARGIN, _BORDER = 0.05, 0.1  # behind heel and ahead of toes; beside the outermost heads
 
 
 def region_peaks(laid: PressureMap, landmarks: Landmarks) -> dict[str, float | None]:
@@ -55,7 +56,7 @@ def overloaded_heads(
 
 
 def _regions(points: FloatArray, at: Mapping[str, Any]) -> IntArray:
-    """(n,) number of the region of each point (n, 2); -1 far beside the foot."""
+    """(n,) number of the region of each point (n, 2); -1 behind, ahead of or beside the foot."""
     heel_y = float(at["pternion"][1])
     length = float(at["toe_tip_2"][1]) - heel_y
     heads = np.array([at[name] for name in HEADS])
@@ -72,4 +73,8 @@ def _regions(points: FloatArray, at: Mapping[str, Any]) -> IntArray:
     is_first = np.abs(points[:, None, 0] - tips[None]).argmin(axis=1) == 0
     region[toes & is_first] = REGIONS.index("hallux")
     region[toes & ~is_first] = REGIONS.index("lesser_toes")
+    front = max(float(at[name][1]) for name in TOE_TIPS)
+    least = (heads[:, 0].min() - _BORDER * length, heel_y - _MARGIN * length)
+    greatest = (heads[:, 0].max() + _BORDER * length, front + _MARGIN * length)
+    region[((points < least) | (points > greatest)).any(axis=1)] = -1
     return region

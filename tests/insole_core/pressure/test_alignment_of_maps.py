@@ -181,6 +181,13 @@ def test_peaks_and_reliefs_follow_the_heads(left_foot: Foot) -> None:
     assert heads_to_relieve(relieved, (3, 4)) == (4,)
 
 
+def test_what_is_loaded_beside_the_foot_counts_to_no_region(left_foot: Foot) -> None:
+    kpa = np.full((80, 50), 80.0)
+    kpa[[0, -1]] = kpa[:, [0, -1]] = 900.0
+    laid = PressureMap(kpa, (5.0, 5.0), Placement(0.0, 125.0))
+    assert region_peaks(laid, find_landmarks(left_foot)) == dict.fromkeys(REGIONS, 80.0)
+
+
 def test_a_case_keeps_map_and_picture(left_foot: Foot, right_foot: Foot, tmp_path: Path) -> None:
     kpa = pressed(left_foot, Placement(0, 120, 20), np.random.default_rng(3)).kpa
     kpa[0, 0] = np.nan
