@@ -2448,6 +2448,10 @@
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>
         <message>
+            <source>The {side} foot was changed while the map was being aligned to it, so the map was not laid; lay it again.</source>
+            <translation>Foten ({side}) ändrades medan bilden passades in under den, så bilden lades inte dit; lägg den igen.</translation>
+        </message>
+        <message>
             <source>The {what} cannot be right: {reason}</source>
             <translation>{what} kan inte stämma: {reason}</translation>
         </message>

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +15,11 @@ from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_core.pressure.placement import Placement
+from insole_core.pressure.read_pressure import read_pressure
 from insole_core.pressure.sole_print import SolePrint
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.models.color_maps import MapKind
@@ -42,6 +47,19 @@ def written_plate(app: Application, path: Path) -> Path:
     rows = "\n".join(";".join(str(value) for value in row) for row in kpa)
     path.write_text(f"unit: kPa\npitch_mm: 6\n{rows}\n")
     return path
+
+
+def asked(
+    app: Application, questions: CannedQuestions, settle: Settle, path: Path
+) -> PressureDialog:
+    """Open a plate of the left foot, and answer what its dialog asks."""
+    questions.path = written_plate(app, path)
+    act(app, "lay_pressure")
+    settle()
+    (dialog,) = app.window.findChildren(PressureDialog)
+    pick(dialog.side, "left")
+    pick(dialog.seen_from, "above")
+    return dialog
 
 
 @pytest.fixture
@@ -161,3 +179,56 @@ def test_a_map_without_a_foot_of_its_side_is_told(
     assert opened.case.record.plantar.pressure is None
     (told,) = opened.services.messages.dialogs
     assert "no right foot" in told.text()
+
+
+@pytest.mark.parametrize("is_aligning", [True, False])
+def test_a_map_never_comes_into_the_next_case(
+    opened: Application,
+    questions: CannedQuestions,
+    settle: Settle,
+    tmp_path: Path,
+    is_aligning: bool,
+) -> None:
+    dialog = asked(opened, questions, settle, tmp_path / "plate.csv")
+    if is_aligning:
+        QTest.mouseClick(dialog.lay_button, LEFT)
+    assert opened.case.foot is not None
+    source = ScanSource("mesh", "/nowhere/next.ply", "1" * 64)
+    foot = FootRecord.begun(copy(opened.case.foot), source)
+    opened.case.open(CaseRecord.of_foot(foot), None)
+    settle()
+    now = opened.case.record.of_side(Side.LEFT)
+    assert now is not None
+    assert now.source == source
+    assert now.plantar.pressure is None
+    assert not [one for one in opened.window.findChildren(PressureDialog) if one.isVisible()]
+
+
+def test_a_foot_changed_while_its_map_is_aligned_stays(
+    opened: Application, questions: CannedQuestions, settle: Settle, tmp_path: Path
+) -> None:
+    dialog = asked(opened, questions, settle, tmp_path / "plate.csv")
+    QTest.mouseClick(dialog.lay_button, LEFT)
+    before = opened.case.record.of_side(Side.LEFT)
+    assert before is not None
+    changed = replace(before, foot=copy(before.foot))
+    opened.case.apply(changed, "Scan again")
+    settle()
+    now = opened.case.record.of_side(Side.LEFT)
+    assert now is not None
+    assert now.foot is changed.foot
+    assert now.plantar.pressure is None
+    (told,) = opened.services.messages.dialogs
+    assert "lay it again" in told.text()
+
+
+def test_another_map_of_a_file_is_shown(opened: Application, tmp_path: Path) -> None:
+    (long,) = read_pressure(written_plate(opened, tmp_path / "plate.csv"))
+    long = replace(long, values=np.repeat(long.values, 3, axis=0))
+    short = replace(long, values=long.values[:1])
+    dialog = PressureDialog("plates.csv", (long, short), opened.window)
+    pick(dialog.kind, "frame")
+    dialog.frame.setValue(3)
+    pick(dialog.which, "1")
+    assert dialog.frame.value() == 1
+    assert dialog.recording is short

@@ -51,6 +51,13 @@ class PlantarActions:
         self._view = view
         self._side_by_side = side_by_side
         self._edit = edit
+        self._dialog: QDialog | None = None
+
+    def leave_case(self) -> None:
+        """Stop what is read, asked or aligned, before another case comes."""
+        self._services.jobs.cancel(CHANNEL)
+        if self._dialog is not None:
+            self._dialog.reject()
 
     def ask(self) -> None:
         """Let the user choose a file, and open it."""
@@ -89,8 +96,10 @@ class PlantarActions:
                 return lay_pressure(foot.foot, recording, answers, shown, name)
 
             def take(laid: LaidPressure) -> None:
-                changed = with_pressure(self._still(foot), laid.pressure)
-                self._apply(changed, PlantarLayer.PRESSURE, laid.doubts)
+                now = self._still(foot)
+                if now is not None:
+                    changed = with_pressure(now, laid.pressure)
+                    self._apply(changed, PlantarLayer.PRESSURE, laid.doubts)
 
             self._services.run(CHANNEL, align, take)
 
@@ -114,16 +123,23 @@ class PlantarActions:
                 return lay_picture(foot.foot, scaled, view)
 
             def take(laid: LaidPicture) -> None:
-                changed = with_picture(self._still(foot), laid.picture)
-                self._apply(changed, PlantarLayer.PICTURE, laid.doubts)
+                now = self._still(foot)
+                if now is not None:
+                    changed = with_picture(now, laid.picture)
+                    self._apply(changed, PlantarLayer.PICTURE, laid.doubts)
 
             self._services.run(CHANNEL, align, take)
 
         self._open(dialog, lay)
 
     def _open(self, dialog: QDialog, lay: Callable[[], None]) -> None:
+        self._dialog = dialog
+        dialog.finished.connect(self._forget_dialog)
         dialog.accepted.connect(lay)
         dialog.open()
+
+    def _forget_dialog(self, _result: int) -> None:
+        self._dialog = None
 
     def _foot(self, side: Side) -> FootRecord | None:
         """Return the foot of a side; tell where the case has none."""
@@ -138,10 +154,19 @@ class PlantarActions:
             )
         return foot
 
-    def _still(self, foot: FootRecord) -> FootRecord:
-        """Return a foot as it is now, after the map was aligned to it."""
+    def _still(self, foot: FootRecord) -> FootRecord | None:
+        """Return the foot the map was aligned to as it is now; tell where it is gone."""
         now = self._case.record.of_side(foot.side)
-        return now if now is not None and now.foot is foot.foot else foot
+        if now is not None and now.foot is foot.foot:
+            return now
+        self._services.messages.show_error(
+            InputError(
+                "The {side} foot was changed while the map was being aligned to it, so the map was "
+                "not laid; lay it again.",
+                side=foot.side,
+            )
+        )
+        return None
 
     def _apply(self, changed: FootRecord, layer: PlantarLayer, doubts: tuple[str, ...]) -> None:
         self._case.apply(changed, tr("Lay a map under the foot"))

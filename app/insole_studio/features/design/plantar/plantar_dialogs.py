@@ -102,7 +102,7 @@ class PressureDialog(_PlantarDialog):
         self._recordings = recordings
         self.which = ComboBox([(str(n), one.name) for n, one in enumerate(recordings)])
         if len(recordings) > 1:
-            self._add(tr("Map"), self.which)
+            self.form.addRow(tr("Map"), self.which)
             self.which.edited.connect(self._show_recording)
         self.side = ComboBox(_with_open(_sides()))
         self._add(tr("Foot"), self.side)
