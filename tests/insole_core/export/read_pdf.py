@@ -23,6 +23,7 @@ def text_of_pdf(path: Path) -> str:
 
 def _decoded(stream: bytes) -> bytes:
     try:
-        return zlib.decompress(stream)
+        # Its last byte may be the one of a line break, which was taken for the end of the line.
+        return zlib.decompressobj().decompress(stream)
     except zlib.error:
         return stream

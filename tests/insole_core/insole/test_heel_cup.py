@@ -118,7 +118,6 @@ def test_rim_along_the_edge_has_the_depth(left_foot, depth):
         ("dupontgu/right_foot.stl", Side.RIGHT),
         ("plantar_scan.obj", Side.RIGHT),
         ("focus_template/template.obj", Side.LEFT),
-        ("limb/stl_file.stl", Side.RIGHT),
     ],
 )
 def test_cup_of_a_real_foot_is_fair(real_feet, file: str, side: Side, depth: float):

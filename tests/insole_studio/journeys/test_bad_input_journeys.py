@@ -41,7 +41,7 @@ def warnings(app: Application) -> list[QLabel]:
 
 def field(app: Application, key: str) -> NumberField:
     fields = app.stage.parameters.findChildren(NumberField)
-    return next(f for f in fields if f.property("key") == key)
+    return next(f for f in fields if f.property("key") == key and f.isVisible())
 
 
 def type_number(app: Application, key: str, text: str) -> NumberField:

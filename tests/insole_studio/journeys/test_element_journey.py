@@ -75,7 +75,9 @@ def corrections(app: Application) -> tuple[Correction, ...]:
 
 def field(app: Application, key: str) -> NumberField:
     (found,) = (
-        f for f in app.stage.parameters.findChildren(NumberField) if f.property("key") == key
+        f
+        for f in app.stage.parameters.findChildren(NumberField)
+        if f.property("key") == key and f.isVisible()
     )
     return found
 

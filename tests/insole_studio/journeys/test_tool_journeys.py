@@ -12,7 +12,7 @@ import pytest
 from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QScroller, QToolButton
+from PySide6.QtWidgets import QApplication, QLineEdit, QScroller, QToolButton
 from pytestqt.qtbot import QtBot
 from round_foot import round_foot
 
@@ -517,14 +517,20 @@ def test_touch_mode_makes_every_target_44_pixels(opened: Application, foot: Scen
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 120.0))
     act(opened, "touch")
     opened.case.select(None)  # the fields are laid out anew
-    QApplication.processEvents()
+    QTest.qWait(50)
     panel = opened.stage.parameters
-    fields = [*panel.findChildren(NumberField), *panel.findChildren(ComboBox)]
+    every = [*panel.findChildren(NumberField), *panel.findChildren(ComboBox)]
+    fields = [field for field in every if field.isVisible()]
     assert fields
     assert min(field.height() for field in fields) >= 44
-    buttons = opened.window.findChildren(QToolButton)
-    assert min(b.sizeHint().height() for b in buttons if b.isVisible()) >= 44
-    field = panel.findChildren(NumberField)[0]
+    buttons = [
+        button
+        for button in opened.window.findChildren(QToolButton)
+        if button.isVisible() and not isinstance(button.parent(), QLineEdit)  # as high as its line
+    ]
+    small = [button for button in buttons if button.sizeHint().height() < 44]
+    assert [(button.text(), button.toolTip(), button.parent()) for button in small] == []
+    field = next(field for field in fields if isinstance(field, NumberField))
     before = field.value()
     for from_right, change in ((22, 1), (66, -1)):  # plus outside, minus beside it
         at = QPoint(field.width() - from_right, field.height() // 2)

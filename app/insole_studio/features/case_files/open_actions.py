@@ -33,6 +33,8 @@ NOTICE = "scan"
 LINE_LETTERS = 160
 """Number of characters that the status bar of a small window shows."""
 EXAMPLE = "example/example.insole"
+_SAME_LENGTH = 0.03
+"""Share by which the length of a foot may change when its scan is read again."""
 
 
 class OpenActions:
@@ -115,7 +117,7 @@ class OpenActions:
         """Add a foot to the case; one reconstructed from the same scan keeps its design."""
         self._recent.remember(Path(scanned.source.path))
         before = self._case.record.of_side(scanned.foot.side)
-        if before is not None and before.source.path == scanned.source.path:
+        if before is not None and _is_same_scan(before, scanned):
             again = replace(before, foot=scanned.foot, source=scanned.source)
             self._tell(scanned)
             self._case.apply(again, tr("Reconstruct the foot again"))
@@ -235,3 +237,16 @@ class OpenActions:
 
 def _sentence_of_adding(side: Side) -> str:
     return tr("Add the left foot") if side is Side.LEFT else tr("Add the right foot")
+
+
+def _is_same_scan(before: FootRecord, scanned: ScannedFoot) -> bool:
+    """Return whether a scan is the one in the case, and shows a foot of the same size and form.
+
+    A file that is read in another unit or form gives another foot, on which no design fits.
+    """
+    same_file = before.source.path == scanned.source.path
+    if scanned.source.kind == "session":
+        return same_file
+    same_form = before.foot.form is scanned.foot.form
+    ratio = scanned.foot.length_mm / before.foot.length_mm
+    return same_file and same_form and abs(ratio - 1) < _SAME_LENGTH

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from insole_core.errors import InputError
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
+from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.scans.mesh_file import ReadMesh, UnitError
 from insole_core.workflows.import_scan import (
@@ -26,7 +27,7 @@ class FoundScan:
     choice
         What the user has said of it.
     read
-        None where no unit makes it as large as a foot.
+        All of it, as it was read; None where no unit makes it as large as a foot.
     examination
         None where no foot was found.
     refusal
@@ -43,11 +44,29 @@ class FoundScan:
         """The feet that were found."""
         return () if self.examination is None else self.examination.feet
 
-    def proposed(self, foot: FoundFoot) -> FootCandidate | None:
-        """Return the way in which a foot is to be taken; None if that has to be asked."""
-        if self.choice.side is not None:
-            return foot.best(self.choice.side)
+    def proposed(self, number: int, said: Side | None = None) -> FootCandidate | None:
+        """Return the way in which a foot is to be taken; None if that has to be asked.
+
+        Parameters
+        ----------
+        number
+            Of the foot.
+        said
+            Which foot it is, as the user has said since.
+        """
+        foot = self.feet[number]
+        if said is None and len(self.feet) == 1:
+            said = self.choice.side
+        if said is not None:
+            return foot.best(said)
         return foot.candidates[0] if foot.told_side is not None else None
+
+    @property
+    def mm_per_read_mm(self) -> float:
+        """What the surface that is shown was multiplied with since it was read."""
+        if self.read is None or self.examination is None:
+            return 1.0
+        return self.examination.read.mm_per_unit / self.read.mm_per_unit
 
     @property
     def is_sure(self) -> bool:
@@ -81,4 +100,4 @@ def find_scan(
         examination = examine_surface(path, read, choice, progress.part(0.4, 1.0))
     except InputError as error:
         return FoundScan(choice, read, refusal=error.message)
-    return FoundScan(choice, examination.read, examination)
+    return FoundScan(choice, read, examination)

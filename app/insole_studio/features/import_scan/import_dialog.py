@@ -121,8 +121,14 @@ class ImportDialog(QDialog):
         if side is not None and mesh is not None:
             self.model.show_directions(side, mesh.bounds_mm)
 
-    def show_feet(self, rows: Sequence[str], shown: int) -> None:
-        """List the feet of a scan; the list hides where there is only one."""
+    def show_feet(self, rows: Sequence[str], shown: int, unmarked: int | None = None) -> None:
+        """List the feet of a scan; the list hides where there is only one.
+
+        Parameters
+        ----------
+        unmarked
+            One that is not marked when it appears.
+        """
         self.feet.setVisible(len(rows) > 1)
         with QSignalBlocker(self.feet):
             while self.feet.count() > len(rows):
@@ -130,7 +136,8 @@ class ImportDialog(QDialog):
             while self.feet.count() < len(rows):
                 item = QListWidgetItem(self.feet)
                 item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
-                item.setCheckState(Qt.CheckState.Checked)
+                is_marked = self.feet.count() - 1 != unmarked
+                item.setCheckState(Qt.CheckState.Checked if is_marked else Qt.CheckState.Unchecked)
             for number, text in enumerate(rows):
                 self.feet.item(number).setText(text)
             self.feet.setCurrentRow(shown)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -73,6 +73,9 @@ class ImportPresenter(QObject):
         self._take, self._failed = take, failed
         self._found = found
         self._chosen: list[FootCandidate | None] = []
+        self._said: dict[int, Side] = {}
+        """Which foot each one is, where the user has said it."""
+        self._size_said = dialog.size_fields.said
         self._shown = 0
         self._clicks: list[FloatArray] = []
         """What has been clicked, mm, source frame."""
@@ -95,6 +98,7 @@ class ImportPresenter(QObject):
         """Take the shown foot as a left or a right one."""
         foot = self._foot
         if foot is not None:
+            self._said[self._shown] = side
             self._choose(foot.best(side))
 
     def choose_candidate(self, number: int) -> None:
@@ -105,25 +109,21 @@ class ImportPresenter(QObject):
 
     def show_foot(self, number: int) -> None:
         """Show another foot of the scan."""
-        if 0 <= number < len(self._chosen):
+        if 0 <= number < len(self._chosen) and not self._wants_distance:
             self._shown = number
             self._show_chosen(anew=True)
+        else:
+            self._show_chosen()  # the points are clicked on the first foot
 
     def read_anew(self) -> None:
         """Read the scan in the unit and the form that are chosen now."""
-        self._clicks = []
-        size = self._dialog.size_fields
-        form = self._dialog.form.currentData()
-        choice = replace(
-            self._found.choice,
-            unit=size.unit,
-            known_size=_TO_CLICK_ON if size.distance_mm is not None else size.known,
-            form=Form(form) if form else None,
-            pose=None,
-        )
-        before = self._found.choice
-        is_same = (before.unit, before.known_size) == (choice.unit, choice.known_size)
-        self._find(choice, keep_surface=is_same)
+        size, form = self._dialog.size_fields, self._dialog.form.currentData()
+        choice = replace(self._found.choice, form=Form(form) if form else None)
+        is_same_size, self._size_said = size.said == self._size_said, size.said
+        if not is_same_size:
+            known = _TO_CLICK_ON if size.distance_mm is not None else size.known
+            choice = replace(choice, unit=size.unit, known_size=known, pose=None)
+        self._find(choice, keep_surface=is_same_size)
 
     def ask_clicks(self, on: bool) -> None:
         """Begin to click the three points that tell how the foot lies, or give it up."""
@@ -137,7 +137,8 @@ class ImportPresenter(QObject):
         if distance_mm is not None and len(self._clicks) == 2:
             self._find(replace(self._found.choice, known_size=self._distance(distance_mm)))
         elif distance_mm is None and len(self._clicks) == len(CLICKS):
-            heel, toe, sole = (tuple(map(float, place)) for place in self._clicks)
+            as_read = np.array(self._clicks) / self._found.mm_per_read_mm
+            heel, toe, sole = (tuple(map(float, place)) for place in as_read)
             clicks = PoseClicks(heel, toe, sole)  # type: ignore[arg-type]
             self._find(replace(self._found.choice, pose=clicks), keep_surface=True)
         else:
@@ -167,11 +168,11 @@ class ImportPresenter(QObject):
             made = []
             for number, (foot, candidate) in enumerate(wanted):
                 progress.step(number / len(wanted), "Finding heel and toes")
-                said = replace(choice, side=candidate.side, pose=candidate)
-                made.append(take_foot(examination, foot, candidate, said))
+                made.append(take_foot(examination, foot, candidate, choice))
             return made
 
         self._jobs.start(TAKE, make, self._taken, self._refused)
+        self._show_opening()
 
     @property
     def _foot(self) -> FoundFoot | None:
@@ -203,6 +204,15 @@ class ImportPresenter(QObject):
         is_known = isinstance(self._found.choice.known_size, KnownDistance)
         return self._dialog.size_fields.distance_mm is not None and not is_known
 
+    @property
+    def _unmarked(self) -> int | None:
+        """The foot that is not wanted, where a side was asked for and there are two."""
+        wanted = self._found.choice.side
+        if wanted is None or len(self._chosen) < 2:
+            return None
+        sides = [None if one is None else one.side for one in self._chosen]
+        return sides.index(wanted.other) if wanted.other in sides else None
+
     def _shown_mesh(self) -> TriangleMesh | None:
         foot, read = self._foot, self._found.read
         mesh = foot.mesh if foot is not None else None if read is None else read.mesh
@@ -210,20 +220,24 @@ class ImportPresenter(QObject):
 
     def _find(self, choice: ImportChoice, *, keep_surface: bool = False) -> None:
         read = self._found.read if keep_surface else None
-        self._dialog.show_opening(tr("Open"), is_enabled=False)
+        self._jobs.cancel(TAKE)
         self._jobs.start(
             FIND,
             lambda progress: find_scan(self._path, choice, read, progress),
             self._show_found,
             self._fail,
         )
+        self._show_opening()
 
     def _show_found(self, found: FoundScan) -> None:
         self._found = found
         self._force = bool(found.refusal)
         self._clicks = []
-        self._chosen = [found.proposed(foot) for foot in found.feet]
-        self._shown = 0
+        if len(found.feet) != len(self._chosen):
+            self._said = {}  # other feet than those of which something was said
+        numbers = range(len(found.feet))
+        self._chosen = [found.proposed(number, self._said.get(number)) for number in numbers]
+        self._shown = min(self._shown, max(len(found.feet) - 1, 0))
         examination = found.examination
         notes = found.read.notes if examination is None and found.read else ()
         if examination is not None:
@@ -244,7 +258,7 @@ class ImportPresenter(QObject):
         side = None if chosen is None else chosen.side
         dialog.show_side(side, mesh, can_be_chosen=self._foot is not None)
         rows = [foot_text(*pair) for pair in zip(self._found.feet, self._chosen, strict=True)]
-        dialog.show_feet(rows, self._shown)
+        dialog.show_feet(rows, self._shown, self._unmarked)
         ways = self._ways
         dialog.show_candidates(
             list(map(candidate_text, ways)), ways.index(chosen) if chosen is not None else -1
@@ -261,8 +275,12 @@ class ImportPresenter(QObject):
             for number, candidate in enumerate(self._chosen)
             if self._dialog.is_marked(number)
         ]
+        sides = [None if one is None else one.side for one in marked]
+        is_clear = bool(sides) and None not in sides and len(set(sides)) == len(sides)
+        is_busy = self._jobs.is_running(FIND) or self._jobs.is_running(TAKE)
         text = tr("Open anyway") if self._force and marked else tr("Open")
-        self._dialog.show_opening(text, is_enabled=bool(marked) and None not in marked)
+        is_enabled = is_clear and not is_busy and not self._wants_distance
+        self._dialog.show_opening(text, is_enabled=is_enabled)
 
     def _show_clicks(self, *, is_on: bool | None = None) -> None:
         wants_distance = self._wants_distance
@@ -282,9 +300,8 @@ class ImportPresenter(QObject):
 
     def _distance(self, distance_mm: float) -> KnownDistance:
         assert self._found.read is not None
-        first, second = (
-            tuple(map(float, place / self._found.read.mm_per_unit)) for place in self._clicks
-        )
+        mm_per_unit = self._found.read.mm_per_unit * self._found.mm_per_read_mm
+        first, second = (tuple(map(float, place / mm_per_unit)) for place in self._clicks)
         return KnownDistance(first, second, distance_mm)  # type: ignore[arg-type]
 
     def _taken(self, feet: list[ScannedFoot]) -> None:
@@ -299,8 +316,12 @@ class ImportPresenter(QObject):
         self._show_chosen()
 
     def _fail(self, error: Exception) -> None:
-        self._dialog.done(0)
-        self._failed(error)
+        """Tell what is wrong with what was said, or leave where the file cannot be read."""
+        if isinstance(error, InputError) and self._wants_distance:
+            self._show_found(replace(self._found, refusal=error.message))
+        else:
+            self._dialog.done(0)
+            self._failed(error)
 
     def _end(self) -> None:
         for channel in (FIND, TAKE):
@@ -315,6 +336,7 @@ class ImportPresenter(QObject):
     def _hide_progress(self, channel: str) -> None:
         if channel in (FIND, TAKE):
             self._dialog.progress.show_work(0, "")
+            self._show_opening()
 
 
 def _lying(mesh: TriangleMesh) -> FloatArray:

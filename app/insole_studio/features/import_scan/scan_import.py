@@ -65,7 +65,7 @@ class ScanImport:
 def _taken_at_once(found: FoundScan) -> _Opened:
     """Make the foot of a scan of which nothing has to be asked."""
     examination, side = found.examination, found.choice.side
-    candidate = found.proposed(found.feet[0]) if found.feet else None
+    candidate = found.proposed(0) if found.feet else None
     if examination is None or side is None or candidate is None or not found.is_sure:
         return found, None
     try:

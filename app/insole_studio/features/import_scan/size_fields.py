@@ -28,7 +28,7 @@ class SizeFields(QWidget):
         self.numbers = {
             LENGTH: _number("mm", 80, 350, 250),
             SHOE: _number("EU", 15, 55, 40),
-            DISTANCE: _number("mm", 1, 1000, 85.6),
+            DISTANCE: _number("mm", 5, 1000, 85.6),
         }
         for key, name in (
             (LENGTH, tr("Length of the foot")),
@@ -65,6 +65,11 @@ class SizeFields(QWidget):
         """The distance of two points that are clicked, if that is what is known."""
         is_distance = self.kind.currentData() == DISTANCE
         return self.numbers[DISTANCE].value() if is_distance else None
+
+    @property
+    def said(self) -> tuple[object, ...]:
+        """All that is chosen and typed here, to see whether it has changed."""
+        return self.unit, self.known, self.distance_mm
 
     def _choose(self, _kind: str) -> None:
         self._show_number()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.features.import_scan.size_fields import SizeFields
+from insole_studio.services.questions import SameSide
 
 LEFT = Qt.MouseButton.LeftButton
 Open = Callable[[TriangleMesh], ImportDialog | None]
@@ -31,6 +33,17 @@ Open = Callable[[TriangleMesh], ImportDialog | None]
 @pytest.fixture(scope="module")
 def right_foot() -> TriangleMesh:
     return build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(2), cell_mm=4.0).mesh
+
+
+@pytest.fixture(scope="module")
+def box(right_foot: TriangleMesh) -> TriangleMesh:
+    """A foam box into which both feet were pressed."""
+    left_foot = build_foot(FootShape(side=Side.LEFT), np.random.default_rng(2), cell_mm=4.0).mesh
+    pressed = [
+        foot.transformed(pressing(28.0, (x_mm, 0.0)))
+        for foot, x_mm in ((left_foot, -80.0), (right_foot, 80.0))
+    ]
+    return press_feet(pressed, FoamBox(DOUBLE_MM), np.random.default_rng(1))
 
 
 @pytest.fixture
@@ -170,16 +183,48 @@ def test_two_scans_opened_one_after_the_other_show_the_newer(
     assert [dialog.windowTitle() for dialog in dialogs] == ["Open the scan second.ply"]
 
 
-@pytest.mark.slow
-def test_both_feet_of_a_foam_box_are_opened_at_once(
+def test_a_side_that_was_pressed_outlives_another_reading(
     app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
 ) -> None:
-    left_foot = build_foot(FootShape(side=Side.LEFT), np.random.default_rng(2), cell_mm=4.0).mesh
-    pressed = [
-        foot.transformed(pressing(28.0, (x_mm, 0.0)))
-        for foot, x_mm in ((left_foot, -80.0), (right_foot, 80.0))
-    ]
-    dialog = open_scan(press_feet(pressed, FoamBox(DOUBLE_MM), np.random.default_rng(1)))
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    choose_size(dialog.size_fields, "mm")
+    assert not dialog.open_button.isEnabled()
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    assert not dialog.open_button.isEnabled()  # what is shown is being read anew
+    settle()
+    assert dialog.open_button.isEnabled()
+    assert dialog.sides[Side.LEFT].isChecked()
+
+
+@pytest.mark.slow
+def test_of_both_feet_only_the_one_that_was_asked_for_is_marked(
+    app: Application, open_scan: Open, settle: Callable[[], None], box: TriangleMesh
+) -> None:
+    dialog = open_scan(box, Side.RIGHT)  # type: ignore[call-arg]
+    assert dialog is not None
+    assert [dialog.is_marked(number) for number in range(2)] == [False, True]
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert [foot.side for foot in app.case.record.feet] == [Side.RIGHT]
+
+
+@pytest.mark.slow
+def test_two_feet_of_one_side_cannot_be_opened(
+    open_scan: Open, settle: Callable[[], None], box: TriangleMesh
+) -> None:
+    dialog = open_scan(box)
+    assert dialog is not None
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    assert not dialog.open_button.isEnabled()
+
+
+@pytest.mark.slow
+def test_both_feet_of_a_foam_box_are_opened_at_once(
+    app: Application, open_scan: Open, settle: Callable[[], None], box: TriangleMesh
+) -> None:
+    dialog = open_scan(box)
     assert dialog is not None
     assert dialog.feet.count() == 2
     QTest.keyClick(dialog.feet, Qt.Key.Key_Down)
@@ -206,6 +251,8 @@ def test_two_clicked_points_give_the_scale_of_a_scan_without_unit(
     QTest.keyClick(field, Qt.Key.Key_Tab)
     settle()
     assert "two points" in dialog.hint.text()
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    assert not dialog.open_button.isEnabled()  # at a size that nobody has said
     scene = dialog.model.scene
     for y_mm in (20.0, 180.0):
         QTest.mouseClick(scene.surface, LEFT, pos=pixel(scene, 0.0, y_mm))
@@ -230,3 +277,29 @@ def test_the_shoe_size_gives_the_scale_of_a_scan_without_unit(
     settle()
     assert app.case.foot is not None
     assert app.case.foot.length_mm == pytest.approx(40 * 20 / 3 - 15, abs=12.0)
+
+
+@pytest.mark.slow
+def test_the_same_file_at_another_size_is_another_foot(
+    app: Application,
+    questions: Any,
+    open_scan: Open,
+    settle: Callable[[], None],
+    right_foot: TriangleMesh,
+) -> None:
+    open_scan(right_foot, Side.RIGHT)  # type: ignore[call-arg]
+    before = app.case.foot
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    choose_size(dialog.size_fields, "shoe")
+    field = dialog.size_fields.numbers["shoe"]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "46")
+    QTest.keyClick(field, Qt.Key.Key_Tab)
+    settle()
+    QTest.mouseClick(dialog.open_button, LEFT)
+    questions.same_side = SameSide.REPLACE
+    settle()
+    assert app.case.foot is not before
+    assert app.case.history.undo_sentence == "Put a new scan into the place of the old"
