@@ -25,6 +25,7 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog, PressureDialog
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.number_field import NumberField
 
 Settle = Callable[[], None]
 
@@ -232,3 +233,22 @@ def test_another_map_of_a_file_is_shown(opened: Application, tmp_path: Path) -> 
     pick(dialog.which, "1")
     assert dialog.frame.value() == 1
     assert dialog.recording is short
+
+
+def test_a_threshold_does_not_come_to_the_next_patient(laid: Application, settle: Settle) -> None:
+    def shown() -> float:
+        fields = laid.stage.parameters.findChildren(NumberField)
+        (field,) = (
+            one for one in fields if one.property("key") == "plantar.threshold" and one.isVisible()
+        )
+        return field.value()
+
+    usual = shown()
+    laid.stage.parameters.field_edited.emit("plantar.threshold", usual - 50.0)
+    record = laid.case.record
+    laid.case.open(CaseRecord(), None)
+    laid.case.open(record, None)
+    settle()
+    act(laid, "tool_plantar")
+    settle()
+    assert shown() == usual

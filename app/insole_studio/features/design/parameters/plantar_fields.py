@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from insole_core.cases.case_record import FootRecord
-from insole_core.errors import InputError
 from insole_core.pressure.laid_map import PressureMap
 from insole_core.pressure.regions import overloaded_heads, region_peaks
 from insole_core.workflows.findings import Catalogue
@@ -36,7 +35,8 @@ class PlantarFields:
         self._case = case
         self._view = view
         self._catalogue = Catalogue({}, "", pads, behind_heads_mm)
-        self._threshold_kpa = relief_kpa
+        self._relief_kpa = self._threshold_kpa = relief_kpa
+        case.opened.connect(self._forget_threshold)
 
     def groups(self) -> list[FieldGroup]:
         """Return the groups of the tool."""
@@ -91,12 +91,7 @@ class PlantarFields:
 
     def _relieve(self, foot: FootRecord, heads: tuple[int, ...]) -> None:
         landmarks = landmarks_of(self._case.record)
-        try:
-            design = with_reliefs(
-                foot.design, heads, landmarks, self._catalogue, self._case.stamped
-            )
-        except InputError:
-            return  # the library of this clinic has none; the button is not offered then
+        design = with_reliefs(foot.design, heads, landmarks, self._catalogue, self._case.stamped)
         self._case.apply(design, tr("Relieve where the pressure is high"))
 
     def _move(self, name: str, value: float) -> None:
@@ -107,6 +102,10 @@ class PlantarFields:
         changes: dict[str, float] = {name: value}
         placement = replace(shown.placement, **changes)  # type: ignore[arg-type]
         self._case.apply(self._view.placed(foot, placement), tr("Move the map"), f"plantar:{name}")
+
+    def _forget_threshold(self) -> None:
+        """Go back to the usual threshold: another one was chosen for another patient."""
+        self._threshold_kpa = self._relief_kpa
 
     def _layer_choice(self) -> ChoiceSpec:
         layer = self._view.layer(self._case.shown.plantar)
