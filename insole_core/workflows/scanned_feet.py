@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import find_foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -79,11 +81,12 @@ def find_scanned_feet(
     InputError
         When it does not look like a foot.
     """
+    saids = [said] if read.second is None else _for_each(said, (read.mesh, read.second.mesh))
     scan = without_surroundings(read.mesh, is_foot=is_foot)
-    read, feet = _in_scale(replace(read, mesh=scan.mesh), said)
+    read, feet = _in_scale(replace(read, mesh=scan.mesh), saids[0])
     if read.second is None:
         return read, scan.left_out, feet
-    second, others, more = find_scanned_feet(read.second, said, is_foot)
+    second, others, more = find_scanned_feet(read.second, saids[1], is_foot)
     named = (named_foot(feet[0], read), named_foot(more[0], second))
     return read, (*scan.left_out, *others), named
 
@@ -108,7 +111,9 @@ def _feet_in(mesh: TriangleMesh, said: FootSaid) -> tuple[FoundFoot, ...]:
     is_second = second_foot(mesh)
     if is_second is None:
         return (find_foot(mesh, said.side, said.pose),)
-    first, second = find_foot(mesh.part(~is_second)), find_foot(mesh.part(is_second))
+    parts = mesh.part(~is_second), mesh.part(is_second)
+    poses = [one.pose for one in _for_each(said, parts)]
+    first, second = (find_foot(part, pose=pose) for part, pose in zip(parts, poses, strict=True))
     if first.told_side is not None and first.told_side is second.told_side:
         doubt = Message(
             "Both feet in the scan look like a {side} one; say which foot is which.",
@@ -116,6 +121,18 @@ def _feet_in(mesh: TriangleMesh, said: FootSaid) -> tuple[FoundFoot, ...]:
         )
         return tuple(replace(foot, doubts=(doubt, *foot.doubts)) for foot in (first, second))
     return first, second
+
+
+def _for_each(said: FootSaid, meshes: tuple[TriangleMesh, TriangleMesh]) -> list[FootSaid]:
+    """Return what was said of each of two feet: the points were clicked on one of them."""
+    from scipy.spatial import cKDTree
+
+    if not isinstance(said.pose, PoseClicks):
+        return [said, said]
+    clicks = np.array([said.pose.heel, said.pose.toe, said.pose.sole])
+    far_mm = [float(np.sum(cKDTree(mesh.vertices).query(clicks)[0])) for mesh in meshes]
+    other = replace(said, pose=None)
+    return [said, other] if far_mm[0] <= far_mm[1] else [other, said]
 
 
 def named_foot(found: FoundFoot, read: ReadMesh) -> FoundFoot:

@@ -10,6 +10,7 @@ import pytest
 
 from insole_core.errors import InputError
 from insole_core.export.stl import write_stl
+from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.scale import KnownDistance, KnownFootLength, KnownShoeSize, known_length_mm
@@ -89,3 +90,26 @@ def test_names_that_contradict_the_shapes_are_doubted(left_mesh, right_mesh, tmp
 def test_names_that_tell_nothing_leave_it_to_the_shapes(left_mesh, right_mesh, tmp_path):
     feet = examine_scan(folder_of(tmp_path, scan1=right_mesh, scan2=left_mesh)).feet
     assert [foot.candidates[0].side for foot in feet] == [Side.RIGHT, Side.LEFT]
+
+
+def clicked_on(foot: TriangleMesh) -> PoseClicks:
+    """Heel, toe and sole of a foot that stands with its toes towards +y."""
+    y, z = foot.vertices[:, 1], foot.vertices[:, 2]
+    ball = np.abs(y - (y.min() + 0.7 * np.ptp(y))) < 10
+    numbers = y.argmin(), y.argmax(), np.flatnonzero(ball)[z[ball].argmin()]
+    heel, toe, sole = (tuple(map(float, foot.vertices[number])) for number in numbers)
+    return PoseClicks(heel, toe, sole)
+
+
+def is_clicked(found: FoundFoot) -> bool:
+    return any("heel, toe and sole were clicked" in note for note in found.notes)
+
+
+def test_points_clicked_on_one_of_two_feet_tell_how_that_one_lies(left_mesh, right_mesh, tmp_path):
+    beside = replace(right_mesh, vertices=right_mesh.vertices + np.array([200.0, 0.0, 0.0]))
+    choice = ImportChoice(pose=clicked_on(beside))
+    write_stl(left_mesh, tmp_path / "left.stl")
+    write_stl(beside, tmp_path / "right.stl")
+    feet = {foot.told_side: foot for foot in examine_scan(tmp_path, choice).feet}
+    assert is_clicked(feet[Side.RIGHT])
+    assert not is_clicked(feet[Side.LEFT])
