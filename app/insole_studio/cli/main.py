@@ -35,7 +35,7 @@ from insole_studio.cli import (
 from insole_studio.cli.argument_parser import Parser
 from insole_studio.cli.path_arguments import check_paths
 from insole_studio.cli.records import command as records
-from insole_studio.cli.stopping import Stopped, stop_on_signals
+from insole_studio.cli.stopping import Stopped, StopRequest
 from insole_studio.cli.subcommands import Command
 
 COMMANDS: tuple[Command, ...] = (
@@ -61,13 +61,10 @@ _SIGPIPE = 13  # Windows has no signal of this name
 
 def run(arguments: list[str]) -> int:
     """Run one command and return its exit code."""
-    stop_on_signals()
+    stop = StopRequest()
+    stop.heed_signals()
     try:
-        parsed = _parser().parse_args(arguments)
-        check_paths(parsed)
-        settle_interrupted(journals_folder_of_user())
-        parsed.command.run(parsed, Progress(_print_progress))
-        sys.stdout.flush()
+        _run(arguments, stop)
     except InsoleError as error:
         print(error, file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
@@ -81,6 +78,20 @@ def run(arguments: list[str]) -> int:
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
         return _report(error, f"An error in the program itself ({error}); please report it")
     return 0
+
+
+def _run(arguments: list[str], stop: StopRequest) -> None:
+    parsed = _parser().parse_args(arguments)
+    check_paths(parsed)
+    settle_interrupted(journals_folder_of_user())
+
+    def print_progress(fraction: float, text: str) -> None:
+        if fraction < 1:  # the last step tells what has been written
+            stop.check()
+        print(f"{fraction:4.0%}  {text}", file=sys.stderr, flush=True)
+
+    parsed.command.run(parsed, Progress(print_progress))
+    sys.stdout.flush()
 
 
 def _left_by_reader() -> int:
@@ -126,7 +137,3 @@ def _parser() -> argparse.ArgumentParser:
         command.add_arguments(sub)
         sub.set_defaults(command=command)
     return parser
-
-
-def _print_progress(fraction: float, text: str) -> None:
-    print(f"{fraction:4.0%}  {text}", file=sys.stderr, flush=True)

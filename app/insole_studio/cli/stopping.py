@@ -30,17 +30,29 @@ class Stopped(KeyboardInterrupt):
         return 128 + self.number
 
 
-def stop_on_signals() -> None:
-    """Raise `Stopped` at the first signal; those that follow do not disturb the cleaning up.
+class StopRequest:
+    """Raises `Stopped` at the first signal; those that follow do not disturb the cleaning up."""
 
-    A signal that the caller had switched off, like `nohup`, stays off.
-    """
-    for number in STOP_SIGNALS:
-        if not is_switched_off(number):
-            signal.signal(number, _stop)
+    def __init__(self) -> None:
+        self._number: int | None = None
 
+    def heed_signals(self) -> None:
+        """Be called by the signals, except those that the caller had switched off, like `nohup`."""
+        for number in STOP_SIGNALS:
+            if not is_switched_off(number):
+                signal.signal(number, self._stop)
 
-def _stop(number: int, _frame: object) -> NoReturn:
-    for other in STOP_SIGNALS:
-        signal.signal(other, signal.SIG_IGN)
-    raise Stopped(number)
+    def check(self) -> None:
+        """Raise `Stopped` if a signal came and the work goes on.
+
+        Libraries that catch everything drop it, as trimesh does while it looks for what it can
+        import; so does Python while it deletes an object.
+        """
+        if self._number is not None:
+            raise Stopped(self._number)
+
+    def _stop(self, number: int, _frame: object) -> NoReturn:
+        for other in STOP_SIGNALS:
+            signal.signal(other, signal.SIG_IGN)
+        self._number = number
+        raise Stopped(number)

@@ -299,6 +299,27 @@ def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signa
     assert list(tmp_path.iterdir()) == []
 
 
+STOPPED_WHERE_ALL_IS_CAUGHT = """
+import contextlib, os, signal, sys
+from insole_studio.cli import main
+
+def where_all_is_caught(*_):
+    with contextlib.suppress(BaseException):
+        os.kill(os.getpid(), signal.SIGTERM)
+
+main.check_paths = where_all_is_caught
+sys.exit(main.run(sys.argv[1:]))
+"""
+
+
+def test_signal_that_a_library_drops_still_stops_the_command(tmp_path: Path) -> None:
+    call = [sys.executable, "-c", STOPPED_WHERE_ALL_IS_CAUGHT, "simulate", str(tmp_path / "out")]
+    ended = subprocess.run(call, check=False, timeout=60, stderr=subprocess.PIPE, text=True)
+    assert ended.returncode == 128 + signal.SIGTERM
+    assert ended.stderr.strip() == "Stopped on request; nothing was written."
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.slow
 def test_killed_process_leaves_the_old_result(tmp_path: Path) -> None:
     out = tmp_path / "session.zip"
