@@ -14,7 +14,6 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.thinning import thinned
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
@@ -74,9 +73,14 @@ def as_it_is(foot: Foot) -> TriangleMesh:
 
 
 def decimated(foot: Foot) -> TriangleMesh:
-    """Reduce a foot to about 2000 triangles."""
-    pitch_mm = float(np.sqrt(2.4 * foot.mesh.area_mm2 / _TRIANGLES))
-    return thinned(foot.mesh, pitch_mm)
+    """Reduce a foot to 2000 triangles."""
+    import pyvista as pv
+
+    share = max(1 - _TRIANGLES / len(foot.mesh.triangles), 0.0)
+    surface = pv.PolyData.from_regular_faces(foot.mesh.vertices, foot.mesh.triangles).decimate(
+        share
+    )
+    return TriangleMesh(np.asarray(surface.points, dtype=float), surface.regular_faces)
 
 
 def cut_above(share: float) -> Variant:

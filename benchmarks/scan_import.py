@@ -21,6 +21,7 @@ from benchmarks._measure import print_table
 from benchmarks._scan_variants import KnownFoot, known_feet, quarter_turns, turned
 from insole_core.errors import InsoleError
 from insole_core.export.ply import write_ply
+from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_angle_deg
@@ -61,7 +62,7 @@ def main() -> None:
                     for rotation, unit in zip(turns, list(MM_PER_UNIT) * len(turns), strict=False)
                 ]
                 count += len(results)
-                rows.append((known.name, name, *_row(results)))
+                rows.append((known.name, name, *row_of(results)))
     print_table(
         ("foot", "scan", "scans", "right", "doubted", "refused", "wrong side unsaid",
          "worst axis deg", "worst length %"),
@@ -79,6 +80,11 @@ def _found(
         foot = examine_scan(path).feet[0]
     except InsoleError:
         return Result(refused=True)
+    return result_of(known, foot, rotation)
+
+
+def result_of(known: KnownFoot, foot: FoundFoot, rotation: FloatArray) -> Result:
+    """Hold what was found first against the truth."""
     likely = foot.candidates[0]
     doubted = bool(foot.doubts) or foot.told_side is None
     axis_deg = rotation_angle_deg(likely.source2insole[:3, :3] @ rotation)
@@ -86,7 +92,8 @@ def _found(
     return Result(False, doubted, likely.side is known.foot.side, axis_deg, length_error)
 
 
-def _row(results: list[Result]) -> tuple[object, ...]:
+def row_of(results: list[Result]) -> tuple[object, ...]:
+    """Count results; the columns of axis and length are of the scans that were not doubted."""
     sure = [one for one in results if not one.refused and not one.doubted]
     return (
         len(results),
