@@ -9,7 +9,12 @@ OFFSCREEN := QT_QPA_PLATFORM=offscreen $(PYTEST) -n auto --dist worksteal
 READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system
 
-.PHONY: demo test test-fast lint bench clean
+# Each language is a site of its own; a page that is missing or a link that leads nowhere is an error.
+SITE   := resources/manual
+MANUAL := $(BIN)/python -m sphinx -q -W --keep-going -E
+PAGES  := $(wildcard docs/conf.py docs/command_reference.py docs/manual/*.md docs/manual/*/* docs/formats/*)
+
+.PHONY: demo test test-fast lint manual bench clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -22,7 +27,15 @@ $(READY): $(SYSTEM) pyproject.toml constraints.txt
 	$(BIN)/python -m compileall -q app insole_core drivers/kinect
 	touch $@
 
-demo: $(READY) ## open the application on a recorded session; without a screen do the same off-screen
+$(SITE)/.built: $(READY) $(PAGES)
+	rm -rf $(SITE)
+	for language in en sv; do \
+		$(MANUAL) -D language=$$language -d build/manual/$$language docs $(SITE)/$$language || exit 1; done
+	touch $@
+
+manual: $(SITE)/.built ## the site of the manual, which F1 opens and packages contain
+
+demo: $(READY) manual ## open the application on a recorded session; without a screen do the same off-screen
 	$(BIN)/python -m insole_studio.demo
 
 test: $(READY) ## all tests: the window's offscreen, then those that look at real pixels, under Xvfb
@@ -32,7 +45,7 @@ test: $(READY) ## all tests: the window's offscreen, then those that look at rea
 test-fast: $(READY) ## the tests to run while working: all but those that take long
 	$(OFFSCREEN) -m "not display and not slow"
 
-lint: $(READY) ## style, types, architecture
+lint: $(READY) manual ## style, types, architecture, the links of the manual
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -42,4 +55,4 @@ bench: $(READY) ## speed and accuracy, side by side with peers; results in bench
 	$(BIN)/python -m benchmarks
 
 clean:
-	rm -rf $(VENV) build dist demo-output
+	rm -rf $(VENV) build dist demo-output $(SITE)

@@ -3,7 +3,11 @@
     QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" python docs/pictures.py
 
 The feet are those of one simulated person: the right one is the bundled example, the left one is
-simulated here. The pictures of the standard case are taken by its journey in the tests.
+simulated here. `dialog_pictures` lists all pictures. Some are taken by journeys of the tests:
+
+    export INSOLE_STUDIO_MANUAL=docs/manual/images QT_QPA_PLATFORM=xcb
+    xvfb-run -a -s "-screen 0 1920x1200x24" pytest \\
+        tests/insole_studio/journeys/test_whole_journey.py
 
 With ``--journeys FOLDER`` it takes none of these, but walks the journeys of the manual by real
 events, and saves what is on the screen at each step, and a contact sheet, to be looked at:
@@ -19,25 +23,30 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 from contact_sheet import write_sheet
 from device_pictures import draw_devices
+from dialog_pictures import SCAN, fill_record, open_record, save, take_and_close, take_dialogs
 from hand import HANDS
 from journeys import Circumstances, walk
 
 from insole_core.cases.case_file import read_case
+from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.pressure.sole_print import SolePrint
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.simulate import SimulationOptions, simulate_session
 from insole_studio.app.scripted import ScriptedWindow, grab
+from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
 from insole_studio.features.foot.rows import FootMap
 from insole_studio.features.foot.stage import FootStage
 from insole_studio.user_paths import UserPaths
 
-DOCS = Path(__file__).parent
+IMAGES = Path(__file__).parent / "manual" / "images"
 EXAMPLE = resource_path("example/example.insole")
 SEED = 21
 """That of the example."""
@@ -99,8 +108,10 @@ def take_documentation() -> None:
         session = here / "left_foot.zip"
         simulate_left_foot(session)
         take_windows(paths)
+        take_pressure(paths)
         take_feet(paths, session)
         take_foot_stage(paths, session)
+        take_clinic(UserPaths(here / "clinic/settings.json", here / "clinic/autosave"), session)
     take_devices()
 
 
@@ -113,7 +124,7 @@ def take_windows(paths: UserPaths) -> None:
             studio.app.case.select("pelott")
             if dark:
                 act(studio, "map_height")
-            studio.screenshot(DOCS / f"images/window-{name}.png")
+            studio.screenshot(IMAGES / f"window-{name}.png")
 
 
 def take_feet(paths: UserPaths, session: Path) -> None:
@@ -128,7 +139,7 @@ def take_feet(paths: UserPaths, session: Path) -> None:
         for notice in studio.app.services.notices.notices:
             studio.app.services.notices.drop(notice.key)
         act(studio, "beside_foot", "map_difference")
-        studio.screenshot(DOCS / "manual/images/feet-compared.png")
+        studio.screenshot(IMAGES / "feet-compared.png")
 
         act(studio, "variant_duplicate")
         studio.answers.typed = "higher pad"
@@ -142,7 +153,7 @@ def take_feet(paths: UserPaths, session: Path) -> None:
                 design = design.with_changed(replace(correction, rearfoot_deg=2.0))
         case.apply(design, "Change the variant")
         act(studio, "beside_variant", "map_difference")
-        studio.screenshot(DOCS / "manual/images/variants-compared.png")
+        studio.screenshot(IMAGES / "variants-compared.png")
 
 
 def take_foot_stage(paths: UserPaths, session: Path) -> None:
@@ -159,11 +170,51 @@ def take_foot_stage(paths: UserPaths, session: Path) -> None:
         take_stage(studio, "corrected")
 
 
+def take_clinic(paths: UserPaths, session: Path) -> None:
+    """The start page of a clinic, all dialogs, and a scan of another program."""
+    fill_record(paths)
+    with ScriptedWindow(paths, SMALL, emulate=session) as studio:
+        open_record(studio)
+        studio.screenshot(IMAGES / "start-page.png")
+        studio.open(EXAMPLE)
+        take_dialogs(studio, IMAGES)
+        scan = paths.settings_folder / "scan 17.ply"
+        foot = studio.app.case.foot
+        assert foot is not None
+        write_ply(foot.mesh, scan)
+        act(studio, "new_case")
+        studio.app.features.case_files.opener.open_path(scan)
+        take_and_close(SCAN, lambda shown: save(shown, IMAGES, SCAN.name))
+
+
+def take_pressure(paths: UserPaths) -> None:
+    """A pressure map under the foot: its own heights as pressures of 6 mm cells, toes first."""
+    with ScriptedWindow(paths, SMALL) as studio:
+        studio.open(EXAMPLE)
+        foot = studio.app.case.foot
+        assert foot is not None
+        heights_mm = SolePrint.of(foot).heights_mm[::3, ::3]
+        kpa = np.round(np.clip(7 - heights_mm, 0, None)[::-1] * 70, 1)
+        plate = paths.settings_folder / "plate.csv"
+        rows = "\n".join(";".join(str(value) for value in row) for row in kpa)
+        plate.write_text(f"unit: kPa\npitch_mm: 6\n{rows}\n", "utf-8")
+        studio.app.features.design.plantar.open(plate)
+        studio.settle()
+        (dialog,) = studio.app.window.findChildren(PressureDialog)
+        for box, value in ((dialog.side, foot.side.value), (dialog.seen_from, "above")):
+            box.setCurrentIndex(box.findData(value))
+            box.activated.emit(box.currentIndex())
+        dialog.lay_button.click()
+        studio.settle()
+        act(studio, "tool_plantar", "map_pressure")
+        studio.screenshot(IMAGES / "pressure.png")
+
+
 def take_devices() -> None:
     """Draw the devices of the product on the foot of the example."""
     foot = read_case(EXAMPLE).foot
     assert foot is not None
-    draw_devices(foot, DOCS / "manual/images/devices.png")
+    draw_devices(foot, IMAGES / "devices.png")
 
 
 def take_stage(studio: ScriptedWindow, name: str) -> None:
@@ -171,7 +222,7 @@ def take_stage(studio: ScriptedWindow, name: str) -> None:
     stage = stage_of(studio)
     stage.resize(*STAGE)
     studio.settle()
-    grab(stage, [stage.view.foot.scene]).save(str(DOCS / f"images/foot-{name}.png"))
+    grab(stage, [stage.view.foot.scene]).save(str(IMAGES / f"foot-{name}.png"))
 
 
 def stage_of(studio: ScriptedWindow) -> FootStage:

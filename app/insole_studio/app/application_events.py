@@ -1,9 +1,9 @@
-"""What holds for every widget of the application, whoever made it: foreign text, typed text."""
+"""What holds for every widget of the application, whoever made it: foreign text, typed text, F1."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from insole_studio.widgets.typed_text import commit_typed_text
@@ -28,25 +28,38 @@ class ApplicationEvents(QObject):
 
     What is typed into a field counts as entered as soon as the user turns to anything else:
     buttons of a toolbar, menus, shortcuts and closing a window do not take the focus from it.
+
+    F1 asks for help in every window; a shortcut of the main window does not count in the others.
     """
+
+    help_requested = Signal(QWidget)
+    """With the widget that had the focus."""
 
     def __init__(self, application: QApplication) -> None:
         super().__init__(application)
         application.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Look at an event on its way; none is withheld."""
+        """Look at an event on its way; F1 alone is withheld."""
         kind = event.type()
         if kind == QEvent.Type.Polish:
             _show_as_it_is(watched)
         elif kind in _USER_TURNS and _is_turned_to(watched) and not _is_in_focused_field(watched):
             commit_typed_text()
+        elif isinstance(event, QKeyEvent) and _asks_for_help(event, watched):
+            self.help_requested.emit(watched)
+            return True
         return False
 
     def close(self) -> None:
         """Stop filtering."""
         QGuiApplication.instance().removeEventFilter(self)  # type: ignore[union-attr]
         self.deleteLater()
+
+
+def _asks_for_help(event: QKeyEvent, watched: QObject) -> bool:
+    is_f1 = event.key() == Qt.Key.Key_F1 and event.modifiers() == Qt.KeyboardModifier.NoModifier
+    return is_f1 and event.type() == QEvent.Type.KeyPress and watched.isWidgetType()
 
 
 def _show_as_it_is(watched: QObject) -> None:

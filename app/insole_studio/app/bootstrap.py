@@ -174,6 +174,7 @@ def build_application(
         Appearance(services, window, stage),
         HelpActions(services, window, stage, key_sections),
     )
+    events.help_requested.connect(main.help.show_manual_about)
     controller = MainController(services, features, main, autosave)
     if not _show_settings(main, settings, dark):
         complaints.append(

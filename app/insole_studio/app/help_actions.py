@@ -1,23 +1,26 @@
-"""The actions of the Help menu."""
+"""The actions of the Help menu, and F1."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from PySide6.QtCore import QObject, QTimer
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtCore import QObject, QTimer, QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
+from insole_core.errors import InputError, InsoleError
 from insole_studio.app.main_window import MainWindow
+from insole_studio.app.manual_pages import FIRST_PAGE, PAGE_OF_TOOL, manual_page, page_about
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.app_services import AppServices
-from insole_studio.texts import tr
+from insole_studio.texts import language_code, tr
 from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour
 
 
 class HelpActions(QObject):
-    """Tour, list of keyboard shortcuts, and about box."""
+    """Manual, tour, list of keyboard shortcuts, and about box."""
 
     def __init__(
         self,
@@ -31,6 +34,29 @@ class HelpActions(QObject):
         self._window = window
         self._stage = stage
         self._keys = keys
+
+    def show_manual(self) -> None:
+        """Open the manual at the page about what is in front."""
+        self.show_manual_about(QApplication.focusWidget() or self._window)
+
+    def show_manual_about(self, widget: QWidget) -> None:
+        """Open the manual in the browser, at the page about a widget or what holds it."""
+        try:
+            self._open_page(page_about(widget, self._about_panels))
+        except InsoleError as error:
+            self._services.messages.show_error(error, over=widget.window())
+
+    def _about_panels(self) -> str:
+        if self._services.case.foot is None:
+            return FIRST_PAGE
+        return PAGE_OF_TOOL.get(self._stage.tool_controller.tool.key, "design")
+
+    def _open_page(self, name: str) -> None:
+        path = manual_page(name, language_code(self._services.settings.language))
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
+            raise InputError(
+                "No browser could be opened; open {path} in one to read the manual.", path=path
+            )
 
     def begin_tour_with_first_case(self) -> None:
         """Start the tour when the first case is opened, unless it was seen before."""

@@ -60,11 +60,17 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
     _language("en", lambda: "English"),
     _language("sv", lambda: "Svenska"),
     ActionRecord(
+        "manual",
+        lambda: tr("Manual"),
+        lambda: tr("The page of the manual about what is in front"),
+        lambda main, _on: main.help.show_manual(),
+        shortcut="F1",
+    ),
+    ActionRecord(
         "tour",
         lambda: tr("Take the tour"),
         lambda: tr("The window in five steps"),
         lambda main, _on: main.help.begin_tour(),
-        shortcut="F1",
     ),
     ActionRecord(
         "keys",

@@ -81,7 +81,7 @@ def run(arguments: list[str]) -> int:
 
 
 def _run(arguments: list[str], stop: StopRequest) -> None:
-    parsed = _parser().parse_args(arguments)
+    parsed = command_parser().parse_args(arguments)
     check_paths(parsed)
     settle_interrupted(journals_folder_of_user())
 
@@ -120,7 +120,8 @@ def _report(error: Exception, request: str) -> int:
     return 1
 
 
-def _parser() -> argparse.ArgumentParser:
+def command_parser() -> argparse.ArgumentParser:
+    """Return the parser of all commands, which the manual describes too."""
     parser = Parser(
         prog="insole-studio",
         description="Custom insoles from scans of the foot. Without a command the window opens.",

@@ -1116,6 +1116,10 @@
             <translation>Inget bräde i {folder} syns för båda kamerorna; ge ir_003 och color_003 samma nummer när de visar samma läge.</translation>
         </message>
         <message>
+            <source>No browser could be opened; open {path} in one to read the manual.</source>
+            <translation>Ingen webbläsare kunde öppnas; öppna {path} i en webbläsare för att läsa handboken.</translation>
+        </message>
+        <message>
             <source>No column holds the names; say which one does.</source>
             <translation>Ingen kolumn innehåller namnen; ange vilken som gör det.</translation>
         </message>
@@ -2002,6 +2006,10 @@
         <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
             <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
+        </message>
+        <message>
+            <source>The manual is missing from this installation; install Insole Studio again, or in its source, run make manual.</source>
+            <translation>Handboken saknas i den här installationen; installera Insole Studio igen, eller kör make manual i källkoden.</translation>
         </message>
         <message>
             <source>The map does not show whether it is that of a left or a right foot; check that it is that of the {side} one.</source>

@@ -72,6 +72,10 @@
             <translation>Lämna talet som det var; tillbaka till vyn</translation>
         </message>
         <message>
+            <source>Manual</source>
+            <translation>Handbok</translation>
+        </message>
+        <message>
             <source>Move what is selected by 0.5 mm; Shift 5 mm, Ctrl 0.05 mm</source>
             <translation>Flytta det valda 0,5 mm; Skift 5 mm, Ctrl 0,05 mm</translation>
         </message>
@@ -154,6 +158,10 @@
         <message>
             <source>The next field, the one before</source>
             <translation>Nästa fält, föregående fält</translation>
+        </message>
+        <message>
+            <source>The page of the manual about what is in front</source>
+            <translation>Handbokens sida om det som är framme</translation>
         </message>
         <message>
             <source>Turn foot</source>
