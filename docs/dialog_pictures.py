@@ -6,6 +6,7 @@ from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import date, timedelta
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QElapsedTimer
@@ -141,7 +142,7 @@ def until(is_so: Callable[[], bool], what: str) -> None:
 def take_dialogs(studio: ScriptedWindow, folder: Path) -> None:
     """Take the pictures of all dialogs and stages; the example must be open."""
     for picture in DIALOGS:
-        show(studio, picture, lambda shown, name=picture.name: save(shown, folder, name))
+        show(studio, picture, partial(save, folder=folder, name=picture.name))
 
 
 def show(studio: ScriptedWindow, picture: DialogPicture, take: Take) -> None:

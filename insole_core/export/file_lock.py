@@ -15,13 +15,14 @@ from types import TracebackType
 
 from insole_core.export.write_errors import output_errors
 
-if sys.platform == "win32":
+try:
+    import fcntl
+except ImportError:  # on Windows
     import msvcrt
 
     def _try_lock(handle: int) -> None:
-        msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
+        msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined, unused-ignore]
 else:
-    import fcntl
 
     def _try_lock(handle: int) -> None:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -37,6 +37,6 @@ class Author:
         """Return the operating system's user at this computer."""
         try:
             name = getpass.getuser()
-        except (KeyError, OSError):  # a user without a name, as in some containers
+        except (ImportError, KeyError, OSError):  # no name: some containers, services of Windows
             name = ""
         return cls(name or "?", platform.node() or "?")

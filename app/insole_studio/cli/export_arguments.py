@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import getpass
 import sys
 from contextlib import AbstractContextManager
 from datetime import UTC, date, datetime
@@ -239,9 +238,10 @@ def _block(shop: Shop, name: str | None) -> Block | None:
 
 
 def _override(arguments: argparse.Namespace) -> Override | None:
+    from insole_core.records.author import Author
     from insole_core.solids.checks import Override
 
     if not arguments.override:
         return None
     now = datetime.now(UTC).isoformat(timespec="seconds")
-    return Override(getpass.getuser(), arguments.override, now)
+    return Override(Author.of_user().name, arguments.override, now)
