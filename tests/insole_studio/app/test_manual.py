@@ -145,6 +145,13 @@ def test_pages_that_the_window_opens_exist_and_their_modules_too() -> None:
     assert [page for page in sorted(pages) if not (MANUAL / f"{page}.md").exists()] == []
 
 
+def test_swedish_has_the_pages_of_english() -> None:
+    english, swedish = (
+        {page.name for page in folder.glob("*.md")} for folder in (MANUAL, MANUAL / "sv")
+    )
+    assert swedish == english
+
+
 def test_every_picture_is_used_there_and_listed() -> None:
     used = {
         name for page in MANUAL.rglob("*.md") for name in PICTURE.findall(page.read_text("utf-8"))
