@@ -55,6 +55,19 @@ def landmarks_of(record: Marked) -> dict[str, Landmark]:
     return with_places(record.foot, find_landmarks(record.foot), by_hand)
 
 
+def with_landmarks(record: CaseRecord) -> CaseRecord:
+    """Find the landmarks of all feet of a record, which keep them; for whoever reads it in a job.
+
+    Returns
+    -------
+    CaseRecord
+        The same record.
+    """
+    for foot in record.feet:
+        landmarks_of(foot)
+    return record
+
+
 def confirmed(record: CaseRecord) -> Annotations:
     """Return the annotations with all displayed landmarks as if set manually."""
     annotations = record.annotations

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import Conflict, InsoleError, Unreachable
+from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.document.kept_visit import KeptVisit
@@ -19,6 +20,7 @@ from insole_studio.texts import tr
 if TYPE_CHECKING:
     from insole_core.records.prescription import Base
     from insole_core.records.records import Records
+    from insole_core.records.visit import OpenedCase
     from insole_core.workflows.records.keep_case import CaseChange, KeptChange
 
 SAVE_AFTER_MS, RETRY_MS = 1000, 3000
@@ -118,14 +120,16 @@ class RecordKeeper(QObject):
     def open_visit(self, visit_id: str, failed: Callable[[Exception], None]) -> None:
         """Open a visit as the case of the window, after the case before has been left."""
 
-        def opened(found: object) -> None:
-            from insole_core.records.visit import OpenedCase
-
-            assert isinstance(found, OpenedCase)
+        def opened(found: OpenedCase) -> None:
             kept = KeptVisit(found.person, found.visit, dict(found.bases))
             self._case.open(found.record, None, kept=kept)
 
-        self._clinic.ask("records-open", lambda r: r.visits.open_case(visit_id), opened, failed)
+        def read(records: Records) -> OpenedCase:
+            found = records.visits.open_case(visit_id)
+            with_landmarks(found.record)
+            return found
+
+        self._clinic.ask("records-open", read, opened, failed)
 
     def leave(self, then: Then) -> None:
         """Save what is not in the record yet, and call `then`; at once if nothing is left to do.

@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, QTimer
 from insole_core.cases.case_file import digest_of_case, read_case_and_digest, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import OutputError
+from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_studio.document.case import Case
 from insole_studio.document.case_lock import REFRESH_MS, CaseLock, take_lock
 
@@ -74,7 +75,8 @@ class CaseGuard(QObject):
             When it cannot be read.
         """
         with self._taken(path) as lock:
-            return FileState(*read_case_and_digest(path), lock)
+            record, digest = read_case_and_digest(path)
+            return FileState(with_landmarks(record), digest, lock)
 
     def write(self, record: CaseRecord, path: Path, known_digest: str) -> FileState:
         """Lock a case and write it; may run in another thread.

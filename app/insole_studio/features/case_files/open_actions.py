@@ -13,6 +13,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
 from insole_core.workflows.file_kind import kind_of
+from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.starting_design import starting_device
 from insole_core.workflows.template_transfer import last_design
@@ -106,7 +107,7 @@ class OpenActions:
 
         def read(progress: Progress) -> CaseRecord:
             progress.step(0.0, tr("Opening the case"))
-            return read_case(resource_path(EXAMPLE))
+            return with_landmarks(read_case(resource_path(EXAMPLE)))
 
         def opened(record: CaseRecord) -> None:
             self._case.open(record, None)
@@ -164,7 +165,7 @@ class OpenActions:
 
         def read(progress: Progress) -> CaseRecord:
             progress.step(0.0, tr("Opening the case"))
-            return read_case(path)
+            return with_landmarks(read_case(path))
 
         def opened(record: CaseRecord) -> None:
             if answer is InUse.READ_ONLY:
