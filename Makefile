@@ -9,12 +9,10 @@ OFFSCREEN := QT_QPA_PLATFORM=offscreen $(PYTEST) -n auto --dist worksteal
 READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system
 
-# Each language is a site of its own; a page that is missing or a link that leads nowhere is an error.
 SITE   := resources/manual
-MANUAL := $(BIN)/python -m sphinx -q -W --keep-going -E
-PAGES  := $(wildcard docs/conf.py docs/command_reference.py docs/manual/*.md docs/manual/*/* docs/formats/*)
+PAGES  := $(wildcard docs/*.py docs/manual/*.md docs/manual/*/* docs/formats/*)
 
-.PHONY: demo test test-fast lint manual bench clean
+.PHONY: demo test test-fast lint manual bench package clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -28,9 +26,7 @@ $(READY): $(SYSTEM) pyproject.toml constraints.txt
 	touch $@
 
 $(SITE)/.built: $(READY) $(PAGES)
-	rm -rf $(SITE)
-	for language in en sv; do \
-		$(MANUAL) -D language=$$language -d build/manual/$$language docs $(SITE)/$$language || exit 1; done
+	$(BIN)/python docs/build_manual.py
 	touch $@
 
 manual: $(SITE)/.built ## the site of the manual, which F1 opens and packages contain
@@ -53,6 +49,14 @@ lint: $(READY) manual ## style, types, architecture, the links of the manual
 
 bench: $(READY) ## speed and accuracy, side by side with peers; results in benchmarks/results
 	$(BIN)/python -m benchmarks
+
+# The environment that is frozen is another one than that of developers: packaging/README.md.
+build/package-venv/.ready: pyproject.toml constraints.txt packaging/prepare.py
+	$(PYTHON) packaging/prepare.py
+	touch $@
+
+package: build/package-venv/.ready ## what users install, as far as this system can build it; in dist
+	build/package-venv/bin/python packaging/build.py
 
 clean:
 	rm -rf $(VENV) build dist demo-output $(SITE)

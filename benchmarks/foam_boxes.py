@@ -103,7 +103,7 @@ def measured(
     scan = press_feet(pressed, box, rng).transformed(turn)
     start = time.process_time()
     try:
-        examination = examine_surface(Path("box.ply"), ReadMesh(scan, "mm", 1.0, ()))
+        examination = examine_surface(Path("box.ply"), ReadMesh(scan, "mm", 1.0, ""))
     except InsoleError as error:
         yield [title, "", "", "refused", str(error)[:60], "", "", "", ""]
         return

@@ -21,12 +21,13 @@ import numpy as np
 from benchmarks._measure import print_table
 from benchmarks._scan_variants import KnownFoot, known_feet, quarter_turns, turned
 from benchmarks.scan_import import Result, result_of, row_of
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.export.ply import write_ply
 from insole_core.foot.foot_candidate import PoseClicks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.workflows.import_scan import ImportChoice, examine_scan
+from insole_core.workflows.import_scan import examine_scan
 
 SIMULATED = int(os.environ.get("SCANS", "4"))
 TURNS = int(os.environ.get("TURNS", "4"))

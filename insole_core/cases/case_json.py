@@ -17,6 +17,8 @@ from insole_core.cases.case_record import (
     ScanSource,
     Variant,
 )
+from insole_core.cases.choice_json import choice_from_json, choice_to_json
+from insole_core.cases.import_choice import NOTHING_SAID
 from insole_core.cases.plantar_json import plantar_from_json, plantar_to_json
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.foot import Foot
@@ -127,9 +129,10 @@ def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
         raise foot.fail("variants", "must hold at least one prescription")
     if len(set(names)) < len(names):
         raise foot.fail("variants", "have the same name twice")
+    source = _source(foot.object("source"))
     return FootRecord(
-        foot=_foot(foot, side, mesh_of),
-        source=_source(foot.object("source")),
+        foot=_foot(foot, side, source.form, mesh_of),
+        source=source,
         variants=variants,
         chosen=foot.choice("chosen", names),
         annotations=_annotations(foot.object("annotations")),
@@ -138,7 +141,9 @@ def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
     )
 
 
-def _foot(foot: JsonObject, side: Side, mesh_of: Callable[[Side], TriangleMesh]) -> Foot:
+def _foot(
+    foot: JsonObject, side: Side, form: Form, mesh_of: Callable[[Side], TriangleMesh]
+) -> Foot:
     matrix = np.array(foot.matrix("source2insole", 4))
     is_near = np.abs(matrix).max() < _MOST_SOURCE_MM
     if not (is_near and is_rotation(matrix[:3, :3]) and np.array_equal(matrix[3], [0, 0, 0, 1])):
@@ -149,7 +154,7 @@ def _foot(foot: JsonObject, side: Side, mesh_of: Callable[[Side], TriangleMesh])
         source2insole=matrix,
         length_mm=foot.number("length_mm", 50, 500),
         notes=tuple(foot.texts("notes")),
-        form=_form(foot.object("source")),
+        form=form,
     )
 
 
@@ -208,17 +213,21 @@ def _annotations(annotations: JsonObject) -> Annotations:
 
 
 def _source(source: JsonObject) -> ScanSource:
-    recorded_at = source.text("recorded_at", empty=True)
-    kind = source.choice("kind", ["session", "mesh"])
-    return ScanSource(kind, source.text("path"), source.text("sha256"), recorded_at, _form(source))
+    return ScanSource(
+        source.choice("kind", ["session", "mesh"]),
+        source.text("path"),
+        source.text("sha256"),
+        source.text("recorded_at", empty=True),
+        source.choice("form", list(Form)) if source.has("form") else Form.FOOT,
+        choice_from_json(source.object("choice")) if source.has("choice") else NOTHING_SAID,
+    )
 
 
 def _source_to_json(source: ScanSource) -> dict[str, Any]:
     content = vars(source).copy()
     if source.form is Form.FOOT:
         del content["form"]
+    content["choice"] = choice_to_json(source.choice)
+    if not content["choice"]:
+        del content["choice"]
     return content
-
-
-def _form(source: JsonObject) -> Form:
-    return source.choice("form", list(Form)) if source.has("form") else Form.FOOT

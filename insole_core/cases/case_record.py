@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
@@ -109,6 +110,8 @@ class ScanSource:
         ISO 8601, UTC; empty where unknown.
     form
         What was scanned; a session shows a foot.
+    choice
+        With which a mesh is read as the same foot once more.
     """
 
     kind: str
@@ -116,6 +119,7 @@ class ScanSource:
     sha256: str
     recorded_at: str = ""
     form: Form = Form.FOOT
+    choice: ImportChoice = NOTHING_SAID
 
 
 @dataclass(frozen=True)

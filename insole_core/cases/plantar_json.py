@@ -29,7 +29,6 @@ def plantar_to_json(plantar: PlantarLayers) -> dict[str, Any]:
         laid = plantar.pressure
         kpa = np.where(np.isfinite(laid.kpa), np.round(laid.kpa, 1), _NO_SENSOR)
         content["pressure"] = {
-            "file": laid.file,
             "device": laid.device,
             "shown": laid.shown,
             "pitch_mm": list(laid.pitch_mm),
@@ -41,7 +40,6 @@ def plantar_to_json(plantar: PlantarLayers) -> dict[str, Any]:
         picture = plantar.picture
         _, encoded = cv2.imencode(".png", picture.colors[:, :, ::-1])
         content["picture"] = {
-            "file": picture.file,
             "pixel_mm": picture.pitch_mm,
             "placement": vars(picture.placement).copy(),
             "png": base64.b64encode(encoded.tobytes()).decode("ascii"),
@@ -79,7 +77,6 @@ def _pressure(pressure: JsonObject) -> PressureMap:
         kpa,
         (across, along),
         _placement(pressure.object("placement")),
-        pressure.text("file", empty=True),
         pressure.text("device", empty=True),
         pressure.text("shown"),
     )
@@ -101,7 +98,6 @@ def _picture(picture: JsonObject) -> FootprintPicture:
         np.ascontiguousarray(colors[:, :, ::-1], dtype=np.uint8),
         picture.number("pixel_mm", *_PIXEL_MM),
         _placement(picture.object("placement")),
-        picture.text("file", empty=True),
     )
 
 

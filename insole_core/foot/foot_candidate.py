@@ -10,6 +10,7 @@ from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
+from insole_core.scans.units import Unit
 
 Point = tuple[float, float, float]
 
@@ -107,6 +108,10 @@ class FoundFoot:
         What was concluded or left out, a sentence each.
     path
         Its file, where the scan is a folder; None for the file that was examined.
+    unit
+        Of its file, as given or concluded; None where a known size gave the scale.
+    clicks
+        The points that were clicked in its file, on it or on the other foot there.
     """
 
     mesh: TriangleMesh
@@ -115,6 +120,8 @@ class FoundFoot:
     doubts: tuple[Message, ...] = ()
     notes: tuple[str, ...] = ()
     path: Path | None = None
+    unit: Unit | None = None
+    clicks: PoseClicks | None = None
 
     @property
     def told_side(self) -> Side | None:

@@ -104,14 +104,14 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     candidate = next(one for one in found.candidates if one.side is side)
     foot = placed_foot(found, candidate, force=force)
     if frame == "unknown":
-        check_length(foot.length_mm)
+        check_length(foot.length_mm, force=force)
         if not force:
             check_proportions(proportions(foot.mesh, foot.length_mm))
     return foot
 
 
 def find_foot(
-    mesh: TriangleMesh, side: Side | None = None, pose: PoseClicks | FootCandidate | None = None
+    mesh: TriangleMesh, side: Side | None = None, pose: PoseClicks | None = None
 ) -> FoundFoot:
     """Find how a surface that lies in any way can be a left or a right foot.
 
@@ -121,7 +121,7 @@ def find_foot(
     side
         Which foot it is, where that is known and need not be doubted.
     pose
-        How it lies, where that is known: by clicked points, or as found before.
+        How it lies, where that is known by clicked points.
 
     Returns
     -------
@@ -135,10 +135,6 @@ def find_foot(
     """
     mesh, scraps = without_scraps(mesh)
     points, normals = surface_samples(mesh)
-    if isinstance(pose, FootCandidate):
-        mesh, inside_out = _outside_out(mesh, pose.source2insole)
-        notes = tuple(_surface_notes(scraps, inside_out))
-        return FoundFoot(mesh, EvenSurface.of(mesh), (pose,), notes=notes)
     poses = _foot_poses(mesh, points) if pose is None else _clicked_poses(points, normals, pose)
     poses = sorted((rated_pose(one, points, normals) for one in poses), key=_dissimilarity)
     mesh, inside_out = _outside_out(mesh, poses[0].source2rough)

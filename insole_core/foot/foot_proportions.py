@@ -17,6 +17,8 @@ from insole_core.messages import Message
 
 LENGTH_MM = (90.0, 350.0)
 """EU 16 to 52, and somewhat more."""
+_FORCED_LENGTH_MM = (50.0, 500.0)
+"""What a case can hold."""
 _BALL_SHARES, _HEEL_SHARES = (0.60, 0.75), (0.08, 0.20)
 _BALL_TO_LENGTH, _USUAL_BALL_TO_LENGTH = (0.26, 0.52), (0.31, 0.47)
 _HEEL_TO_BALL, _USUAL_HEEL_TO_BALL = (0.40, 0.88), (0.52, 0.84)
@@ -71,15 +73,15 @@ def proportions(mesh: TriangleMesh, length_mm: float) -> Proportions:
     return Proportions(length_mm, ball, heel, midfoot, toe_height, float(thickness))
 
 
-def check_length(length_mm: float) -> None:
-    """Check that a foot can be as long.
+def check_length(length_mm: float, *, force: bool = False) -> None:
+    """Check that a foot can be as long, or if forced, that it can be kept.
 
     Raises
     ------
     InputError
         With the numbers.
     """
-    if not LENGTH_MM[0] <= length_mm <= LENGTH_MM[1]:
+    if not _within(length_mm, _FORCED_LENGTH_MM if force else LENGTH_MM):
         raise InputError(
             "The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to "
             "{most_mm:g} mm long; check its unit, and that it is a whole foot.",

@@ -25,8 +25,9 @@ class PressureMap:
     pitch_mm
         Distance of the sensors, across and along.
     placement
-    file, device
-        Name of the file, and make of the plate or insole; the latter may be empty.
+    device
+        Make of the plate or insole; may be empty. The name of the file, which may be that of a
+        patient, is not kept.
     shown
         What of the recording: "peak", "mean" or "frame 12".
     """
@@ -34,7 +35,6 @@ class PressureMap:
     kpa: FloatArray
     pitch_mm: tuple[float, float]
     placement: Placement = field(default_factory=Placement)
-    file: str = ""
     device: str = ""
     shown: str = "peak"
 
@@ -78,14 +78,11 @@ class FootprintPicture:
     pitch_mm
         Size of a pixel.
     placement
-    file
-        Name of the file.
     """
 
     colors: npt.NDArray[np.uint8]
     pitch_mm: float
     placement: Placement = field(default_factory=Placement)
-    file: str = ""
 
     def at(self, points: FloatArray) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.bool_]]:
         """Return the colours (n, 3) at points (n, 2) of the insole frame, and which (n,) it covers.

@@ -152,11 +152,11 @@ def contact_of_picture(picture: FootprintPicture) -> Contact:
     border = np.concatenate([on[0], on[-1], on[:, 0], on[:, -1]])
     on = ~on if border.mean() > 0.5 else on
     if not on.any() or on.all():
-        raise _nothing_seen(picture)
+        raise _nothing_seen()
     difference = abs(float(small[on].mean()) - float(small[~on].mean()))
     load = _filled(np.where(on, 1.0, 0.0))
     if difference < _LEAST_CONTRAST or not load.any():
-        raise _nothing_seen(picture)
+        raise _nothing_seen()
     pitch = picture.colors.shape[1] * picture.pitch_mm / size[0]
     along = picture.colors.shape[0] * picture.pitch_mm / size[1]
     return Contact(load, (pitch, along))
@@ -187,9 +187,7 @@ def _scaled(picture: Picture, pixel_mm: float) -> FootprintPicture:
         colors = picture.colors
     else:
         colors = np.asarray(cv2.resize(picture.colors, size, interpolation=cv2.INTER_AREA))
-    return FootprintPicture(
-        colors.astype(np.uint8), columns * pixel_mm / size[0], file=picture.file
-    )
+    return FootprintPicture(colors.astype(np.uint8), columns * pixel_mm / size[0])
 
 
 def _on_white(image: Image.Image) -> Image.Image:
@@ -225,9 +223,8 @@ def _too_large(path: Path) -> InputError:
     )
 
 
-def _nothing_seen(picture: FootprintPicture) -> InputError:
+def _nothing_seen() -> InputError:
     return InputError(
-        "No footprint stands out on {file}; choose a picture with an even background, or lay it "
-        "by hand.",
-        file=picture.file,
+        "No footprint stands out on the picture; choose one with an even background, or lay it by "
+        "hand."
     )

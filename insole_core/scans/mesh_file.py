@@ -50,10 +50,13 @@ class ReadMesh:
         Of the file, as given or concluded from the size; mm where a known size gave the scale.
     mm_per_unit
         What the file's numbers were multiplied with, by their unit or by a known size.
-    notes
-        What was assumed or corrected, a sentence each.
+    scale_note
+        Its scale, and the length that follows.
+    corrections
+        What else was assumed or corrected, a sentence each.
     was_turned
-        Whether the triangles face the other way in the file; `INSIDE_OUT` is one of the notes then.
+        Whether the triangles face the other way in the file; `INSIDE_OUT` is one of the corrections
+        then.
     part
         Where it was read from.
     second
@@ -63,7 +66,8 @@ class ReadMesh:
     mesh: TriangleMesh
     unit: Unit
     mm_per_unit: float
-    notes: tuple[str, ...]
+    scale_note: str
+    corrections: tuple[str, ...] = ()
     was_turned: bool = False
     part: ScanPart | None = None
     second: ReadMesh | None = None
@@ -71,10 +75,13 @@ class ReadMesh:
     def scaled(self, factor: float) -> ReadMesh:
         """Correct the scale of a scan whose foot has been found and is of a known length."""
         mesh = _in_mm(self.mesh, factor)
-        length = _scale_note(mesh, self.unit, is_known=True)
-        notes = (note for note in self.notes if getattr(note, "template", "") != length.template)
-        mm_per_unit = factor * self.mm_per_unit
-        return replace(self, mesh=mesh, mm_per_unit=mm_per_unit, notes=(length, *notes))
+        note = _scale_note(mesh, self.unit, is_known=True)
+        return replace(self, mesh=mesh, mm_per_unit=factor * self.mm_per_unit, scale_note=note)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was assumed or corrected, a sentence each."""
+        return (self.scale_note, *self.corrections)
 
 
 def read_mesh(
@@ -130,17 +137,19 @@ def read_part(
         _check_area(mesh, path)
     else:
         mesh = _through_points(raw, mm_per_unit, path)
-    notes = [
+    scale_note = _scale_note(mesh, unit, is_known=known_size is not None)
+    corrections = [
         *raw.notes,
-        _scale_note(mesh, unit, is_known=known_size is not None),
         *_cloud_notes(raw, points),
         *_mesh_notes(mesh, count, pitch * mm_per_unit, spikes),
     ]
     was_turned = not faces_outwards(mesh)
     if was_turned:
         mesh = mesh.flipped()
-        notes.append(Message(INSIDE_OUT))
-    return ReadMesh(mesh, unit, mm_per_unit, tuple(notes), was_turned, part)
+        corrections.append(Message(INSIDE_OUT))
+    return ReadMesh(
+        mesh, unit, mm_per_unit, scale_note, tuple(corrections), was_turned=was_turned, part=part
+    )
 
 
 def _raw(part: ScanPart) -> RawSurface:

@@ -36,7 +36,8 @@ class ScanPart:
     name
         Of the scan in it, with forward slashes; empty for the file itself.
     side
-        By its name; None where that says neither or both.
+        By its name, or by that of its folder where there are two, one of either side; None where
+        they say neither or both.
     """
 
     place: Path
@@ -87,13 +88,16 @@ def side_of_name(name: str) -> Side | None:
 
     A single letter counts as the last word only: elsewhere it may be an initial of the patient.
     """
+    named = _sides_of_name(name)
+    return next(iter(named)) if len(named) == 1 else None
+
+
+def _sides_of_name(name: str) -> set[Side]:
     words = [word.lower() for word in _WORD.findall(name)]
     last = words[-1] if words else ""
     is_left = last == "l" or not _LEFT.isdisjoint(words)
     is_right = last == "r" or not _RIGHT.isdisjoint(words)
-    if is_left == is_right:
-        return None
-    return Side.LEFT if is_left else Side.RIGHT
+    return {side for side, is_named in zip(Side, (is_left, is_right), strict=True) if is_named}
 
 
 def _names_in_folder(path: Path) -> list[str]:
@@ -128,10 +132,9 @@ def _scans_among(names: list[str]) -> list[str]:
 
 
 def _chosen(path: Path, names: list[str]) -> tuple[ScanPart, ...]:
-    parts = [
-        ScanPart(path, name, side_of_name(PurePosixPath(name).stem) or side_of_name(name))
-        for name in _one_format_each(names)
-    ]
+    names = _one_format_each(names)
+    by_folder = _sides_of_folders(names)
+    parts = [ScanPart(path, name, _side_of(name, by_folder)) for name in names]
     if not parts:
         raise InputError(
             "{path} holds no scan; hand in a file of one of the formats {suffixes}, or a folder or "
@@ -157,6 +160,22 @@ def _chosen(path: Path, names: list[str]) -> tuple[ScanPart, ...]:
             second=parts[1].name,
         )
     return tuple(sorted(parts, key=lambda part: (part.side is Side.RIGHT, part.name)))
+
+
+def _side_of(name: str, by_folder: dict[str, Side]) -> Side | None:
+    """Return the foot that a scan's own name tells; if that is silent, its folder's."""
+    stem = PurePosixPath(name).stem
+    return side_of_name(stem) if _sides_of_name(stem) else by_folder.get(name)
+
+
+def _sides_of_folders(names: list[str]) -> dict[str, Side]:
+    """Return the foot of each of two scans whose folders are a left and a right one.
+
+    A single folder may be named after a patient or a shoe, and tells nothing of the foot in it.
+    """
+    sides = {name: side_of_name(PurePosixPath(name).parent.name) for name in names}
+    known = {name: side for name, side in sides.items() if side is not None}
+    return known if len(names) == 2 and set(known.values()) == set(Side) else {}
 
 
 def _one_format_each(names: list[str]) -> list[str]:

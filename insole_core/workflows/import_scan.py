@@ -7,50 +7,25 @@ be asked.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
+import numpy as np
+
+from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
+from insole_core.foot.foot import Foot
+from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
 from insole_core.foot.foot_placement import placed_foot
 from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
-from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import inverse, transform
 from insole_core.imprints.form import Form
 from insole_core.progress import SILENT, Progress
-from insole_core.scans.mesh_file import ReadMesh, Unit, read_mesh
-from insole_core.scans.scale import KnownSize
+from insole_core.scans.mesh_file import ReadMesh, read_mesh
+from insole_core.workflows.foot_said import FootSaid
 from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
-from insole_core.workflows.scanned_feet import FootSaid, find_scanned_feet, with_name
+from insole_core.workflows.scanned_feet import find_scanned_feet, from_file, with_name_doubts
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
-
-
-@dataclass(frozen=True)
-class ImportChoice:
-    """What the user has said of a scan; None where it is to be concluded.
-
-    Parameters
-    ----------
-    side
-    unit
-        Of the coordinates in the file.
-    known_size
-        In place of a unit.
-    form
-    pose
-        Three clicked points, or one of the candidates of an earlier examination.
-    force
-        Go on although the shape looks like the other foot, or is none by its proportions.
-    """
-
-    side: Side | None = None
-    unit: Unit | None = None
-    known_size: KnownSize | None = None
-    form: Form | None = None
-    pose: PoseClicks | FootCandidate | None = None
-    force: bool = False
-
-
-NOTHING_SAID = ImportChoice()
-"""All is to be concluded."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +40,7 @@ class ScanExamination:
     form
         As given or concluded.
     feet
-        At least one; two of a box or folder with both.
+        At least one; two of a box or folder with both, more of a folder with such scans.
     notes
         What was assumed or corrected while reading, a sentence each.
     left_out
@@ -161,8 +136,9 @@ def examine_surface(
         form = form or Form.FOOT
     else:
         read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
-    if read.second is None and len(feet) == 1:
-        feet = (with_name(feet[0], read, said),)
+    if read.second is None:
+        feet = tuple(from_file(found, read, said) for found in feet)
+        feet = (with_name_doubts(feet[0], read, said),) if len(feet) == 1 else feet
     notes = read.notes if read.second is None else ()
     return ScanExamination(path, read, form, feet, notes, left_out)
 
@@ -191,13 +167,48 @@ def take_foot(
     ProportionsError
         When the surface is no foot by its proportions, unless forced.
     InputError
-        When no foot is as long.
+        When no foot is as long, unless forced.
     """
     foot = placed_foot(found, candidate, force=choice.force)
-    check_length(foot.length_mm)
+    check_length(foot.length_mm, force=choice.force)
     if not choice.force:
         check_proportions(proportions(foot.mesh, foot.length_mm))
     form = examination.form
     notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
-    source = mesh_source(found.path or examination.path, form)
+    again = replace(choice, side=candidate.side, unit=found.unit, pose=found.clicks)
+    source = replace(mesh_source(found.path or examination.path, form), choice=again)
     return ScannedFoot(replace(foot, notes=notes, form=form), source)
+
+
+def nearest_candidate(feet: Sequence[FoundFoot], foot: Foot) -> tuple[int, FootCandidate] | None:
+    """Find the foot of a case in a scan that it was made from before.
+
+    Parameters
+    ----------
+    feet
+        In the scan, at the same scale.
+    foot
+        That may have been turned a little since.
+
+    Returns
+    -------
+    number : int
+        Of the foot in the scan.
+    candidate : FootCandidate
+        Of the same side, that lies most like it. None where there is none of that side.
+    """
+    centre = foot.mesh.vertices.mean(axis=0)
+    middle = transform(inverse(foot.source2insole), centre[None, :])
+
+    def far_mm(way: tuple[int, FootCandidate]) -> float:
+        turn = way[1].source2insole[:3, :3] @ foot.source2insole[:3, :3].T
+        off = transform(way[1].source2insole, middle)[0] - centre
+        return float(np.linalg.norm(off) + foot.length_mm * np.linalg.norm(turn - np.eye(3)))
+
+    ways = [
+        (number, candidate)
+        for number, found in enumerate(feet)
+        for candidate in found.candidates
+        if candidate.side is foot.side
+    ]
+    return min(ways, key=far_mm, default=None)

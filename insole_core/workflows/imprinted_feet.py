@@ -9,17 +9,17 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.errors import InputError
-from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
+from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
 from insole_core.foot.foot_placement import find_foot, find_pressed_foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import transform
 from insole_core.imprints.foam_box import BoxScan, Imprint, find_imprints
 from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import INSIDE_OUT, ReadMesh
-from insole_core.workflows.scanned_feet import NOTHING_SAID, FootSaid, named_foot
+from insole_core.workflows.foot_said import NOTHING_SAID, FootSaid, at_known_length
+from insole_core.workflows.scanned_feet import named_feet
 
 _HARDLY_MM, _SHALLOW_MM = 8.0, 14.0
 """Depths of an end that is missing in part, and of one that is rounded off: a heel and a toe are
@@ -77,32 +77,34 @@ def find_imprinted_feet(
     InputError
         When what was pressed in does not look like a foot.
     """
-    box = _in_scale(read, form, said)
-    if box is None or read.second is None:
+    if read.second is None:
+        _, box = at_known_length(
+            read,
+            said,
+            lambda one, known: _in_box(one, form, known),
+            lambda found: None if found is None else found.feet[0].candidates[0].length_mm,
+        )
         return box
-    second = find_imprinted_feet(read.second, form, said)
-    if second is None:
+    saids = said.for_each(read.mesh, read.second.mesh)
+    first = find_imprinted_feet(replace(read, second=None), form, saids[0])
+    second = find_imprinted_feet(read.second, form, saids[1])
+    if first is None or second is None:
         return None
-    feet = named_foot(box.feet[0], box.read), named_foot(second.feet[0], second.read)
-    return replace(box, feet=feet, left_out=(*box.left_out, *second.left_out))
-
-
-def _in_scale(read: ReadMesh, form: Form | None, said: FootSaid) -> ImprintedFeet | None:
-    """Find the feet at the scale at which the first one has its known length."""
-    found = _in_box(read, form, said)
-    length_mm = said.length_mm
-    if found is None or length_mm is None:
-        return found
-    return _in_box(read.scaled(length_mm / found.feet[0].candidates[0].length_mm), form, said)
+    feet = (
+        *named_feet(first.feet, first.read, saids[0]),
+        *named_feet(second.feet, second.read, saids[1]),
+    )
+    both = replace(first.read, second=second.read)
+    return replace(first, read=both, feet=feet, left_out=(*first.left_out, *second.left_out))
 
 
 def _in_box(read: ReadMesh, form: Form | None, said: FootSaid) -> ImprintedFeet | None:
     box = find_imprints(read.mesh.flipped() if read.was_turned else read.mesh)
     if box is None or (form not in (None, Form.IMPRINT) and box.is_hollow):
         return None
-    posed = _posed_imprint(box, said.pose)
+    clicked = None if said.pose is None else _clicked_imprint(box, said.pose)
     feet = [
-        _pressed_foot(imprint, said.pose if number == posed else None)
+        _pressed_foot(imprint, said.pose if number == clicked else None)
         for number, imprint in enumerate(box.imprints)
     ]
     placed = _by_position(*feet) if len(feet) == 2 else feet
@@ -115,10 +117,10 @@ def _in_box(read: ReadMesh, form: Form | None, said: FootSaid) -> ImprintedFeet 
         )
         for one in placed
     )
-    notes = tuple(note for note in read.notes if note != INSIDE_OUT)
+    corrections = tuple(note for note in read.corrections if note != INSIDE_OUT)
     left_out = _left_out(read.mesh, box)
     return ImprintedFeet(
-        replace(read, notes=notes), form or Form.IMPRINT, tuple(found), (left_out,)
+        replace(read, corrections=corrections), form or Form.IMPRINT, tuple(found), (left_out,)
     )
 
 
@@ -182,11 +184,11 @@ class _PressedFoot:
                 place=self.place,
                 told=told,
             )
-        elif told is None and self.place is None and not said.is_decided:
+        elif told is None and self.place is None and said.side is None:
             yield Message(
                 "The shape of the imprint does not tell left from right; say which foot it is."
             )
-        if self._end_mm < _HARDLY_MM and not said.is_decided:
+        if self._end_mm < _HARDLY_MM and said.side is None:
             yield Message(
                 "One end of the imprint is only {depth_mm:.0f} mm deep: heel or toes were hardly "
                 "pressed in, so that side and length are uncertain; say which foot it is, and "
@@ -224,20 +226,16 @@ class _PressedFoot:
         return replace(self, foot=foot, place=place)
 
 
-def _posed_imprint(box: BoxScan, pose: PoseClicks | FootCandidate | None) -> int:
-    """Return the number of the imprint that a pose is meant for: the one nearest to it."""
+def _clicked_imprint(box: BoxScan, clicks: PoseClicks) -> int:
+    """Return the number of the imprint on which points were clicked: the one nearest to them."""
     centres = np.array([imprint.centre for imprint in box.imprints])
-    if isinstance(pose, FootCandidate):
-        return int(np.abs(transform(pose.source2insole, centres)[:, 0]).argmin())
-    if pose is None:
-        return 0
-    clicked = np.mean([pose.heel, pose.toe, pose.sole], axis=0)
+    clicked = np.mean([clicks.heel, clicks.toe, clicks.sole], axis=0)
     return int(np.linalg.norm(centres - clicked, axis=1).argmin())
 
 
-def _pressed_foot(imprint: Imprint, pose: PoseClicks | FootCandidate | None) -> _PressedFoot:
-    if pose is not None:
-        return _PressedFoot(imprint, replace(find_foot(imprint.mesh, None, pose), doubts=()))
+def _pressed_foot(imprint: Imprint, clicks: PoseClicks | None) -> _PressedFoot:
+    if clicks is not None:
+        return _PressedFoot(imprint, replace(find_foot(imprint.mesh, None, clicks), doubts=()))
     try:
         foot = find_pressed_foot(imprint.mesh, imprint.dorsal)
     except InputError as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
 from insole_core.errors import UsageError
 from insole_core.foot.foot_placement import DoubtfulScanError
 from insole_core.geometry.side import Side
@@ -12,7 +13,7 @@ from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
 from insole_core.scans.scan_folder import holds_scans
-from insole_core.workflows.import_scan import NOTHING_SAID, ImportChoice, examine_scan, take_foot
+from insole_core.workflows.import_scan import examine_scan, take_foot
 from insole_core.workflows.make_foot import make_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot
 
@@ -42,7 +43,8 @@ def open_scan(
     ProportionsError
         When the surface is no foot by its proportions, unless forced.
     DoubtfulScanError
-        When it is not sure how the foot lies or whether it is one, unless forced.
+        When it is not sure how the foot lies or whether it is one, unless its points are given or
+        it is forced.
     InputError
         When the file cannot be read.
     ReconstructionError
@@ -95,10 +97,10 @@ def _mesh_foot(
     found = next((foot for foot in feet if foot.candidates[0].side is side), feet[0])
     candidate = next(one for one in found.candidates if one.side is side)
     scanned = take_foot(examination, found, candidate, choice)
-    if found.doubts and not choice.force:
+    if found.doubts and choice.pose is None and not choice.force:
         raise DoubtfulScanError(
             "{path} is doubtful: {doubts} Open it in the window, or insist with --force.",
             path=path,
             doubts=joined(found.doubts, " "),
         )
-    return scanned
+    return replace(scanned, warnings=(*scanned.warnings, *found.doubts))

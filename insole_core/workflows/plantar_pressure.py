@@ -100,17 +100,6 @@ class LaidPicture:
     doubts: tuple[str, ...] = ()
 
 
-def unanswered(recording: PressureRecording, answers: Answers) -> tuple[Question, ...]:
-    """Return what neither the file nor the user says.
-
-    Raises
-    ------
-    InputError
-        When an answer cannot be right.
-    """
-    return recording.answered(answers).questions
-
-
 def lay_pressure(
     foot: Foot, recording: PressureRecording, answers: Answers, shown: Shown, file: str
 ) -> LaidPressure:
@@ -119,7 +108,7 @@ def lay_pressure(
     Parameters
     ----------
     file
-        Its name, for the case.
+        Its name, for what is wrong with it.
 
     Raises
     ------
@@ -142,7 +131,7 @@ def lay_pressure(
     assert known.pitch_mm is not None
     assert known.seen_from is not None
     kpa = shown.of(known)
-    laid = PressureMap(kpa, known.pitch_mm, Placement(), file, known.device, str(shown))
+    laid = PressureMap(kpa, known.pitch_mm, Placement(), known.device, str(shown))
     found = align_pressure(foot, laid, known.seen_from)
     doubts: tuple[str, ...] = (found.doubt,) if found.doubt else ()
     if is_faint(kpa):

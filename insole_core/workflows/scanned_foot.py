@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
 from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.imprints.form import Form
@@ -34,6 +36,39 @@ def session_source(path: Path, session: Session) -> ScanSource:
 def mesh_source(path: Path, form: Form = Form.FOOT) -> ScanSource:
     """Return the scan record of a mesh file."""
     return replace(_source("mesh", path), form=form)
+
+
+def feet_made_of(
+    path: Path, feet: Sequence[FootRecord], progress: Progress = SILENT
+) -> tuple[FootRecord, ...]:
+    """Return those feet of a case that were made of a mesh file, wherever it lay then.
+
+    Raises
+    ------
+    Cancelled
+    """
+    if path.is_dir() or all(foot.source.kind != "mesh" for foot in feet):
+        return ()
+    try:
+        digest = sha256_of(path, MAX_ARCHIVE_BYTES, progress)
+    except OSError:  # whoever reads the scan says what is wrong
+        return ()
+    return tuple(foot for foot in feet if foot.source.sha256 == digest)
+
+
+def choice_of(feet: Sequence[FootRecord]) -> ImportChoice:
+    """Return with which choice a scan gives the feet that were made of it once more.
+
+    Parameters
+    ----------
+    feet
+        One, or both of one scan.
+    """
+    source = feet[0].source
+    choice = source.choice
+    if choice == NOTHING_SAID and source.form is not Form.FOOT:  # of a case that kept no choice
+        choice = replace(choice, form=source.form)
+    return replace(choice, side=feet[0].side if len(feet) == 1 else None)
 
 
 def change_of_source(source: ScanSource, progress: Progress = SILENT) -> str:

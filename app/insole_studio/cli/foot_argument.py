@@ -14,8 +14,8 @@ from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import number
 
 if TYPE_CHECKING:
+    from insole_core.cases.import_choice import ImportChoice
     from insole_core.foot.foot import Foot
-    from insole_core.workflows.import_scan import ImportChoice
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -64,9 +64,9 @@ def said_of_scan(arguments: argparse.Namespace, *, force: bool = False) -> Impor
     UsageError
         When some of the three points are missing.
     """
+    from insole_core.cases.import_choice import ImportChoice
     from insole_core.foot.foot_candidate import PoseClicks
     from insole_core.scans.scale import KnownFootLength, KnownShoeSize
-    from insole_core.workflows.import_scan import ImportChoice
 
     points = [arguments.heel, arguments.toe, arguments.sole]
     given = [tuple(point) for point in points if point is not None]

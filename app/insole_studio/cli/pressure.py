@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="distance of the sensors: 5, or 5x7 (across x along)",
     )  # fmt: skip
     parser.add_argument(
-        "--length", type=float, metavar="MM", help="of an insole whose file does not state it"
+        "--length", type=number, metavar="MM", help="of an insole whose file does not state it"
     )
     parser.add_argument("--unit", choices=["kPa", "N/cm2", "mmHg", "psi", "g/cm2", "kg/cm2", "N"])
     parser.add_argument("--seen-from", choices=["above", "below"])
@@ -56,7 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the greatest of all frames (default), their mean, or one frame from 1",
     )  # fmt: skip
     parser.add_argument(
-        "--threshold", type=float, default=200.0, metavar="KPA",
+        "--threshold", type=number, default=200.0, metavar="KPA",
         help="from which on a relief is proposed under a metatarsal head (default: 200)",
     )  # fmt: skip
 
@@ -106,7 +107,6 @@ def _content(
     pressure: PressureMap = laid.pressure
     return {
         "unit": "kPa",
-        "map": pressure.file,
         "device": pressure.device,
         "shown": pressure.shown,
         "placement": vars(pressure.placement),
@@ -166,4 +166,10 @@ def _shown(arguments: argparse.Namespace) -> Shown:
 
 def _pitch(text: str) -> tuple[float, float]:
     across, _, along = text.partition("x")
-    return float(across), float(along or across)
+    try:
+        return number(across), number(along or across)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no distance of sensors; give one in mm, such as 5, or two such as 5x7 "
+            "(across x along)"
+        ) from error

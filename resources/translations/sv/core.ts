@@ -1132,8 +1132,8 @@
             <translation>Ingen fot kan göras av {session}, eftersom ingen av dess vyer kan användas ({reasons}).</translation>
         </message>
         <message>
-            <source>No footprint stands out on {file}; choose a picture with an even background, or lay it by hand.</source>
-            <translation>Inget fotavtryck framträder på {file}; välj en bild med jämn bakgrund, eller lägg den för hand.</translation>
+            <source>No footprint stands out on the picture; choose one with an even background, or lay it by hand.</source>
+            <translation>Inget fotavtryck framträder på bilden; välj en bild med jämn bakgrund, eller lägg den för hand.</translation>
         </message>
         <message>
             <source>No part of this foot faces the ground, so no contact surface can be made; check the pose of the scan.</source>
@@ -5618,6 +5618,10 @@
         <message>
             <source>{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and capture it again.</source>
             <translation>{name} innehåller inga mätvärden alls; ställ sensorn 500 till 3000 mm från väggen och ta om den.</translation>
+        </message>
+        <message>
+            <source>{name} holds two feet, and there is another scan beside it; choose the feet that are meant.</source>
+            <translation>{name} innehåller två fötter, och bredvid finns ytterligare en skanning; välj de fötter som avses.</translation>
         </message>
         <message>
             <source>{name} is damaged; restore it from a backup.</source>

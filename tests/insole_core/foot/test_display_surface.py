@@ -10,6 +10,7 @@ import pytest
 import trimesh
 
 from insole_core.cases.case_file import read_case
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.export.ply import write_ply
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.foot.foot import Foot
@@ -17,7 +18,6 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
 from insole_core.geometry.side import Side
 from insole_core.resources import resource_path
-from insole_core.workflows.import_scan import ImportChoice
 from insole_core.workflows.open_scan import open_scan
 
 

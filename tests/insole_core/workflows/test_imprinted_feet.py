@@ -11,8 +11,9 @@ import pytest
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.export.ply import write_ply
-from insole_core.foot.foot_candidate import PoseClicks
+from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg, transform
@@ -23,7 +24,7 @@ from insole_core.insole.prescription.finish_warnings import finish_warnings
 from insole_core.scans.scale import KnownFootLength
 from insole_core.workflows.clinic_devices import clinic_devices, find_device
 from insole_core.workflows.clinic_materials import ClinicMaterials
-from insole_core.workflows.import_scan import ImportChoice, ScanExamination, examine_scan, take_foot
+from insole_core.workflows.import_scan import ScanExamination, examine_scan, take_foot
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.starting_design import StartingDevice
@@ -161,13 +162,29 @@ def test_a_known_length_gives_the_scale_of_a_box(left_mesh, written):
 
 
 def test_boxes_in_a_folder_are_both_feet(left_mesh, right_mesh, written, tmp_path):
-    for name, foot in (("left", left_mesh), ("right", right_mesh)):
-        written(single_box(foot, cell_mm=2.0)).rename(tmp_path / f"{name}.ply")
+    for name, foot, x_mm in (("left", left_mesh, 0.0), ("right", right_mesh, 400.0)):
+        place = rigid(np.eye(3), np.array([x_mm, 0.0, 0.0]))
+        box = single_box(foot, cell_mm=2.0).transformed(place)
+        written(box).rename(tmp_path / f"{name}.ply")
 
     examination = examine_scan(tmp_path)
 
     assert examination.form is Form.IMPRINT
     assert [found.candidates[0].side for found in examination.feet] == [Side.LEFT, Side.RIGHT]
+
+    clicks = clicked_on_sole(examination.feet[1])
+    left, right = examine_scan(tmp_path, ImportChoice(pose=clicks)).feet
+    assert any("were clicked" in note for note in right.notes)
+    assert not any("were clicked" in note for note in left.notes)
+    assert (left.clicks, right.clicks) == (None, clicks)
+
+
+def clicked_on_sole(found: FoundFoot) -> PoseClicks:
+    """Heel, toe and ball of an imprint that was found."""
+    to_source = np.linalg.inv(found.candidates[0].source2insole)
+    places = np.array([(0.0, 3.0, 12.0), (-8.0, 238.0, 9.0), (0.0, 160.0, 3.0)])
+    heel, toe, sole = (tuple(map(float, place)) for place in transform(to_source, places))
+    return PoseClicks(heel, toe, sole)
 
 
 def test_a_cast_is_what_the_user_says(left_mesh, written):
@@ -205,14 +222,10 @@ def test_a_low_cast_with_a_flat_top_lies_as_a_foot_does(left_mesh, written):
 def test_three_clicks_place_the_foot_of_an_imprint(left_mesh, right_mesh, written):
     path = written(double_box([left_mesh, right_mesh], cell_mm=2.0))
     _, right = examine_scan(path).feet
-    to_source = np.linalg.inv(right.candidates[0].source2insole)
-    heel, toe, sole = (
-        tuple(transform(to_source, np.array(place)))
-        for place in ((0.0, 3.0, 12.0), (-8.0, 238.0, 9.0), (0.0, 160.0, 3.0))
-    )
 
-    clicked = examine_scan(path, ImportChoice(pose=PoseClicks(heel, toe, sole))).feet
+    clicked = examine_scan(path, ImportChoice(pose=clicked_on_sole(right))).feet
 
     assert [found.candidates[0].side for found in clicked] == [Side.LEFT, Side.RIGHT]
+    to_source = np.linalg.inv(right.candidates[0].source2insole)
     turned = clicked[1].candidates[0].source2insole @ to_source
     assert rotation_angle_deg(turned[:3, :3]) < 2.0

@@ -8,13 +8,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.scale import KnownDistance, KnownFootLength, KnownShoeSize, known_length_mm
-from insole_core.workflows.import_scan import ImportChoice, examine_scan
+from insole_core.workflows.import_scan import (
+    examine_scan,
+    nearest_candidate,
+    read_scan,
+    take_foot,
+)
+from insole_core.workflows.scanned_foot import ScannedFoot, choice_of
 
 
 @pytest.fixture(scope="module")
@@ -113,3 +122,55 @@ def test_points_clicked_on_one_of_two_feet_tell_how_that_one_lies(left_mesh, rig
     feet = {foot.told_side: foot for foot in examine_scan(tmp_path, choice).feet}
     assert is_clicked(feet[Side.RIGHT])
     assert not is_clicked(feet[Side.LEFT])
+
+
+def test_a_file_with_both_feet_beside_another_scan_loses_none(left_mesh, right_mesh, tmp_path):
+    beside = right_mesh.vertices + np.array([200.0, 0.0, 0.0])
+    both = TriangleMesh(
+        np.vstack([left_mesh.vertices, beside]),
+        np.vstack([left_mesh.triangles, right_mesh.triangles + len(left_mesh.vertices)]),
+    )
+    feet = examine_scan(folder_of(tmp_path, both=both, again=right_mesh)).feet
+    assert sorted(str(foot.told_side) for foot in feet) == ["left", "right", "right"]
+    asked = [foot.told_side for foot in feet if any("holds two feet" in it for it in foot.doubts)]
+    assert asked == [Side.LEFT, Side.RIGHT]
+
+
+def read_once_more(scanned: ScannedFoot, tmp_path: Path) -> ScannedFoot:
+    """Save a foot in a case, open the case, and read the scan with what it keeps of it."""
+    case = tmp_path / "case.insole"
+    write_case(CaseRecord.of_foot(FootRecord.begun(scanned.foot, scanned.source)), case)
+    feet = read_case(case).feet
+    choice = choice_of(feet)
+    examination = examine_scan(Path(feet[0].source.path), choice)
+    near = nearest_candidate(examination.feet, feet[0].foot)
+    assert near is not None
+    return take_foot(examination, examination.feet[near[0]], near[1], choice)
+
+
+@pytest.mark.parametrize("said", ["length", "distance", "unit"])
+def test_a_case_keeps_what_was_said_of_its_scan(left_mesh, length_mm, tmp_path, said):
+    path = tmp_path / "foot.stl"
+    factor = 0.1 if said == "unit" else 3e4
+    write_stl(replace(left_mesh, vertices=left_mesh.vertices * factor), path)
+    first, second = left_mesh.vertices[10], left_mesh.vertices[2000]
+    between_mm = float(np.linalg.norm(first - second))
+    known = {
+        "length": KnownFootLength(length_mm + 7),
+        "distance": KnownDistance(tuple(first * factor), tuple(second * factor), between_mm),
+    }.get(said)
+    choice = ImportChoice(unit="cm" if said == "unit" else None, known_size=known)
+    mm = read_scan(path, choice).mm_per_unit * factor
+    said_all = replace(choice, pose=clicked_on(left_mesh).scaled(mm), force=True)
+    examination = examine_scan(path, said_all)
+    found = examination.feet[0]
+    assert is_clicked(found)
+    other = found.best(found.candidates[0].side.other)
+    assert other is not None
+
+    scanned = take_foot(examination, found, other, said_all)
+    again = read_once_more(scanned, tmp_path)
+
+    assert again.source == scanned.source
+    assert again.foot.notes == scanned.foot.notes
+    np.testing.assert_array_equal(again.foot.mesh.vertices, scanned.foot.mesh.vertices)

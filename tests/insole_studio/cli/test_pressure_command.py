@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -60,7 +61,9 @@ def test_the_map_is_kept_and_its_peaks_are_printed(
     assert content["threshold"] == 200
     (kept,) = read_case(out).feet
     assert kept.plantar.pressure is not None
-    assert kept.plantar.pressure.file == "plate.csv"
+    with ZipFile(out) as saved:  # the name may be that of the patient
+        texts = [saved.read(name) for name in saved.namelist() if name.endswith(".json")]
+    assert all(b"plate.csv" not in text for text in [*texts, report.read_bytes()])
     assert abs(kept.plantar.pressure.placement.turn_deg) < 3
     assert read_case(case).feet[0].plantar.pressure is None
 
@@ -80,3 +83,11 @@ def test_what_the_file_does_not_say_is_asked(
 ) -> None:
     assert run(["pressure", str(plate), "--case", str(case), *missing]) != 0
     assert reason in capsys.readouterr().err
+
+
+def test_a_distance_of_sensors_that_is_none_is_explained(
+    case: Path, plate: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        run(["pressure", str(plate), "--case", str(case), "--pitch", "abc"])
+    assert "'abc' is no distance of sensors; give one in mm" in capsys.readouterr().err

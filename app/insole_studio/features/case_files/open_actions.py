@@ -246,6 +246,7 @@ def _is_same_scan(before: FootRecord, scanned: ScannedFoot) -> bool:
     A file that is read in another unit or form gives another foot, on which no design fits.
     """
     same_file = before.source.path == scanned.source.path
+    same_file = same_file or before.source.sha256 == scanned.source.sha256
     if scanned.source.kind == "session":
         return same_file
     same_form = before.foot.form is scanned.foot.form

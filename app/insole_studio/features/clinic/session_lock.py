@@ -61,11 +61,6 @@ class SessionLock(QObject):
         self._clinic.state_changed.connect(self._follow)
 
     @property
-    def is_locked(self) -> bool:
-        """Whether the windows are covered."""
-        return self._author is not None and self.dialog is not None
-
-    @property
     def author(self) -> Author | None:
         """Who has signed in; None while accounts are off or nobody has."""
         return self._author

@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError
+from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.scans.mesh_file import ReadMesh, UnitError
 from insole_core.workflows.import_scan import (
-    ImportChoice,
     ScanExamination,
     examine_surface,
+    nearest_candidate,
     read_scan,
 )
 
@@ -32,12 +34,15 @@ class FoundScan:
         None where no foot was found.
     refusal
         Why, or what speaks against the foot that was found, as a sentence.
+    before
+        Feet of the case that were made of this scan with this choice.
     """
 
     choice: ImportChoice
     read: ReadMesh | None = None
     examination: ScanExamination | None = None
     refusal: str = ""
+    before: tuple[Foot, ...] = ()
 
     @property
     def feet(self) -> tuple[FoundFoot, ...]:
@@ -54,6 +59,10 @@ class FoundScan:
         said
             Which foot it is, as the user has said since.
         """
+        for made in self.before:
+            near = nearest_candidate(self.feet, made)
+            if near is not None and near[0] == number:
+                return near[1]
         foot = self.feet[number]
         if said is None and len(self.feet) == 1:
             said = self.choice.side

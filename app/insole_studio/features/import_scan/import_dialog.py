@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.features.import_scan.scan_texts import form_options, side_text
@@ -90,6 +91,11 @@ class ImportDialog(QDialog):
         self.open_button.setDefault(True)  # which counts only once it is in the dialog
         self.open_button.setFocus()
         self.finished.connect(self._close_scene)
+
+    def show_reading(self, choice: ImportChoice) -> None:
+        """Show with which size and form the scan is read."""
+        self.size_fields.show_size(choice.unit, choice.known_size)
+        self.form.show_value("" if choice.form is None else choice.form.value)
 
     def show_surface(self, mesh: TriangleMesh | None, *, anew: bool) -> None:
         """Show the scan as it would lie.

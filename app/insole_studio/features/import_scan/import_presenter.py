@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject
 
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.geometry.arrays import FloatArray
@@ -18,7 +19,7 @@ from insole_core.geometry.transforms import inverse, rigid, transform
 from insole_core.imprints.form import Form
 from insole_core.progress import Progress
 from insole_core.scans.scale import KnownDistance, KnownFootLength
-from insole_core.workflows.import_scan import ImportChoice, take_foot
+from insole_core.workflows.import_scan import take_foot
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
 from insole_studio.features.import_scan.import_dialog import ImportDialog
@@ -75,6 +76,7 @@ class ImportPresenter(QObject):
         self._chosen: list[FootCandidate | None] = []
         self._said: dict[int, Side] = {}
         """Which foot each one is, where the user has said it."""
+        dialog.show_reading(found.choice)
         self._size_said = dialog.size_fields.said
         self._shown = 0
         self._clicks: list[FloatArray] = []
@@ -219,6 +221,7 @@ class ImportPresenter(QObject):
         return None if mesh is None else mesh.transformed(self._source2shown)
 
     def _find(self, choice: ImportChoice, *, keep_surface: bool = False) -> None:
+        choice = replace(choice, force=False)
         read = self._found.read if keep_surface else None
         self._jobs.cancel(TAKE)
         self._jobs.start(
@@ -231,7 +234,7 @@ class ImportPresenter(QObject):
 
     def _show_found(self, found: FoundScan) -> None:
         self._found = found
-        self._force = bool(found.refusal)
+        self._force = bool(found.refusal) or found.choice.force
         self._clicks = []
         if len(found.feet) != len(self._chosen):
             self._said = {}  # other feet than those of which something was said

@@ -6,11 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_core.workflows.import_scan import ImportChoice, take_foot
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.import_scan import take_foot
+from insole_core.workflows.scanned_foot import ScannedFoot, choice_of, feet_made_of
 from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
 from insole_studio.services.app_services import AppServices
 
@@ -30,15 +31,25 @@ class ScanImport:
         Parameters
         ----------
         side
-            None to ask.
+            None to ask. A scan that a foot of the case was made of is always asked about, and
+            shown as it was read for that foot.
         channel
             Of the jobs, which other files may replace.
         take
             Called with the feet.
         """
 
+        in_case = tuple(
+            foot for foot in self._services.case.record.feet if side in (None, foot.side)
+        )
+
         def find(progress: Progress) -> _Opened:
-            return _taken_at_once(find_scan(path, ImportChoice(side), None, progress))
+            made = feet_made_of(path, in_case, progress)
+            choice = choice_of(made) if made else ImportChoice(side)
+            found = find_scan(path, choice, None, progress)
+            if made:  # shown as it was read before, for whoever wants to read it in another way
+                return replace(found, before=tuple(record.foot for record in made)), None
+            return _taken_at_once(found)
 
         def opened(result: _Opened) -> None:
             found, scanned = result

@@ -6,7 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from insole_core.scans.mesh_file import Unit
-from insole_core.scans.scale import KnownFootLength, KnownShoeSize
+from insole_core.scans.scale import KnownFootLength, KnownShoeSize, KnownSize
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
@@ -70,6 +70,21 @@ class SizeFields(QWidget):
     def said(self) -> tuple[object, ...]:
         """All that is chosen and typed here, to see whether it has changed."""
         return self.unit, self.known, self.distance_mm
+
+    def show_size(self, unit: Unit | None, known: KnownSize | None) -> None:
+        """Show a unit, or what is known in its place, without emitting `edited`."""
+        kind: str = unit or ""
+        value = 0.0
+        if isinstance(known, KnownFootLength):
+            kind, value = LENGTH, known.length_mm
+        elif isinstance(known, KnownShoeSize):
+            kind, value = SHOE, known.size_eu
+        elif known is not None:
+            kind, value = DISTANCE, known.distance_mm
+        self.kind.show_value(kind)
+        if kind in self.numbers:
+            self.numbers[kind].show_value(value)
+        self._show_number()
 
     def _choose(self, _kind: str) -> None:
         self._show_number()

@@ -109,7 +109,7 @@ def test_the_lock_hides_names_and_titles_and_unlocking_returns_to_the_page(
     title, page = window.windowTitle(), window.page
     with_accounts.window.actions_by_key["lock"].trigger()
     lock = with_accounts.features.clinic.lock
-    assert lock.is_locked
+    assert lock.dialog is not None
     assert "Anna" not in window.windowTitle()
     window.show_title("Berta Berg", unsaved=False)
     assert "Berta" not in window.windowTitle()
@@ -124,7 +124,7 @@ def test_the_lock_hides_names_and_titles_and_unlocking_returns_to_the_page(
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert dialog.isVisible()
     signed_in(with_accounts, qtbot)
-    assert not lock.is_locked
+    assert lock.dialog is None
     assert window.windowTitle() == title.replace("Anna", "Berta")
     assert window.page is page
     QTest.keyClicks(start.search, "anna")
@@ -154,7 +154,7 @@ def test_the_window_locks_itself_after_minutes_without_input(
     monkeypatch.setattr(idle_watch.IdleWatch, "start", _start_in_seconds)
     signed_in(with_accounts, qtbot)
     lock = with_accounts.features.clinic.lock
-    qtbot.waitUntil(lambda: lock.is_locked, timeout=5000)
+    qtbot.waitUntil(lambda: lock.dialog is not None, timeout=5000)
 
 
 def _start_in_seconds(watch: idle_watch.IdleWatch, most_s: float) -> None:

@@ -67,7 +67,7 @@ def test_what_was_just_changed_is_saved_while_the_window_is_locked(
     thicken(opened, 4.5)
     record = opened.case.record
     opened.window.actions_by_key["lock"].trigger()
-    assert opened.features.clinic.lock.is_locked
+    assert opened.features.clinic.lock.dialog is not None
     qtbot.waitUntil(lambda: newest(eva, opened) == ("eva", 4.5), timeout=10_000)
     assert "Anna" not in opened.window.windowTitle()
     take_over(opened, qtbot, "eva", OTHER_PASSWORD)
@@ -146,5 +146,5 @@ def test_quitting_a_locked_window_shows_nothing_and_asks_nothing(
     dialog = shown(opened, SignInDialog)
     with qtbot.waitSignal(opened.controller.closed, timeout=5000):
         dialog.close_button.click()
-    assert opened.features.clinic.lock.is_locked
+    assert opened.features.clinic.lock.dialog is not None
     assert "Anna" not in opened.window.windowTitle()

@@ -303,3 +303,38 @@ def test_the_same_file_at_another_size_is_another_foot(
     settle()
     assert app.case.foot is not before
     assert app.case.history.undo_sentence == "Put a new scan into the place of the old"
+
+
+@pytest.mark.slow
+def test_both_feet_of_a_reopened_case_are_read_as_before_without_saying_it_again(
+    app: Application, settle: Callable[[], None], tmp_path: Path, box: TriangleMesh
+) -> None:
+    def open_file(path: Path) -> ImportDialog | None:
+        app.features.case_files.opener.open_path(path)
+        settle()
+        return asked_scan(app)
+
+    scan, moved, case = tmp_path / "box.ply", tmp_path / "of the record.ply", tmp_path / "a.insole"
+    write_ply(box, scan)
+    dialog = open_file(scan)
+    assert dialog is not None
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    before = app.case.record.feet
+    app.features.case_files.saver.save_to(case)
+    settle()
+    app.features.case_files.opener.new_case()
+    scan.rename(moved)
+    open_file(case)
+    dialog = open_file(moved)
+    assert dialog is not None
+    assert dialog.size_fields.unit == "mm"
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    after = app.case.record.feet
+    assert app.case.history.undo_sentence == "Reconstruct the foot again"
+    assert [foot.source.path for foot in after] == [str(moved.resolve())] * 2
+    assert len(before) == len(after) == 2
+    for one, again in zip(before, after, strict=True):
+        assert (one.side, one.foot.notes) == (again.side, again.foot.notes)
+        np.testing.assert_array_equal(one.foot.mesh.vertices, again.foot.mesh.vertices)

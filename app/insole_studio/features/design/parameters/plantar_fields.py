@@ -59,7 +59,9 @@ class PlantarFields:
             ),
         ]  # fmt: skip
         offers = (Proposal("plantar.remove", tr("Remove")), lay)
-        title = f"{tr('Pressure and footprint')}: {shown.file}"
+        title = tr("Pressure and footprint")
+        if isinstance(shown, PressureMap) and shown.device:
+            title += f": {shown.device}"
         choice: tuple[ChoiceSpec, ...] = ()
         if plantar.pressure is not None and plantar.picture is not None:
             choice = (self._layer_choice(),)

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QDialog
 
 from insole_core.cases.case_record import FootRecord
-from insole_core.errors import InputError, InsoleError
+from insole_core.errors import InputError
 from insole_core.geometry.side import Side
 from insole_core.pressure.picture import SUFFIXES as PICTURE_SUFFIXES
 from insole_core.pressure.picture import Picture, read_picture_file
@@ -113,11 +113,7 @@ class PlantarActions:
             foot = self._foot(side)
             if foot is None:
                 return
-            try:
-                scaled = dialog.scaled()
-            except InsoleError as error:
-                self._services.messages.show_error(error)
-                return
+            scaled = dialog.scaled()
 
             def align(_progress: Progress) -> LaidPicture:
                 return lay_picture(foot.foot, scaled, view)

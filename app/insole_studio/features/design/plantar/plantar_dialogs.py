@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.side import Side
 from insole_core.pressure.laid_map import FootprintPicture
@@ -31,7 +32,7 @@ from insole_core.pressure.recording import (
 from insole_core.pressure.units import PressureUnit
 from insole_core.workflows.plantar_pressure import Shown
 from insole_studio.scene.coloring import map_colors
-from insole_studio.texts import fill, tr
+from insole_studio.texts import fill, tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
@@ -265,6 +266,18 @@ class PictureDialog(_PlantarDialog):
         if not by_clicks and self.dpi.value() < DPI[0]:
             missing.append(tr("Dots, or two clicks and their distance"))
         return missing
+
+    def refresh(self, value: object = None) -> None:
+        """Tell what is still open, or that the picture is not as large as a foot's."""
+        super().refresh(value)
+        if self.open_questions():
+            return
+        try:
+            self.scaled()
+        except InputError as error:
+            self.lay_button.setEnabled(False)
+            self.note.setText(translate_core_message(error.message))
+            self.note.show()
 
     def _click(self, x_px: float, y_px: float) -> None:
         """Take a point; a third one begins anew."""
