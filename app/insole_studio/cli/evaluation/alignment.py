@@ -19,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     add_evaluation_arguments(
         parser, "color_000 … and ir_000 … of a board in the same positions, or is such a file of "
-        "marked points as docs/calibration.md describes",
+        "marked points as the manual describes",
     )  # fmt: skip
     add_board_arguments(parser, required=False)
 
