@@ -11,7 +11,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QElapsedTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QPushButton, QWidget
 
 from insole_core.cases.case_file import read_case
 from insole_core.records.author import Author
@@ -60,17 +60,20 @@ class DialogPicture:
     action
         The action that opens it.
     wait_ms
-        How long it takes until it shows what it is opened for.
+        How long it takes, once it is ready, until it shows what it is opened for.
+    ready
+        Text of a button that is enabled from then on; empty where it is ready at once.
     """
 
     name: str
     window: type[QWidget]
     action: str
     wait_ms: int = SHOWN_MS
+    ready: str = ""
 
 
 DIALOGS = (
-    DialogPicture("capture", CaptureStage, "capture", wait_ms=6000),
+    DialogPicture("capture", CaptureStage, "capture", wait_ms=3000, ready="Capture"),
     DialogPicture("calibrate", CalibrateStage, "calibrate"),
     DialogPicture("print-boards", PrintDialog, "print_boards"),
     DialogPicture("compare", CompareStage, "compare"),
@@ -171,13 +174,18 @@ def save(shown: QWidget, folder: Path, name: str) -> None:
     """Save a picture of a window, once it shows what it is opened for."""
     if not isinstance(shown, QDialog):
         shown.resize(*STAGE)
-    waits = {picture.name: picture.wait_ms for picture in DIALOGS}
-    QTest.qWait(waits.get(name, SHOWN_MS))
+    picture = next((picture for picture in DIALOGS if picture.name == name), SCAN)
+    until(lambda: not picture.ready or _can_press(shown, picture.ready), picture.ready)
+    QTest.qWait(picture.wait_ms)
     jobs = getattr(shown, "jobs", None)
     if jobs is not None:
         wait_for(jobs)
     if not grab(shown, shown.findChildren(SceneView)).save(str(folder / f"{name}.png")):
         raise OSError(f"{folder} cannot be written")
+
+
+def _can_press(shown: QWidget, text: str) -> bool:
+    return any(b.text() == text and b.isEnabled() for b in shown.findChildren(QPushButton))
 
 
 def _visible(window: type[QWidget]) -> QWidget | None:
