@@ -10,7 +10,13 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from insole_core.errors import InputError, InsoleError
 from insole_studio.app.main_window import MainWindow
-from insole_studio.app.manual_pages import FIRST_PAGE, PAGE_OF_TOOL, manual_page, page_about
+from insole_studio.app.manual_pages import (
+    FIRST_PAGE,
+    PAGE_OF_TOOL,
+    manual_page,
+    page_about,
+    page_of_module,
+)
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.app_services import AppServices
@@ -47,6 +53,9 @@ class HelpActions(QObject):
             self._services.messages.show_error(error, over=widget.window())
 
     def _about_panels(self) -> str:
+        """Name the page about what the main window shows, wherever in its frame the focus is."""
+        if self._window.page is not None:
+            return page_of_module(type(self._window.page).__module__) or FIRST_PAGE
         if self._services.case.foot is None:
             return FIRST_PAGE
         return PAGE_OF_TOOL.get(self._stage.tool_controller.tool.key, "design")
