@@ -11,7 +11,7 @@ from typing import Final
 from xml.parsers import expat
 
 from insole_core.errors import InputError
-from insole_core.messages import joined
+from insole_core.messages import Message, joined
 from insole_core.scans.gltf import read_gltf
 from insole_core.scans.obj import read_obj
 from insole_core.scans.off import read_off
@@ -92,10 +92,14 @@ def read_raw(source: ScanContent) -> RawSurface:
     try:
         return _READERS[source.suffix](source)
     except _UNREADABLE as error:
-        raise unreadable(source, _first_line(error)) from error
+        raise unreadable(source, _reason(error)) from error
 
 
-def _first_line(error: BaseException) -> str:
+def _reason(error: BaseException) -> Message:
+    """Return what a reader says of a file; what Python says of it helps nobody."""
+    said = error.args[0] if error.args else ""
+    if isinstance(said, Message):
+        return said
     if isinstance(error, KeyError):
-        return f"it lacks {error.args[0]!r}"
-    return (str(error).strip().splitlines() or [type(error).__name__])[0]
+        return Message("it lacks {name}", name=repr(said)[:40])
+    return Message("what it holds does not follow the rules of the format")
