@@ -9,7 +9,7 @@ OFFSCREEN := QT_QPA_PLATFORM=offscreen $(PYTEST) -n auto --dist worksteal
 READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system
 
-.PHONY: demo test test-fast lint bench clean
+.PHONY: demo test test-fast lint bench package clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -40,6 +40,14 @@ lint: $(READY) ## style, types, architecture
 
 bench: $(READY) ## speed and accuracy, side by side with peers; results in benchmarks/results
 	$(BIN)/python -m benchmarks
+
+# The environment that is frozen is another one than that of developers: packaging/README.md.
+build/package-venv/.ready: pyproject.toml constraints.txt packaging/prepare.py
+	$(PYTHON) packaging/prepare.py
+	touch $@
+
+package: build/package-venv/.ready ## what users install, as far as this system can build it; in dist
+	build/package-venv/bin/python packaging/build.py
 
 clean:
 	rm -rf $(VENV) build dist demo-output

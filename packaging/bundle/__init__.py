@@ -1,0 +1,1 @@
+"""What makes the bundles that users install."""
