@@ -92,8 +92,8 @@
             <translation>En buktning som alla väggar delar tas för förvrängning; om de var en och samma vägg, kontrollera den med en riktskiva.</translation>
         </message>
         <message>
-            <source>A cast taken under weight shows tissue that is spread already, so no expansion is proposed; set one for a cast that was taken without weight.</source>
-            <translation>En avgjutning som tagits under belastning visar vävnad som redan är utbredd, så inget mjukdelstillägg föreslås; ange ett för en avgjutning som tagits utan belastning.</translation>
+            <source>A cast taken under weight shows tissue that is spread already: no expansion is proposed.</source>
+            <translation>En avgjutning som tagits under belastning visar vävnad som redan är utbredd: inget mjukdelstillägg föreslås.</translation>
         </message>
         <message>
             <source>A chamfer of {chamfer_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are bevelled. Make the chamfer smaller.</source>
@@ -1940,8 +1940,8 @@
             <translation>Hälen breddas med {expansion_mm:.1f} mm, och konturen ligger bara {beside_mm:.1f} mm bakom foten; bredda konturen vid hälen lika mycket.</translation>
         </message>
         <message>
-            <source>The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under weight the tissue is spread already; set the expansion to 0 unless it was taken without weight.</source>
-            <translation>Hälen breddas med {expansion_mm:.1f} mm, men i ett avtryck eller en avgjutning som tagits under belastning är vävnaden redan utbredd; sätt mjukdelstillägget till 0 om det inte togs utan belastning.</translation>
+            <source>The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under weight the tissue is spread already; set the expansion to 0.</source>
+            <translation>Hälen breddas med {expansion_mm:.1f} mm, men i ett avtryck eller en avgjutning som tagits under belastning är vävnaden redan utbredd; sätt mjukdelstillägget till 0.</translation>
         </message>
         <message>
             <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
