@@ -2092,6 +2092,10 @@
             <translation>De valda punkterna kan inte lägga den ena ytan på den andra: {reason}</translation>
         </message>
         <message>
+            <source>The picture would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to {high:.0f} mm; check the dots per inch or the distance.</source>
+            <translation>Bilden skulle bli {longest:.0f} mm lång, och en bild av en fot är {low:.0f} till {high:.0f} mm; kontrollera punkterna per tum eller avståndet.</translation>
+        </message>
+        <message>
             <source>The pictures are {width}×{height}, but the colour camera was calibrated at {known_width}×{known_height}; calibrate it with pictures of this size first.</source>
             <translation>Bilderna är {width}×{height}, men färgkameran kalibrerades vid {known_width}×{known_height}; kalibrera den först med bilder av denna storlek.</translation>
         </message>
@@ -5570,10 +5574,6 @@
         <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
             <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
-        </message>
-        <message>
-            <source>{file} would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to {high:.0f} mm; check the dots per inch or the distance.</source>
-            <translation>{file} skulle bli {longest:.0f} mm lång, och en bild av en fot är {low:.0f} till {high:.0f} mm; kontrollera punkterna per tum eller avståndet.</translation>
         </message>
         <message>
             <source>{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore the file from a backup.</source>
