@@ -14,7 +14,6 @@ from insole_core.scans.scan_content import ScanContent
 
 _MOST_HEAD_LINES = 50
 _NUMBERS = re.compile(rb"[-+.,;\d\seE]*")
-_DECIMAL_COMMA = re.compile(rb"\d,\d")
 _UNIT_TOLERANCE = 0.02
 _LEAST_SHARE = 0.9
 
