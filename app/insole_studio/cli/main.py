@@ -28,6 +28,7 @@ from insole_studio.cli import (
     measure,
     pressure,
     reconstruct,
+    self_test,
     sensors,
     simulate,
     window,
@@ -54,6 +55,7 @@ COMMANDS: tuple[Command, ...] = (
     compare,
     records,
     simulate,
+    self_test,
 )
 
 _SIGPIPE = 13  # Windows has no signal of this name
