@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from importlib.metadata import version
 
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QMessageBox
 
+from insole_studio.acquisition.examined_sensors import examine_sensors
+from insole_studio.app.doctor_dialog import DoctorDialog
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.features.design.stage import DesignStage
@@ -53,12 +56,20 @@ class HelpActions(QObject):
         """List all keyboard shortcuts."""
         KeyHelp(self._keys(), self._window).show()
 
+    def show_doctor(self) -> None:
+        """Examine the computer, and show what may keep the program from working."""
+        dialog = DoctorDialog(self._services, examine_sensors, self._window)
+        dialog.show()
+        dialog.examine()
+
     def show_about(self) -> None:
         """Show the about box."""
         QMessageBox.about(
             self._window,
             tr("About Insole Studio"),
-            tr("Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence."),
+            tr("Version {version}").format(version=version("insole-studio"))
+            + "\n\n"
+            + tr("Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence."),
         )
 
     def _end_tour(self) -> None:

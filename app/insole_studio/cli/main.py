@@ -22,6 +22,7 @@ from insole_studio.cli import (
     compare,
     design,
     devices,
+    doctor,
     evaluate,
     import_fakenect,
     inspect_scan,
@@ -56,6 +57,7 @@ COMMANDS: tuple[Command, ...] = (
     records,
     simulate,
     self_test,
+    doctor,
 )
 
 _SIGPIPE = 13  # Windows has no signal of this name

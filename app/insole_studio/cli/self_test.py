@@ -17,7 +17,7 @@ from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
-    from insole_studio.app.self_test import StepResult
+    from insole_studio.cli.self_test_steps import StepResult
 
 NAME = "self-test"
 HELP = "try the whole program on a recorded session; 0 if all of it works here, else 1"
@@ -69,7 +69,7 @@ def _run(folder: Path, session: Path | None, files: list[TextIO]) -> bool:
     def tell(result: StepResult) -> None:
         write(result.line)
 
-    from insole_studio.app.self_test import SelfTest
+    from insole_studio.cli.self_test_steps import SelfTest
 
     write(f"Insole Studio {version('insole-studio')} on {platform.platform()}")
     results = SelfTest(folder, session, tell).run()

@@ -612,6 +612,22 @@
             <translation>Slutar vid</translation>
         </message>
         <message>
+            <source>Examine again</source>
+            <translation>Undersök igen</translation>
+        </message>
+        <message>
+            <source>Examine this computer</source>
+            <translation>Undersök datorn</translation>
+        </message>
+        <message>
+            <source>Examine this computer…</source>
+            <translation>Undersök datorn…</translation>
+        </message>
+        <message>
+            <source>Examining…</source>
+            <translation>Undersöker…</translation>
+        </message>
+        <message>
             <source>Expert</source>
             <translation>Expert</translation>
         </message>
@@ -774,6 +790,10 @@
         <message>
             <source>Go on working</source>
             <translation>Fortsätt arbeta</translation>
+        </message>
+        <message>
+            <source>Graphics, sensors, disk, settings and record, with advice</source>
+            <translation>Grafik, sensorer, disk, inställningar och journal, med råd</translation>
         </message>
         <message>
             <source>Greatest height of the wedge in the heel cup</source>
@@ -1496,6 +1516,10 @@
             <translation>Spara ordinationen utan patienten, för andra fötter</translation>
         </message>
         <message>
+            <source>Save…</source>
+            <translation>Spara…</translation>
+        </message>
+        <message>
             <source>Saving here would discard what was changed there.</source>
             <translation>Att spara här skulle kasta bort det som ändrats där.</translation>
         </message>
@@ -1894,6 +1918,10 @@
         <message>
             <source>Version and licence</source>
             <translation>Version och licens</translation>
+        </message>
+        <message>
+            <source>Version {version}</source>
+            <translation>Version {version}</translation>
         </message>
         <message>
             <source>View of sensor {serial}</source>

@@ -8,9 +8,9 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from insole_core import resources
-from insole_studio.app import self_test
-from insole_studio.app.self_test import SelfTest, StepResult
+from insole_studio.cli import self_test_steps
 from insole_studio.cli.main import run
+from insole_studio.cli.self_test_steps import SelfTest, StepResult
 from insole_studio.user_paths import UserPaths
 
 
@@ -81,7 +81,7 @@ def test_a_full_disk_fails_the_step_that_writes(
     def full(path: Path) -> None:
         raise OSError(28, "No space left on device", str(path))
 
-    monkeypatch.setattr(self_test, "record_simulated", full)
+    monkeypatch.setattr(self_test_steps, "record_simulated", full)
     quick(monkeypatch, "_open_window", "_open_example")
     results: list[StepResult] = []
     SelfTest(tmp_path / "out", None, results.append).run()
