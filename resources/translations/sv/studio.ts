@@ -912,6 +912,10 @@
             <translation>Insole Studio-fall</translation>
         </message>
         <message>
+            <source>Insole Studio met an error of its own last time. A report of it is kept; it holds no patients' data.</source>
+            <translation>Insole Studio råkade ut för ett eget fel förra gången. En rapport om det är sparad; den innehåller inga patientuppgifter.</translation>
+        </message>
+        <message>
             <source>Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence.</source>
             <translation>Insole Studio: från skanning av en fot till dess inlägg. BSD 3-Clause-licens.</translation>
         </message>
@@ -1042,6 +1046,10 @@
         <message>
             <source>Look at it without changing its file, or go on with a copy under another name.</source>
             <translation>Titta på det utan att ändra filen, eller fortsätt med en kopia under ett annat namn.</translation>
+        </message>
+        <message>
+            <source>Look at the report</source>
+            <translation>Se rapporten</translation>
         </message>
         <message>
             <source>Look from here, in both views</source>
@@ -1460,6 +1468,10 @@
             <translation>Ta bort korrigering</translation>
         </message>
         <message>
+            <source>Remove it</source>
+            <translation>Ta bort den</translation>
+        </message>
+        <message>
             <source>Remove the reference plane</source>
             <translation>Ta bort referensplanet</translation>
         </message>
@@ -1474,6 +1486,10 @@
         <message>
             <source>Replace the file</source>
             <translation>Ersätt filen</translation>
+        </message>
+        <message>
+            <source>Report of an error</source>
+            <translation>Rapport om ett fel</translation>
         </message>
         <message>
             <source>Reverse Morton's extension</source>
