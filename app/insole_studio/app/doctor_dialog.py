@@ -6,6 +6,7 @@ from html import escape
 
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
 
 from insole_studio.app.doctor import Diagnosis, Doctor, FindSensors, report_lines
 from insole_studio.app.graphics import examine_graphics
@@ -38,11 +39,15 @@ class DoctorDialog(TextDialog):
         )
 
     def _show(self, found: list[Diagnosis]) -> None:
+        if not isValid(self):  # closed meanwhile
+            return
         lines = report_lines(found, translate_core_message)
         self.show_html("".join(map(_paragraph, found)), "\n".join(lines) + "\n")
         self._enable(examined=True)
 
     def _show_failure(self, error: Exception) -> None:
+        if not isValid(self):
+            return
         self._enable(examined=True)
         self._services.messages.show_error(error, self)
 

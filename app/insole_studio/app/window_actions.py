@@ -80,6 +80,12 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
         lambda main, _on: main.help.show_doctor(),
     ),
     ActionRecord(
+        "licences",
+        lambda: tr("Licences…"),
+        lambda: tr("Of all that the program comes with"),
+        lambda main, _on: main.help.show_licences(),
+    ),
+    ActionRecord(
         "about",
         lambda: tr("About Insole Studio"),
         lambda: tr("Version and licence"),

@@ -1020,6 +1020,14 @@
             <translation>Räta upp sensorn med dess accelerometer</translation>
         </message>
         <message>
+            <source>Licences</source>
+            <translation>Licenser</translation>
+        </message>
+        <message>
+            <source>Licences…</source>
+            <translation>Licenser…</translation>
+        </message>
+        <message>
             <source>Light from the side</source>
             <translation>Släpljus</translation>
         </message>
@@ -1162,6 +1170,10 @@
         <message>
             <source>Nothing is lost: the case stays open, and is not saved yet.</source>
             <translation>Inget har gått förlorat: fallet är fortfarande öppet men inte sparat än.</translation>
+        </message>
+        <message>
+            <source>Of all that the program comes with</source>
+            <translation>För allt som följer med programmet</translation>
         </message>
         <message>
             <source>One after the other</source>
@@ -1378,6 +1390,10 @@
         <message>
             <source>Raise, lower or smooth the surface with strokes</source>
             <translation>Höj, sänk eller jämna ut ytan med penseldrag</translation>
+        </message>
+        <message>
+            <source>Reading…</source>
+            <translation>Läser…</translation>
         </message>
         <message>
             <source>Rearfoot</source>

@@ -139,3 +139,12 @@ def test_the_dialog_shows_and_copies_what_is_found(
     dialog.copy.click()
     assert "Disk: " in qapp.clipboard().text()
     dialog.close()
+
+
+def test_a_dialog_that_is_closed_at_once_is_no_error(app: Application, qtbot: QtBot) -> None:
+    app.window.actions_by_key["doctor"].trigger()
+    dialog = next(d for d in app.window.findChildren(DoctorDialog) if d.isVisible())
+    with qtbot.waitSignal(dialog.destroyed):
+        dialog.close()
+    qtbot.waitUntil(lambda: not app.jobs.is_running())
+    assert app.services.messages.dialogs == []
