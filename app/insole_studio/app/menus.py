@@ -181,7 +181,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "retry_record",
         ),
     ),
-    (lambda: tr("&Help"), ("tour", "keys", SEPARATOR, "about")),
+    (lambda: tr("&Help"), ("tour", "keys", SEPARATOR, "doctor", SEPARATOR, "licences", "about")),
 )
 
 TOOLBAR: tuple[tuple[str, ...], ...] = (
