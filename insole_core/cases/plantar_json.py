@@ -11,8 +11,12 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.json_object import JsonObject
-from insole_core.pressure.laid_map import FootprintPicture, PlantarLayers, PressureMap
-from insole_core.pressure.picture import MOST_KEPT_PIXELS
+from insole_core.pressure.laid_map import (
+    MOST_KEPT_PIXELS,
+    FootprintPicture,
+    PlantarLayers,
+    PressureMap,
+)
 from insole_core.pressure.placement import Placement
 from insole_core.pressure.recording import PITCH_MM
 

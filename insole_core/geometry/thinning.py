@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 import scipy
 
-from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
+from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 
 
@@ -46,12 +46,20 @@ def _patches(mesh: TriangleMesh, pitch_mm: float) -> tuple[int, IntArray]:
     cube = ((mesh.vertices - mesh.vertices.min(axis=0)) / pitch_mm).astype(np.int64)
     reach = cube.max(axis=0) + 1
     key = (cube[:, 0] * reach[1] + cube[:, 1]) * reach[2] + cube[:, 2]
-    starts, ends = mesh.triangles.ravel(), mesh.triangles[:, [1, 2, 0]].ravel()
-    within = key[starts] == key[ends]
-    links = (np.ones(int(within.sum()), dtype=np.int8), (starts[within], ends[within]))
+    starts, ends = _links_within(mesh.triangles, key)
+    links = (np.ones(len(starts), dtype=np.int8), (starts, ends))
     graph = scipy.sparse.coo_array(links, shape=(len(key), len(key)))
     count, patch = scipy.sparse.csgraph.connected_components(graph, directed=False)
     return int(count), np.asarray(patch)
+
+
+def _links_within(triangles: IndexArray, key: IntArray) -> tuple[IndexArray, IndexArray]:
+    """Return both ends (k,) of edges within a cube; two of a triangle link its three corners."""
+    a, b, c = (np.ascontiguousarray(column) for column in triangles.T)
+    key_a, key_b, key_c = key[a], key[b], key[c]
+    ab, bc = key_a == key_b, key_b == key_c
+    ca = (key_c == key_a) & ~ab
+    return np.concatenate([a[ab], b[bc], c[ca]]), np.concatenate([b[ab], c[bc], a[ca]])
 
 
 def _between_patches(triangles: IntArray) -> IntArray:

@@ -10,6 +10,8 @@ import numpy.typing as npt
 from insole_core.geometry.arrays import FloatArray
 from insole_core.pressure.placement import Placement
 
+MOST_KEPT_PIXELS = 300_000
+"""Of a picture that is laid."""
 LOADED_KPA = 10.0
 """From this pressure on a sensor counts as loaded; plates measure from 5 to 10 kPa on."""
 

@@ -17,14 +17,14 @@ from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.given_file import read_given
 from insole_core.pressure.alignment import Contact, without_specks
-from insole_core.pressure.laid_map import FootprintPicture
+from insole_core.pressure.laid_map import MOST_KEPT_PIXELS, FootprintPicture
 
 SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
 MOST_BYTES, MOST_PIXELS = 128 * 2**20, 80_000_000
 """A scanner's A3 page at 600 dots per inch has 70 million pixels."""
 DPI = (20.0, 2400.0)
-KEPT_MM, MOST_KEPT_PIXELS = 0.5, 300_000
-"""Least size of a pixel of the picture that is kept, and how many it has at most."""
+KEPT_MM = 0.5
+"""Least size of a pixel of the picture that is kept."""
 _SIZE_MM = (60.0, 700.0)
 _KINDS = ("PNG", "JPEG", "TIFF")
 _MM_PER_INCH = 25.4
@@ -173,9 +173,8 @@ def _scaled(picture: Picture, pixel_mm: float) -> FootprintPicture:
     longest = max(rows, columns) * pixel_mm
     if not _SIZE_MM[0] <= longest <= _SIZE_MM[1]:
         raise InputError(
-            "{file} would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to "
+            "The picture would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to "
             "{high:.0f} mm; check the dots per inch or the distance.",
-            file=picture.file,
             longest=longest,
             low=_SIZE_MM[0],
             high=_SIZE_MM[1],

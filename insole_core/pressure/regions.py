@@ -16,8 +16,9 @@ REGIONS = ("heel", "midfoot", "head_1", "head_2", "head_3", "head_4", "head_5", 
 RELIEF_KPA = 200.0
 """Peak barefoot pressure from which on a foot at risk of ulcers is to be relieved.
 
-The in-shoe target of 200 kPa of Owings et al. 2009 and Bus et al. 2011; the clinic may have
-another one.
+There is no agreed threshold for barefoot pressure, so this is our default: the in-shoe value from
+which Bus, Haspels and Busch-Westbroek (Diabetes Care 34, 2011, 1595-1600) chose regions to relieve.
+The clinic may have another one.
 """
 _HEEL = 0.31  # of the way from pternion to the tip of the 2nd toe
 _HEADS_FROM = 0.08  # of the length, behind and ahead of the heads' line

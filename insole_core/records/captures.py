@@ -26,7 +26,7 @@ from insole_core.records.schema import captures, visits
 from insole_core.records.stored_contents import put_file, refer_to
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState
-from insole_core.scans.formats import SCAN_SUFFIXES
+from insole_core.scans.scan_suffixes import SCAN_SUFFIXES
 
 SESSION: Final = "session"
 MESH: Final = "mesh"

@@ -6,12 +6,11 @@ import binascii
 import json
 import struct
 from collections.abc import Callable
-from pathlib import Path
 from typing import Final
 from xml.parsers import expat
 
 from insole_core.errors import InputError
-from insole_core.messages import joined
+from insole_core.messages import Message
 from insole_core.scans.gltf import read_gltf
 from insole_core.scans.obj import read_obj
 from insole_core.scans.off import read_off
@@ -34,8 +33,6 @@ _READERS: Final[dict[str, Callable[[ScanContent], RawSurface]]] = {
     ".asc": read_point_text,
     ".pts": read_point_text,
 }
-SCAN_SUFFIXES: Final = tuple(_READERS)
-"""Of all files that are read, in small letters."""
 _SIGNATURES: Final = (
     (b"glTF", "GLB", {".glb", ".gltf"}),
     (b"ply\n", "PLY", {".ply"}),
@@ -53,21 +50,6 @@ _UNREADABLE = (
     ValueError, LookupError, TypeError, AttributeError, struct.error, OverflowError, MemoryError,
     RecursionError, binascii.Error, json.JSONDecodeError, expat.ExpatError,
 )  # fmt: skip
-
-
-def check_suffix(path: Path) -> None:
-    """Refuse a file that is none of the formats by its name.
-
-    Raises
-    ------
-    InputError
-    """
-    if path.suffix.lower() not in _READERS:
-        raise InputError(
-            "{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.",
-            path=path,
-            suffixes=joined(SCAN_SUFFIXES),
-        )
 
 
 def read_raw(source: ScanContent) -> RawSurface:
@@ -92,10 +74,14 @@ def read_raw(source: ScanContent) -> RawSurface:
     try:
         return _READERS[source.suffix](source)
     except _UNREADABLE as error:
-        raise unreadable(source, _first_line(error)) from error
+        raise unreadable(source, _reason(error)) from error
 
 
-def _first_line(error: BaseException) -> str:
+def _reason(error: BaseException) -> Message:
+    """Return what a reader says of a file; what Python says of it helps nobody."""
+    said = error.args[0] if error.args else ""
+    if isinstance(said, Message):
+        return said
     if isinstance(error, KeyError):
-        return f"it lacks {error.args[0]!r}"
-    return (str(error).strip().splitlines() or [type(error).__name__])[0]
+        return Message("it lacks {name}", name=repr(said)[:40])
+    return Message("what it holds does not follow the rules of the format")

@@ -85,7 +85,7 @@ def _joined(parts: list[_Part], notes: tuple[str, ...]) -> RawSurface:
     """Join the surfaces; clouds of points count only where there is no surface."""
     surfaces = [part for part in parts if len(part.triangles)] or parts
     if not surfaces:
-        raise ValueError("it holds no mesh")
+        raise ValueError(Message("it holds no mesh"))
     counts = [len(part.vertices) for part in surfaces]
     starts = np.cumsum([0, *counts[:-1]])
     triangles = [part.triangles + start for part, start in zip(surfaces, starts, strict=True)]
@@ -121,13 +121,15 @@ class _Document:
             text, binary = _chunks(content)
         most = _MOST_JSON_BYTES if source.content.startswith(_MAGIC) else MOST_BYTES
         if len(text) > most:
-            raise ValueError("its description is far too long")
+            raise ValueError(Message("its description is far too long"))
         root = json.loads(bytes(text))
         if not isinstance(root, dict):
-            raise TypeError("its description is no JSON object")
+            raise TypeError(Message("its description is no JSON object"))
         version = str(root.get("asset", {}).get("version", ""))
         if not version.startswith("2"):
-            raise ValueError(f"it is of version {version[:10] or 'unknown'} instead of 2.0")
+            raise ValueError(
+                Message("it is of version {version} instead of 2", version=version[:10] or "?")
+            )
         return cls(root, binary, source)
 
     def placed_meshes(self) -> list[tuple[dict[str, Any], FloatArray]]:
@@ -144,7 +146,7 @@ class _Document:
             number, parent2scene, depth = waiting.pop()
             visited += 1
             if depth > _MOST_DEPTH or visited > _MOST_PARTS:
-                raise ValueError("its nodes contain each other, or are far too many")
+                raise ValueError(Message("its nodes contain each other, or are far too many"))
             node = nodes[_index(number, nodes)]
             node2scene = parent2scene @ _node2parent(node)
             if "mesh" in node:
@@ -227,16 +229,18 @@ class _Document:
         accessors = self.root.get("accessors", [])
         accessor = accessors[_index(number, accessors)]
         if accessor["type"] not in _WIDTHS or _WIDTHS[accessor["type"]] != width:
-            raise ValueError(f"one of its arrays is of the type {str(accessor['type'])[:20]}")
+            raise ValueError(
+                Message("one of its arrays is of the type {type}", type=str(accessor["type"])[:20])
+            )
         if "sparse" in accessor or "bufferView" not in accessor:
-            raise ValueError("it holds arrays in parts, which are not read")
+            raise ValueError(Message("it holds arrays in parts, which are not read"))
         kind = np.dtype(_COMPONENTS[accessor["componentType"]]).newbyteorder("<")
         count, offset = int(accessor["count"]), int(accessor.get("byteOffset", 0))
         view, stride = self._view(accessor["bufferView"])
         stride = stride or kind.itemsize * width
         needed = offset + stride * (count - 1) + kind.itemsize * width
         if count < 1 or offset < 0 or stride < kind.itemsize * width or needed > len(view):
-            raise ValueError("one of its arrays is longer than the bytes it holds")
+            raise ValueError(Message("one of its arrays is longer than the bytes it holds"))
         return np.ndarray((count, width), kind, view, offset, (stride, kind.itemsize))
 
     def _view(self, number: int) -> tuple[memoryview, int]:
@@ -246,7 +250,7 @@ class _Document:
         buffer = self._buffer(view["buffer"])
         offset, length = int(view.get("byteOffset", 0)), int(view["byteLength"])
         if offset < 0 or length < 0 or offset + length > len(buffer):
-            raise ValueError("it holds fewer bytes than it declares")
+            raise ValueError(Message("it holds fewer bytes than it declares"))
         return buffer[offset : offset + length], int(view.get("byteStride", 0))
 
     def _buffer(self, number: int) -> memoryview:
@@ -258,7 +262,11 @@ class _Document:
             else:
                 content = self._by_uri(str(buffer.get("uri", "")), MOST_BYTES)
                 if content is None:
-                    raise ValueError(f"the file {str(buffer.get('uri'))[:60]} is not beside it")
+                    raise ValueError(
+                        Message(
+                            "the file {name} is not beside it", name=str(buffer.get("uri"))[:60]
+                        )
+                    )
                 self.buffers[number] = memoryview(content)
         return self.buffers[number]
 
@@ -267,7 +275,7 @@ class _Document:
             try:
                 return base64.b64decode(uri.partition(",")[2], validate=True)
             except binascii.Error as error:
-                raise ValueError("bytes in it are cut off") from error
+                raise ValueError(Message("bytes in it are cut off")) from error
         return self.source.beside(unquote(uri), most_bytes)
 
 
@@ -275,25 +283,27 @@ def _chunks(content: memoryview) -> tuple[memoryview, memoryview | None]:
     """Return the JSON and the binary chunk of a GLB."""
     _magic, version, length = struct.unpack_from("<4sII", content)
     if version != 2:
-        raise ValueError(f"it is of version {version} instead of 2")
+        raise ValueError(Message("it is of version {version} instead of 2", version=version))
     if length > len(content):
-        raise ValueError(f"it declares {length} bytes and holds {len(content)}")
+        raise ValueError(
+            Message("it declares {count} bytes and holds {held}", count=length, held=len(content))
+        )
     found: dict[int, memoryview] = {}
     place = 12
     while place + 8 <= length:
         size, kind = struct.unpack_from("<II", content, place)
         if place + 8 + size > length:
-            raise ValueError("one of its chunks is cut off")
+            raise ValueError(Message("one of its chunks is cut off"))
         found.setdefault(kind, content[place + 8 : place + 8 + size])
         place += 8 + size
     if _JSON_CHUNK not in found:
-        raise ValueError("it holds no description of its meshes")
+        raise ValueError(Message("it holds no description of its meshes"))
     return found[_JSON_CHUNK], found.get(_BINARY_CHUNK)
 
 
 def _index(number: Any, values: list[Any]) -> int:
     if not isinstance(number, int) or not 0 <= number < len(values):
-        raise ValueError("it names something that it does not hold")
+        raise ValueError(Message("it names something that it does not hold"))
     return number
 
 
@@ -307,7 +317,7 @@ def _node2parent(node: dict[str, Any]) -> FloatArray:
         matrix[:3, :3] = scipy.spatial.transform.Rotation.from_quat(rotation).as_matrix() * scale
         matrix[:3, 3] = np.array(node.get("translation", [0, 0, 0]), dtype=float)
     if not np.isfinite(matrix).all():
-        raise ValueError("the place of a part in it is no number")
+        raise ValueError(Message("the place of a part in it is no number"))
     return matrix
 
 
@@ -315,7 +325,7 @@ def _triangles(corners: IntArray, mode: int) -> IntArray:
     """Return the triangles (m, 3) of a list, strip or fan."""
     if mode == _TRIANGLES:
         if len(corners) % 3:
-            raise ValueError("a triangle in it is incomplete")
+            raise ValueError(Message("a triangle in it is incomplete"))
         return corners.reshape(-1, 3)
     if len(corners) < 3:
         return np.empty((0, 3), dtype=np.int64)

@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from insole_core.messages import Message
 
 LINE_FEED = ord("\n")
 _BYTE_ORDER_MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
@@ -25,7 +26,7 @@ def plain_text(content: bytes) -> bytes:
             content = content.decode(code).encode()
             break
     if b"\0" in content:
-        raise ValueError("it holds zero bytes, which no text does")
+        raise ValueError(Message("it holds zero bytes, which no text does"))
     if b"\r" in content:
         content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     return content
@@ -59,7 +60,7 @@ def _numbers(text: bytes, kind: type) -> FloatArray | IntArray:
         try:
             return np.fromstring(text, dtype=kind, sep=" ")
         except (ValueError, DeprecationWarning) as error:
-            raise ValueError("it holds a word where a number must stand") from error
+            raise ValueError(Message("it holds a word where a number must stand")) from error
 
 
 class Lines:

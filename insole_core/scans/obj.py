@@ -62,7 +62,7 @@ def read_obj(source: ScanContent) -> RawSurface:
     is_vertex, is_face = lines.begin_with(b"v"), lines.begin_with(b"f")
     rows = _rows(lines.joined(is_vertex), int(is_vertex.sum()), b"v")
     if rows.shape[1] < 3:
-        raise ValueError("a point in it has fewer than three coordinates")
+        raise ValueError(Message("a point in it has fewer than three coordinates"))
     corners = _corners(
         lines.joined(is_face),
         lambda: np.cumsum(is_vertex, dtype=np.int64)[is_face],
@@ -105,7 +105,7 @@ def _corners(
         text, per_corner, with_texture = _SLASHED.sub(b"", text), 1, False
     numbers = integers(text.translate(bytes.maketrans(b"/", b" "), b"f"))
     if len(numbers) != per_corner * counts.sum():
-        raise ValueError("a triangle in it is incomplete")
+        raise ValueError(Message("a triangle in it is incomplete"))
     numbers = numbers.reshape(-1, per_corner)
     vertex = _from_zero(numbers[:, 0], vertices_before, counts, source)
     if not with_texture:

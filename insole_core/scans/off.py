@@ -7,6 +7,7 @@ import re
 import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
+from insole_core.messages import Message
 from insole_core.scans.number_text import Lines, floats, plain_text, words_per_line
 from insole_core.scans.polygons import as_indices, fans
 from insole_core.scans.raw_surface import RawSurface
@@ -29,19 +30,26 @@ def read_off(source: ScanContent) -> RawSurface:
         text = _COMMENT.sub(b"", text)
     head = _HEAD.match(text)
     if head is None:
-        raise ValueError('it does not begin with "OFF" and the numbers of points and faces')
+        raise ValueError(
+            Message('it does not begin with "OFF" and the numbers of points and faces')
+        )
     points, faces = int(head[4]), int(head[5])
     body = text[head.end() :]
     lines = Lines(body)
     filled = words_per_line(lines.text) > 0
     if filled.sum() < points + faces:
         raise ValueError(
-            f"it declares {points} points and {faces} faces and holds {filled.sum()} of both"
+            Message(
+                "it declares {points} points and {faces} faces and holds {held} of both",
+                points=points,
+                faces=faces,
+                held=int(filled.sum()),
+            )
         )
     order = np.cumsum(filled)
     columns = floats(lines.joined(filled & (order <= points)))
     if points == 0 or len(columns) % points or len(columns) < 3 * points:
-        raise ValueError("a point in it has fewer than three coordinates")
+        raise ValueError(Message("a point in it has fewer than three coordinates"))
     rows = columns.reshape(points, -1)
     corners, counts = _faces(lines.joined(filled & (order > points) & (order <= points + faces)))
     triangles = corners[fans(corners, counts)]
@@ -62,7 +70,7 @@ def _faces(text: bytes) -> tuple[IntArray, IntArray]:
     firsts = np.cumsum(words) - words
     counts = numbers[firsts].astype(np.int64)
     if (counts < 0).any() or (counts >= words).any():
-        raise ValueError("a face in it has fewer corners than it declares")
+        raise ValueError(Message("a face in it has fewer corners than it declares"))
     place = np.arange(len(numbers)) - np.repeat(firsts, words)
     is_corner = (place > 0) & (place <= np.repeat(counts, words))
     return numbers[is_corner].astype(np.int64), counts

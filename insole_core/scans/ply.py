@@ -15,6 +15,7 @@ import numpy.typing as npt
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
+from insole_core.messages import Message
 from insole_core.scans.number_text import Lines, floats, plain_text, words_per_line
 from insole_core.scans.polygons import MOST_CORNERS, as_indices, fans
 from insole_core.scans.raw_surface import RawSurface
@@ -72,7 +73,7 @@ def read_ply(source: ScanContent) -> RawSurface:
     vertex = tables.get("vertex", {})
     vertices = _columns(vertex, _POSITION)
     if vertices is None:
-        raise ValueError("it holds no points with x, y and z")
+        raise ValueError(Message("it holds no points with x, y and z"))
     triangles = np.empty((0, 3), dtype=np.int32)
     if polygons is not None:
         triangles = as_indices(polygons.corners[fans(polygons.corners, polygons.counts)])
@@ -90,7 +91,7 @@ def _header(source: ScanContent) -> tuple[str, list[_Element], memoryview]:
     words = [line.split() for line in lines if line]
     form = next((line[1] for line in words if line[0] == "format" and len(line) > 1), "")
     if form not in _FORMATS:
-        raise ValueError(f"its format {form[:30]} is none of PLY")
+        raise ValueError(Message("its format {name} is none of PLY", name=form[:30]))
     elements = _elements(lines, source)
     start = len(head) + len(end)
     line_end = content[start : start + 2]
@@ -122,7 +123,7 @@ def _property(words: list[str]) -> tuple[str, str, str | None]:
     is_list = len(words) == 5 and words[1] == "list"
     types = words[2:4] if is_list else words[1:2]
     if not (is_list or len(words) == 3) or any(kind not in _TYPES for kind in types):
-        raise ValueError(f'its header holds "{" ".join(words)[:60]}"')
+        raise ValueError(Message('its header holds "{text}"', text=" ".join(words)[:60]))
     return words[-1], _TYPES[types[-1]], _TYPES[types[0]] if is_list else None
 
 
@@ -151,20 +152,20 @@ def _read_text(
             names = [name for name, _, _ in element.properties]
             tables[element.name] = dict(zip(names, rows.T, strict=True))
         else:
-            raise ValueError(f"a line of its {element.name[:20]} is incomplete")
+            raise ValueError(Message("a line of its {name} is incomplete", name=element.name[:20]))
     return tables, polygons
 
 
 def _text_polygons(element: _Element, values: FloatArray, columns: IntArray) -> _Polygons:
     place = [name for name, _, _ in element.properties].index(_face_name(element))
     if any(count is not None for _, _, count in element.properties[:place]):
-        raise ValueError("another list stands before the corners of its faces")
+        raise ValueError(Message("another list stands before the corners of its faces"))
     firsts = np.cumsum(columns) - columns
     if (columns <= place).any():
-        raise ValueError("a face in it is incomplete")
+        raise ValueError(Message("a face in it is incomplete"))
     counts = values[firsts + place].astype(np.int64)
     if (counts < 0).any() or (place + counts >= columns).any():
-        raise ValueError("a face in it has fewer corners than it declares")
+        raise ValueError(Message("a face in it has fewer corners than it declares"))
     offset = np.arange(len(values)) - np.repeat(firsts + place, columns)
     is_corner = (offset > 0) & (offset <= np.repeat(counts, columns))
     return _Polygons(values[is_corner].astype(np.int64), counts)
@@ -174,7 +175,7 @@ def _face_name(element: _Element) -> str:
     for name in _FACES:
         if any(name == known and count is not None for known, _, count in element.properties):
             return name
-    raise ValueError("its faces name no corners")
+    raise ValueError(Message("its faces name no corners"))
 
 
 def _read_binary(
@@ -260,7 +261,9 @@ def _walked_rows(
                 length = _number(body[place : place + count_kind.itemsize], order)
                 place += count_kind.itemsize
                 if length > MOST_CORNERS:
-                    raise ValueError(f"a polygon has more than {MOST_CORNERS} corners")
+                    raise ValueError(
+                        Message("a polygon has more than {most} corners", most=MOST_CORNERS)
+                    )
             end = place + length * kind.itemsize
             if end > len(body):
                 return None

@@ -13,6 +13,7 @@ import scipy
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_nets import surface_nets
+from insole_core.messages import Message
 
 _PLANE_NEIGHBOURS, _LINKED_NEIGHBOURS, _BLENDED_NEIGHBOURS = 16, 8, 8
 _LEAST_CELL_MM, _MOST_POINTS = 1.0, 150_000
@@ -59,7 +60,7 @@ def surface_through(
         When the points are too few for a surface.
     """
     if len(points) < 4 * _PLANE_NEIGHBOURS:
-        raise ValueError("they are too few for a surface")
+        raise ValueError(Message("they are too few for a surface"))
     points, normals, colors = _thinned(points, normals, colors)
     tree = scipy.spatial.cKDTree(points)
     spacing = float(np.median(_nearest(tree, points, _SPACING_NEIGHBOUR + 1)[0][:, -1]))
@@ -163,7 +164,7 @@ def _zero_level(
     known[near] = distance[:, 0] <= _BAND_CELLS * cell
     mesh = surface_nets(np.where(known, values, 1.0), known, origin, cell)
     if not len(mesh.triangles):
-        raise ValueError("they lie on no surface")
+        raise ValueError(Message("they lie on no surface"))
     return mesh.part(_within_surface(mesh.vertices, points, tree, cell))
 
 

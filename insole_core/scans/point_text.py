@@ -7,13 +7,13 @@ import re
 import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.messages import Message
 from insole_core.scans.number_text import floats, plain_text, words_per_line
 from insole_core.scans.raw_surface import RawSurface
 from insole_core.scans.scan_content import ScanContent
 
 _MOST_HEAD_LINES = 50
 _NUMBERS = re.compile(rb"[-+.,;\d\seE]*")
-_DECIMAL_COMMA = re.compile(rb"\d,\d")
 _UNIT_TOLERANCE = 0.02
 _LEAST_SHARE = 0.9
 
@@ -33,11 +33,13 @@ def read_point_text(source: ScanContent) -> RawSurface:
     columns = words_per_line(text)
     columns = columns[columns > 0]
     if len(columns) == 0:
-        raise ValueError("it holds no points")
+        raise ValueError(Message("it holds no points"))
     if columns.min() < 3 or columns.min() != columns.max():
-        raise ValueError("its lines do not hold the same number of columns, three or more")
+        raise ValueError(Message("its lines do not hold the same number of columns, three or more"))
     if count is not None and count != len(columns):
-        raise ValueError(f"it declares {count} points and holds {len(columns)}")
+        raise ValueError(
+            Message("it declares {count} points and holds {held}", count=count, held=len(columns))
+        )
     rows = floats(text).reshape(len(columns), -1)
     colors, normals = _attributes(rows[:, 3:])
     return RawSurface(np.ascontiguousarray(rows[:, :3]), colors=colors, normals=normals)
@@ -78,7 +80,7 @@ def _with_points(text: bytes) -> bytes:
         return text.replace(b",", b".")
     if b"." in text or b", " in text or line.count(b",") == 2:
         return text.replace(b",", b" ")
-    raise ValueError("its commas may be decimals or stand between the numbers")
+    raise ValueError(Message("its commas may be decimals or stand between the numbers"))
 
 
 def _attributes(values: FloatArray) -> tuple[ByteArray | None, FloatArray | None]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import IndexArray, IntArray
+from insole_core.messages import Message
 
 MOST_CORNERS = 1000
 """Of one polygon; a scan has triangles, seldom four corners."""
@@ -31,7 +32,7 @@ def fans(corners: IntArray, counts: IntArray) -> IntArray:
         When a polygon has far more corners than a scan's.
     """
     if counts.max(initial=0) > MOST_CORNERS:
-        raise ValueError(f"a polygon has more than {MOST_CORNERS} corners")
+        raise ValueError(Message("a polygon has more than {most} corners", most=MOST_CORNERS))
     firsts = np.cumsum(counts) - counts
     if (counts == 3).all():
         return np.arange(len(corners)).reshape(-1, 3)

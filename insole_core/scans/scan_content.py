@@ -8,6 +8,7 @@ from pathlib import Path, PurePosixPath
 
 from insole_core.errors import InputError
 from insole_core.given_file import given_errors, read_given
+from insole_core.messages import Message
 from insole_core.regular_file import open_regular
 from insole_core.zip_archive import ZipArchive
 
@@ -108,12 +109,12 @@ def _inner_name(name: str) -> str | None:
     return None if ".." in parts.parts else str(parts)
 
 
-def unreadable(source: ScanContent, reason: str) -> InputError:
+def unreadable(source: ScanContent, reason: Message) -> InputError:
     """Return the error of a file that is not what its name says, for the caller to raise."""
     return InputError(
         "{path} cannot be read as a {format} file ({reason}); it may be damaged or cut off, so "
         "export it again.",
         path=source.path,
         format=source.suffix[1:].upper(),
-        reason=reason.strip().rstrip(".")[:160],
+        reason=reason,
     )

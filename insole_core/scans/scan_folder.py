@@ -10,8 +10,8 @@ from insole_core.errors import InputError
 from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.regular_file import is_folder
-from insole_core.scans.formats import SCAN_SUFFIXES, check_suffix
 from insole_core.scans.scan_content import ScanContent, archive_content, file_content
+from insole_core.scans.scan_suffixes import SCAN_SUFFIXES, check_suffix
 from insole_core.zip_archive import ZipArchive
 
 _MOST_FILES = 2000

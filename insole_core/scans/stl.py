@@ -8,6 +8,7 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
+from insole_core.messages import Message
 from insole_core.scans.number_text import Lines, floats, plain_text
 from insole_core.scans.raw_surface import RawSurface
 from insole_core.scans.scan_content import ScanContent
@@ -49,7 +50,7 @@ def _is_text(content: bytes) -> bool:
 def _binary_corners(source: ScanContent) -> FloatArray:
     content = source.content
     if len(content) < _HEAD:
-        raise ValueError("it is shorter than its header")
+        raise ValueError(Message("it is shorter than its header"))
     declared = int.from_bytes(content[80:_HEAD], "little")
     held = (len(content) - _HEAD) // _FACET.itemsize
     if declared != held:
@@ -79,5 +80,5 @@ def _text_corners(source: ScanContent) -> FloatArray:
     count = int(is_corner.sum())
     facets = int(lines.begin_with(b"facet").sum())
     if len(values) != 3 * count or count != 3 * facets:
-        raise ValueError("a triangle in it does not have three corners of three numbers")
+        raise ValueError(Message("a triangle in it does not have three corners of three numbers"))
     return values.reshape(-1, 3)

@@ -12,6 +12,7 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.messages import Message
 from insole_core.scans.raw_surface import RawSurface, placed
 from insole_core.scans.scan_content import MOST_BYTES, ScanContent
 from insole_core.scans.units import Unit
@@ -45,7 +46,7 @@ def read_three_mf(source: ScanContent) -> RawSurface:
     archive = ZipArchive(str(source.path), source.content)
     names = [name for name in archive.names if name.lower().endswith(".model")]
     if not names:
-        raise ValueError("it holds no model")
+        raise ValueError(Message("it holds no model"))
     model = _Model()
     rest = MOST_BYTES
     for name in sorted(names, key=lambda name: name.lower() != "3d/3dmodel.model"):
@@ -104,12 +105,12 @@ class _Model:
             name, object2model, depth = waiting.pop()
             visited += 1
             if depth > _MOST_DEPTH or visited > _MOST_PARTS:
-                raise ValueError("its objects contain each other, or are far too many")
+                raise ValueError(Message("its objects contain each other, or are far too many"))
             thing = self._objects[name]
             points = np.frombuffer(thing.vertices or array("d"), float).reshape(-1, 3)
             corners = np.frombuffer(thing.triangles or array("q"), np.int64).reshape(-1, 3)
             if len(corners) and (corners.min() < 0 or corners.max() >= len(points)):
-                raise ValueError("a triangle in it names a corner that it does not hold")
+                raise ValueError(Message("a triangle in it names a corner that it does not hold"))
             if np.linalg.det(object2model[:3, :3]) < 0:
                 corners = corners[:, ::-1]
             vertices.append(placed(points, object2model))
@@ -117,7 +118,7 @@ class _Model:
             start += len(points)
             waiting += [(part, object2model @ place, depth + 1) for part, place in thing.components]
         if not triangles:
-            raise ValueError("it holds no object that is to be built")
+            raise ValueError(Message("it holds no object that is to be built"))
         return RawSurface(
             np.concatenate(vertices) * self._factor,
             np.concatenate(triangles).astype(np.int32),
@@ -127,7 +128,7 @@ class _Model:
     def _start_model(self, attributes: dict[str, str]) -> None:
         unit = attributes.get("unit", "millimeter")
         if unit not in _UNITS:
-            raise ValueError(f"its unit {unit[:20]} is none of 3MF")
+            raise ValueError(Message("its unit {unit} is none of 3MF", unit=unit[:20]))
         self._unit, self._factor = _UNITS[unit]
 
     def _start_object(self, attributes: dict[str, str]) -> None:
@@ -156,7 +157,7 @@ class _Model:
         if "transform" in attributes:
             numbers = np.array(attributes["transform"].split(), dtype=float)
             if numbers.shape != (12,) or not np.isfinite(numbers).all():
-                raise ValueError("the place of an object in it is no number")
+                raise ValueError(Message("the place of an object in it is no number"))
             place[:3] = numbers.reshape(4, 3).T
         part = "/" + paths[0].lstrip("/") if paths else self._part
         return part + "#" + attributes["objectid"], place

@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.scans.texture import mean_colors
 
 _MIX = np.uint64(0x9E3779B97F4A7C15)  # odd and without pattern (Knuth's multiplicative hashing)
+_BLOCK = 2**14
 
 
 def merged(mesh: TriangleMesh) -> TriangleMesh:
@@ -41,42 +42,59 @@ def _equal_vertices(vertices: FloatArray) -> tuple[IntArray, IndexArray]:
 
     The vertices are sorted by a hash, which is several times faster than by their coordinates.
     """
-    order = _ordered(_hash(vertices))
-    is_new = np.ones(len(order), dtype=bool)
-    is_new[1:] = False
-    for column in vertices.T:
-        is_new[1:] |= np.diff(column[order]) != 0
+    order, is_new = _grouped(vertices)
     first = np.minimum.reduceat(order, np.flatnonzero(is_new))
     rank = np.empty(len(first), dtype=np.int32)
     rank[np.argsort(first)] = np.arange(len(first))
     kind = np.empty(len(order), dtype=np.int32)
-    kind[order] = rank[np.cumsum(is_new) - 1]
+    kind[order] = rank[np.cumsum(is_new, dtype=np.int32) - 1]
     return np.sort(first), kind
 
 
-def _ordered(hashes: npt.NDArray[np.uint64]) -> IntArray:
-    """Return the order (n,) in which equal hashes follow each other.
+def _grouped(vertices: FloatArray) -> tuple[IntArray, BoolArray]:
+    """Return an order (n,) in which equal vertices follow each other, and where a place begins.
 
-    The index of each takes the place of its lowest bits, so that plain numbers are sorted, which is
-    several times faster than to sort indices. Hashes that differ in these bits only are put right.
+    The index of each vertex takes the place of the lowest bits of its hash, so that plain numbers
+    are sorted, which is several times faster than to sort indices. The few places that share the
+    bits which are left are sorted by their coordinates.
     """
-    bits = np.uint64(len(hashes).bit_length())
+    bits = np.uint64(len(vertices).bit_length())
     low = (np.uint64(1) << bits) - np.uint64(1)
-    keys = np.sort((hashes & ~low) | np.arange(len(hashes), dtype=np.uint64))
+    keys = _hash(vertices)
+    keys &= ~low
+    keys |= np.arange(len(vertices), dtype=np.uint64)
+    keys.sort()
     order = (keys & low).astype(np.int64)
-    high, in_order = keys >> bits, hashes[order]
-    mixed = (high[1:] == high[:-1]) & (in_order[1:] != in_order[:-1])
+    keys >>= bits
+    is_new = _differs_from_previous(vertices, order)
+    mixed = is_new[1:] & (keys[1:] == keys[:-1])
     if mixed.any():
-        rows = np.flatnonzero(np.isin(high, high[1:][mixed]))
-        order[rows] = order[rows][np.argsort(in_order[rows], kind="stable")]
-    return order
+        rows = np.flatnonzero(np.isin(keys, keys[1:][mixed]))
+        chosen = vertices[order[rows]]
+        order[rows] = order[rows][np.lexsort((*chosen.T, keys[rows]))]
+        is_new = _differs_from_previous(vertices, order)
+    return order, is_new
+
+
+def _differs_from_previous(vertices: FloatArray, order: IntArray) -> BoolArray:
+    """Return which vertices (n,) in this order differ from the one before; the first does."""
+    differs = np.ones(len(order), dtype=bool)
+    differs[1:] = False
+    for start in range(0, len(order) - 1, _BLOCK):
+        rows = np.take(vertices, order[start : start + _BLOCK + 1], axis=0)
+        part = differs[start + 1 : start + _BLOCK + 1]
+        for column in rows.T:
+            part |= column[1:] != column[:-1]
+    return differs
 
 
 def _hash(vertices: FloatArray) -> npt.NDArray[np.uint64]:
     """Mix the coordinates to one number (n,) a vertex; equal ones have equal numbers."""
     total = np.zeros(len(vertices), dtype=np.uint64)
-    for column in vertices.T:
-        bits = (column + 0.0).view(np.uint64)  # + 0.0 makes -0.0 into 0.0
-        total = (total ^ bits) * _MIX
-        total ^= total >> np.uint64(29)
+    for start in range(0, len(total), _BLOCK):  # as many as the processor's cache holds
+        part = total[start : start + _BLOCK]
+        for column in vertices[start : start + _BLOCK].T:
+            part ^= (column + 0.0).view(np.uint64)  # + 0.0 makes -0.0 into 0.0
+            part *= _MIX
+            part ^= part >> np.uint64(29)
     return total

@@ -7,8 +7,8 @@ from pathlib import Path
 from insole_core.errors import InputError
 from insole_core.messages import joined
 from insole_core.recording.reader import is_session
-from insole_core.scans.formats import SCAN_SUFFIXES
 from insole_core.scans.scan_folder import holds_scans
+from insole_core.scans.scan_suffixes import SCAN_SUFFIXES
 
 MESH_SUFFIXES = SCAN_SUFFIXES
 CASE_SUFFIX = ".insole"

@@ -150,8 +150,8 @@ def form_notes(form: Form) -> Iterator[Message]:
         )
     elif form is Form.CAST:
         yield Message(
-            "A cast taken under weight shows tissue that is spread already, so no expansion is "
-            "proposed; set one for a cast that was taken without weight."
+            "A cast taken under weight shows tissue that is spread already: no expansion is "
+            "proposed."
         )
 
 

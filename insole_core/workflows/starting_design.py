@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.foot.foot import Foot
-from insole_core.imprints.form import Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
 from insole_core.insole.prescription.materials import MaterialTable, with_least_thickness
@@ -35,7 +34,7 @@ class StartingDevice:
     def design(self, foot: Foot) -> InsoleDesign:
         """Return a new design for a foot, without expansion where its tissue was spread already."""
         design = apply_device(self.device, InsoleDesign(foot.side))
-        if foot.form is not Form.FOOT and design.finish is not None:
+        if foot.form.is_spread and design.finish is not None:
             design = replace(design, finish=replace(design.finish, expansion_mm=0.0))
         return with_least_thickness(design, self.materials)
 

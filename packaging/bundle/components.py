@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -11,12 +12,21 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from email import message_from_string
 from email.message import Message
+from functools import cache
 from importlib.metadata import Distribution, distributions
 from pathlib import Path, PurePath
 
 LICENCE_FILE = re.compile(r"(?i)(licen[cs]e|copying|notice|copyright|authors)")
 _COPY_OF_LIBRARY = re.compile(r"lib(?P<name>.+?)(-[0-9a-f]{8})+\.so\.?(?P<version>[0-9.a-z]*)")
 _OWN = "insole-studio"
+LICENCES = Path(__file__).resolve().parents[1] / "licences"
+WITHOUT_TEXT = {
+    "cvista": ("VTK.txt",),
+    "cvista-rendering": ("VTK.txt",),
+    "pyside6-essentials": ("LGPL-3.0.txt", "GPL-3.0.txt"),
+    "shiboken6": ("LGPL-3.0.txt", "GPL-3.0.txt"),
+}
+"""Packages that come without the text of their licence: where it is."""
 
 
 @dataclass(frozen=True)
@@ -47,13 +57,14 @@ def components_of(sources: Iterable[tuple[str, str]]) -> list[Component]:
     Raises
     ------
     LookupError
-        When a file belongs to no known work: nothing may be passed on without its licence.
+        When a file belongs to no known work, or one has no text of its licence: nothing may be
+        passed on without.
     """
     owners = _owners()
     files: dict[str, list[str]] = defaultdict(list)
     found: dict[str, Component] = {_python().name: _python()}
     for place, source in sources:
-        owner = owners.get(str(Path(source).resolve())) or owners.get(source)
+        owner = owners.get(source) or owners.get(str(Path(source).resolve()))
         if owner is not None:
             name = _normal_name(owner.metadata["Name"])
             files[name].append(place)
@@ -62,15 +73,19 @@ def components_of(sources: Iterable[tuple[str, str]]) -> list[Component]:
         elif not _is_own_or_of_python(Path(source)):
             component = _of_debian(Path(source))
             found.setdefault(component.name, component)
+    silent = [component.name for component in found.values() if not component.texts]
+    if silent:
+        raise LookupError(f"no text of a licence is known for {', '.join(silent)}")
     return [
         _with_libraries(component, files.get(component.name, []))
         for component in sorted(found.values(), key=lambda component: component.name.lower())
     ]
 
 
+@cache
 def _owners() -> dict[str, Distribution]:
     return {
-        str(Path(str(distribution.locate_file(file))).resolve()): distribution
+        os.path.normpath(str(distribution.locate_file(file))): distribution
         for distribution in distributions()
         for file in distribution.files or []
     }
@@ -96,8 +111,10 @@ def _of_distribution(distribution: Distribution) -> Component:
         for file in distribution.files or []
         if LICENCE_FILE.match(PurePath(file).name) and PurePath(file).suffix not in {".py", ".pyc"}
     ]
+    name = _normal_name(metadata["Name"])
+    texts += [(text, _text(LICENCES / text)) for text in WITHOUT_TEXT.get(name, ())]
     return Component(
-        _normal_name(metadata["Name"]),
+        name,
         distribution.version,
         "pypi",
         _licence(metadata),

@@ -57,6 +57,11 @@ UNUSED = (
     # fonts of PostScript, which the product does not write
     "matplotlib/mpl-data/fonts/afm/*",
     "matplotlib/mpl-data/fonts/pdfcorefonts/*",
+    # letters of mathematical formulas
+    "matplotlib/mpl-data/fonts/ttf/DejaVuSerif*",
+    "matplotlib/mpl-data/fonts/ttf/STIX*.ttf",
+    "PySide6/*plugins/tls/*",
+    "PySide6/*Qt6Network*",
     "setuptools*",
     "trimesh*",
 )

@@ -27,7 +27,10 @@ mkdir -p "$root/home/clinic/patients" && echo kept >"$root/home/clinic/patients/
 if as_user insole-studio self-test --help >/dev/null 2>&1; then
     as_user sh -c 'cd && QT_QPA_PLATFORM=offscreen insole-studio self-test'
 else
-    as_user sh -c 'cd && insole-studio simulate --output session.zip && insole-studio reconstruct session.zip --output foot'
+    as_user sh -c 'cd && insole-studio simulate session.zip && insole-studio reconstruct --out foot.ply session.zip &&
+        insole-studio design --out insole.stl --job-sheet sheet.pdf session.zip' 2>"$root/tmp/chain.log" ||
+        { tail -20 "$root/tmp/chain.log" >&2; exit 1; }
+    as_user ls -l /home/clinic/insole.stl /home/clinic/sheet.pdf
 fi
 # The window itself, on a screen that only it has.
 inside apt-get install -y -qq --no-install-recommends xvfb xauth >>"$root/tmp/install.log" 2>&1

@@ -321,6 +321,16 @@ def test_a_real_error_is_said_in_swedish(qapp: QApplication, tmp_path: Path) -> 
     assert translate_core_message(str(caught.value)) == str(caught.value)
 
 
+def test_the_reason_why_a_scan_cannot_be_read_is_said_in_swedish(
+    swedish: Callable[[str], str], tmp_path: Path
+) -> None:
+    path = tmp_path / "foot.off"
+    path.write_text("points")
+    with pytest.raises(InputError) as caught:
+        read_mesh(path)
+    assert "(den börjar inte med ”OFF” och antalet" in swedish(str(caught.value))
+
+
 def test_a_reason_within_a_sentence_is_said_as_well(swedish: Callable[[str], str]) -> None:
     reason = "the markers that are seen lie almost on one line, so the sensor's place is uncertain"
     message = Message(

@@ -43,7 +43,8 @@ def add_scan_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--form", choices=[form.value for form in Form],
-        help="what a mesh shows: a foot, an imprint such as a foam box, or a cast",
+        help="what a mesh shows: a foot, an imprint such as a foam box, or a cast, taken under "
+        "weight or without (unloaded_cast)",
     )  # fmt: skip
     for name, place in (
         ("heel", "the end of the heel"),

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from insole_core.cases.case_record import CaseRecord, FootRecord
     from insole_core.pressure.laid_map import PressureMap
     from insole_core.pressure.recording import Answers, PressureRecording
-    from insole_core.workflows.plantar_pressure import LaidPressure, Shown
+    from insole_core.workflows.lay_plantar import LaidPressure, Shown
 
 NAME = "pressure"
 HELP = "lay a map of plantar pressure under a foot of a case, and print its peaks"
@@ -70,7 +70,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.pressure.read_pressure import read_pressure
     from insole_core.pressure.regions import overloaded_heads, region_peaks
     from insole_core.workflows.foot_landmarks import landmarks_of
-    from insole_core.workflows.plantar_pressure import lay_pressure, with_pressure
+    from insole_core.workflows.lay_plantar import lay_pressure
+    from insole_core.workflows.plantar_pressure import with_pressure
 
     with Transaction() as outputs:
         out = arguments.out and outputs.file(arguments.out)
@@ -154,7 +155,7 @@ def _answers(arguments: argparse.Namespace) -> Answers:
 
 
 def _shown(arguments: argparse.Namespace) -> Shown:
-    from insole_core.workflows.plantar_pressure import Shown
+    from insole_core.workflows.lay_plantar import Shown
 
     step = None if arguments.step is None else arguments.step - 1
     if arguments.frames in ("peak", "mean"):

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.imprints.form import Form
 from insole_core.insole.build import Insole
 from insole_core.insole.finishing.blend_widths import STEEPEST_DEG
 from insole_core.insole.finishing.finished import FinishedSurface
@@ -162,11 +161,10 @@ def _of_arch(finished: FinishedSurface) -> Iterator[DesignWarning]:
 def _of_expansion(insole: Insole, finished: FinishedSurface) -> Iterator[DesignWarning]:
     """Warn of an expansion of what is spread already, and of one the outline does not follow."""
     expansion_mm = finished.finish.expansion_mm
-    if expansion_mm > 0 and insole.foot.form is not Form.FOOT:
+    if expansion_mm > 0 and insole.foot.form.is_spread:
         spread = Message(
             "The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under "
-            "weight the tissue is spread already; set the expansion to 0 unless it was taken "
-            "without weight.",
+            "weight the tissue is spread already; set the expansion to 0.",
             expansion_mm=expansion_mm,
         )
         yield DesignWarning(spread)

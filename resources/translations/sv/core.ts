@@ -92,8 +92,8 @@
             <translation>En buktning som alla väggar delar tas för förvrängning; om de var en och samma vägg, kontrollera den med en riktskiva.</translation>
         </message>
         <message>
-            <source>A cast taken under weight shows tissue that is spread already, so no expansion is proposed; set one for a cast that was taken without weight.</source>
-            <translation>En avgjutning som tagits under belastning visar vävnad som redan är utbredd, så inget mjukdelstillägg föreslås; ange ett för en avgjutning som tagits utan belastning.</translation>
+            <source>A cast taken under weight shows tissue that is spread already: no expansion is proposed.</source>
+            <translation>En avgjutning som tagits under belastning visar vävnad som redan är utbredd: inget mjukdelstillägg föreslås.</translation>
         </message>
         <message>
             <source>A chamfer of {chamfer_mm:g} mm is more than half of the thickness; where the insole is {thickness_mm:g} mm thick, only {half_mm:g} mm of its edge are bevelled. Make the chamfer smaller.</source>
@@ -1940,8 +1940,8 @@
             <translation>Hälen breddas med {expansion_mm:.1f} mm, och konturen ligger bara {beside_mm:.1f} mm bakom foten; bredda konturen vid hälen lika mycket.</translation>
         </message>
         <message>
-            <source>The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under weight the tissue is spread already; set the expansion to 0 unless it was taken without weight.</source>
-            <translation>Hälen breddas med {expansion_mm:.1f} mm, men i ett avtryck eller en avgjutning som tagits under belastning är vävnaden redan utbredd; sätt mjukdelstillägget till 0 om det inte togs utan belastning.</translation>
+            <source>The heel is widened by {expansion_mm:.1f} mm, but in an imprint or a cast taken under weight the tissue is spread already; set the expansion to 0.</source>
+            <translation>Hälen breddas med {expansion_mm:.1f} mm, men i ett avtryck eller en avgjutning som tagits under belastning är vävnaden redan utbredd; sätt mjukdelstillägget till 0.</translation>
         </message>
         <message>
             <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
@@ -2090,6 +2090,10 @@
         <message>
             <source>The picked points cannot place one surface on the other: {reason}</source>
             <translation>De valda punkterna kan inte lägga den ena ytan på den andra: {reason}</translation>
+        </message>
+        <message>
+            <source>The picture would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to {high:.0f} mm; check the dots per inch or the distance.</source>
+            <translation>Bilden skulle bli {longest:.0f} mm lång, och en bild av en fot är {low:.0f} till {high:.0f} mm; kontrollera punkterna per tum eller avståndet.</translation>
         </message>
         <message>
             <source>The pictures are {width}×{height}, but the colour camera was calibrated at {known_width}×{known_height}; calibrate it with pictures of this size first.</source>
@@ -2848,6 +2852,14 @@
             <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
         </message>
         <message>
+            <source>a face in it has fewer corners than it declares</source>
+            <translation>en yta i den har färre hörn än den anger</translation>
+        </message>
+        <message>
+            <source>a face in it is incomplete</source>
+            <translation>en yta i den är ofullständig</translation>
+        </message>
+        <message>
             <source>a file is there where a folder is needed; choose another name</source>
             <translation>en fil ligger där en mapp behövs; välj ett annat namn</translation>
         </message>
@@ -2856,12 +2868,36 @@
             <translation>en mapp med det namnet finns där; välj ett annat namn</translation>
         </message>
         <message>
+            <source>a line of its {name} is incomplete</source>
+            <translation>en rad av dess {name} är ofullständig</translation>
+        </message>
+        <message>
             <source>a of the depth</source>
             <translation>djupets a</translation>
         </message>
         <message>
+            <source>a point in it has fewer than three coordinates</source>
+            <translation>en punkt i den har färre än tre koordinater</translation>
+        </message>
+        <message>
+            <source>a polygon has more than {most} corners</source>
+            <translation>en polygon har fler än {most} hörn</translation>
+        </message>
+        <message>
             <source>a text in it holds half a character (\{half}); write it again.</source>
             <translation>en text i den innehåller ett halvt tecken (\{half}); skriv den på nytt.</translation>
+        </message>
+        <message>
+            <source>a triangle in it does not have three corners of three numbers</source>
+            <translation>en triangel i den har inte tre hörn med tre tal vart</translation>
+        </message>
+        <message>
+            <source>a triangle in it is incomplete</source>
+            <translation>en triangel i den är ofullständig</translation>
+        </message>
+        <message>
+            <source>a triangle in it names a corner that it does not hold</source>
+            <translation>en triangel i den nämner ett hörn som inte finns i den</translation>
         </message>
         <message>
             <source>a wall at {distance_mm:.0f} mm that fills {share:.0%}</source>
@@ -2926,6 +2962,10 @@
         <message>
             <source>ankle</source>
             <translation>fotled</translation>
+        </message>
+        <message>
+            <source>another list stands before the corners of its faces</source>
+            <translation>en annan lista står före ytornas hörn</translation>
         </message>
         <message>
             <source>another program has it open; close it there, or choose another name</source>
@@ -3074,6 +3114,10 @@
         <message>
             <source>bottom</source>
             <translation>undersida</translation>
+        </message>
+        <message>
+            <source>bytes in it are cut off</source>
+            <translation>byte i den är avklippta</translation>
         </message>
         <message>
             <source>calibrated on</source>
@@ -3756,6 +3800,62 @@
             <translation>är {what}; raderna måste vara högerorienterade enhetsvektorer</translation>
         </message>
         <message>
+            <source>it declares {count} bytes and holds {held}</source>
+            <translation>den anger {count} byte och innehåller {held}</translation>
+        </message>
+        <message>
+            <source>it declares {count} points and holds {held}</source>
+            <translation>den anger {count} punkter och innehåller {held}</translation>
+        </message>
+        <message>
+            <source>it declares {points} points and {faces} faces and holds {held} of both</source>
+            <translation>den anger {points} punkter och {faces} ytor och innehåller sammanlagt {held}</translation>
+        </message>
+        <message>
+            <source>it does not begin with "OFF" and the numbers of points and faces</source>
+            <translation>den börjar inte med ”OFF” och antalet punkter och ytor</translation>
+        </message>
+        <message>
+            <source>it holds a word where a number must stand</source>
+            <translation>den har ett ord där ett tal måste stå</translation>
+        </message>
+        <message>
+            <source>it holds arrays in parts, which are not read</source>
+            <translation>den innehåller uppdelade talföljder, som inte läses</translation>
+        </message>
+        <message>
+            <source>it holds fewer bytes than it declares</source>
+            <translation>den innehåller färre byte än den anger</translation>
+        </message>
+        <message>
+            <source>it holds no description of its meshes</source>
+            <translation>den innehåller ingen beskrivning av sina ytor</translation>
+        </message>
+        <message>
+            <source>it holds no mesh</source>
+            <translation>den innehåller ingen yta</translation>
+        </message>
+        <message>
+            <source>it holds no model</source>
+            <translation>den innehåller ingen modell</translation>
+        </message>
+        <message>
+            <source>it holds no object that is to be built</source>
+            <translation>den innehåller inget föremål som ska byggas</translation>
+        </message>
+        <message>
+            <source>it holds no points</source>
+            <translation>den innehåller inga punkter</translation>
+        </message>
+        <message>
+            <source>it holds no points with x, y and z</source>
+            <translation>den innehåller inga punkter med x, y och z</translation>
+        </message>
+        <message>
+            <source>it holds zero bytes, which no text does</source>
+            <translation>den innehåller nollbyte, vilket ingen text gör</translation>
+        </message>
+        <message>
             <source>it is a pipe or a device, no file</source>
             <translation>det är ett rör eller en enhet, ingen fil</translation>
         </message>
@@ -3784,12 +3884,28 @@
             <translation>den är inte plan, eller något stod framför den</translation>
         </message>
         <message>
+            <source>it is of version {version} instead of 2</source>
+            <translation>den är av version {version} i stället för 2</translation>
+        </message>
+        <message>
+            <source>it is shorter than its header</source>
+            <translation>den är kortare än sitt huvud</translation>
+        </message>
+        <message>
+            <source>it lacks {name}</source>
+            <translation>den saknar {name}</translation>
+        </message>
+        <message>
             <source>it lies within the surface, as the inner side of a shell</source>
             <translation>den ligger innanför ytan, som insidan av ett skal</translation>
         </message>
         <message>
             <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
             <translation>den mätte ingen yta i volymen av intresse; kontrollera att foten var på plats och ”volume_of_interest_mm” i manifest.json</translation>
+        </message>
+        <message>
+            <source>it names something that it does not hold</source>
+            <translation>den nämner något som inte finns i den</translation>
         </message>
         <message>
             <source>it or its folder is protected against changes; choose another name or place</source>
@@ -3812,6 +3928,10 @@
             <translation>dess färgbild är överexponerad; ta bort ljus eller korta exponeringen</translation>
         </message>
         <message>
+            <source>its commas may be decimals or stand between the numbers</source>
+            <translation>dess kommatecken kan vara decimaltecken eller stå mellan talen</translation>
+        </message>
+        <message>
             <source>its depth frames hold no reading; check the sensor's distance and that no sunlight falls on the foot</source>
             <translation>dess djupbilder saknar mätvärden; kontrollera sensorns avstånd och att inget solljus faller på foten</translation>
         </message>
@@ -3820,12 +3940,36 @@
             <translation>dess djup är {percent:.0f} % {direction} än markörerna i färgbilden säger; kalibrera sensorn, och se till att sessionen har rätt referenssystem</translation>
         </message>
         <message>
+            <source>its description is far too long</source>
+            <translation>dess beskrivning är alldeles för lång</translation>
+        </message>
+        <message>
+            <source>its description is no JSON object</source>
+            <translation>dess beskrivning är inget JSON-objekt</translation>
+        </message>
+        <message>
             <source>its error of {error_px:.2f} px is far above that of the others</source>
             <translation>dess fel på {error_px:.2f} px är långt större än de andras</translation>
         </message>
         <message>
+            <source>its faces name no corners</source>
+            <translation>dess ytor nämner inga hörn</translation>
+        </message>
+        <message>
             <source>its folder does not exist; create the folder or choose another place</source>
             <translation>mappen finns inte; skapa mappen eller välj en annan plats</translation>
+        </message>
+        <message>
+            <source>its format {name} is none of PLY</source>
+            <translation>dess format {name} finns inte i PLY</translation>
+        </message>
+        <message>
+            <source>its header holds "{text}"</source>
+            <translation>dess huvud innehåller ”{text}”</translation>
+        </message>
+        <message>
+            <source>its lines do not hold the same number of columns, three or more</source>
+            <translation>dess rader har inte samma antal kolumner, tre eller fler</translation>
         </message>
         <message>
             <source>its markers leave the pose {value:.2f} {what}, more than {limit:g} ({worst}); see that more markers are in view and that the reference system was not moved</source>
@@ -3840,12 +3984,24 @@
             <translation>dess markörer ligger i medel {mean_mm:.1f} mm från referenssystemet, mer än {limit_mm:g} mm (sämst: {worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
         </message>
         <message>
+            <source>its nodes contain each other, or are far too many</source>
+            <translation>dess noder innehåller varandra, eller är alldeles för många</translation>
+        </message>
+        <message>
+            <source>its objects contain each other, or are far too many</source>
+            <translation>dess föremål innehåller varandra, eller är alldeles för många</translation>
+        </message>
+        <message>
             <source>its sensor.json lists the faces {faces}, but the reference system "{system}" has the faces {system_faces}</source>
             <translation>dess sensor.json anger ytorna {faces}, men referenssystemet ”{system}” har ytorna {system_faces}</translation>
         </message>
         <message>
             <source>its sensor.json says that it sees the markers {faces}, but it sees "{face}"; exchange the views, or correct "faces" there</source>
             <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
+        </message>
+        <message>
+            <source>its unit {unit} is none of 3MF</source>
+            <translation>dess enhet {unit} finns inte i 3MF</translation>
         </message>
         <message>
             <source>kept</source>
@@ -4250,6 +4406,18 @@
         <message>
             <source>one number</source>
             <translation>ett tal</translation>
+        </message>
+        <message>
+            <source>one of its arrays is longer than the bytes it holds</source>
+            <translation>en av dess talföljder är längre än de byte den innehåller</translation>
+        </message>
+        <message>
+            <source>one of its arrays is of the type {type}</source>
+            <translation>en av dess talföljder är av typen {type}</translation>
+        </message>
+        <message>
+            <source>one of its chunks is cut off</source>
+            <translation>ett av dess block är avklippt</translation>
         </message>
         <message>
             <source>only {count:.0f} of its markers have a depth reading; see that more markers are in view</source>
@@ -4828,6 +4996,10 @@
             <translation>sidan har {count} markörer, men minst {least} behövs</translation>
         </message>
         <message>
+            <source>the file {name} is not beside it</source>
+            <translation>filen {name} ligger inte bredvid den</translation>
+        </message>
+        <message>
             <source>the focal length of the colour camera</source>
             <translation>färgkamerans brännvidd</translation>
         </message>
@@ -4908,6 +5080,14 @@
             <translation>patientens namn eller en pseudonym</translation>
         </message>
         <message>
+            <source>the place of a part in it is no number</source>
+            <translation>läget för en del i den är inget tal</translation>
+        </message>
+        <message>
+            <source>the place of an object in it is no number</source>
+            <translation>läget för ett föremål i den är inget tal</translation>
+        </message>
+        <message>
             <source>the prescriber</source>
             <translation>ordinatören</translation>
         </message>
@@ -4958,6 +5138,14 @@
         <message>
             <source>thesis</source>
             <translation>avhandling</translation>
+        </message>
+        <message>
+            <source>they are too few for a surface</source>
+            <translation>de är för få för en yta</translation>
+        </message>
+        <message>
+            <source>they lie on no surface</source>
+            <translation>de ligger inte på någon yta</translation>
         </message>
         <message>
             <source>thickness</source>
@@ -5106,6 +5294,10 @@
         <message>
             <source>weight in kg</source>
             <translation>Vikten i kg</translation>
+        </message>
+        <message>
+            <source>what it holds does not follow the rules of the format</source>
+            <translation>innehållet följer inte formatets regler</translation>
         </message>
         <message>
             <source>whether it is seen from above or below</source>
@@ -5382,10 +5574,6 @@
         <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
             <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
-        </message>
-        <message>
-            <source>{file} would be {longest:.0f} mm long, and a picture of a foot is {low:.0f} to {high:.0f} mm; check the dots per inch or the distance.</source>
-            <translation>{file} skulle bli {longest:.0f} mm lång, och en bild av en fot är {low:.0f} till {high:.0f} mm; kontrollera punkterna per tum eller avståndet.</translation>
         </message>
         <message>
             <source>{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore the file from a backup.</source>

@@ -16,8 +16,12 @@
             <translation>Vänsterfot enligt formen</translation>
         </message>
         <message>
-            <source>A plaster cast</source>
-            <translation>En gipsavgjutning</translation>
+            <source>A plaster cast, taken under weight</source>
+            <translation>Gips, taget under belastning</translation>
+        </message>
+        <message>
+            <source>A plaster cast, taken without weight</source>
+            <translation>Gips, taget utan belastning</translation>
         </message>
         <message>
             <source>A right foot by its shape</source>

@@ -175,6 +175,20 @@ BAD: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
         "height_mm",
     ),
     "a source of no kind": (lambda c: c["feet"][0]["source"].update(kind="dream"), "source.kind"),
+    "a scan in an unknown unit": (
+        lambda c: c["feet"][0]["source"].update(choice={"unit": "ell"}),
+        r"source.choice.unit",
+    ),
+    "a known size without a number": (
+        lambda c: c["feet"][0]["source"].update(choice={"known_size": {"first": [0, 0, 0]}}),
+        r"known_size.second is missing",
+    ),
+    "two clicks": (
+        lambda c: c["feet"][0]["source"].update(
+            choice={"clicks": {"heel": [0, 0, 0], "toe": [0, 250, 0]}}
+        ),
+        r"clicks.sole is missing",
+    ),
     "a foot of another side than the design": (
         lambda c: c["feet"].pop() and c["feet"][0].update(side="right"),
         "design is for a left foot",

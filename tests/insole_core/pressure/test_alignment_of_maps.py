@@ -26,12 +26,10 @@ from insole_core.pressure.units import PressureUnit
 from insole_core.simulate.plantar_pressure import pressed
 from insole_core.workflows.findings import Catalogue
 from insole_core.workflows.foot_pose import lying_anew
+from insole_core.workflows.lay_plantar import Shown, lay_picture, lay_pressure
 from insole_core.workflows.pad_library import load_pads
 from insole_core.workflows.plantar_pressure import (
-    Shown,
     heads_to_relieve,
-    lay_picture,
-    lay_pressure,
     with_picture,
     with_pressure,
     with_reliefs,

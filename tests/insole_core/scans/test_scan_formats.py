@@ -281,6 +281,23 @@ def test_a_folder_or_archive_with_both_feet(left_mesh, right_mesh, tmp_path, pac
         scan_parts(folder_with(tmp_path / "twice", "left a.stl", "left b.stl"))
 
 
+@pytest.mark.parametrize(
+    ("names", "sides"),
+    [
+        (["L/scan.stl", "R/scan.stl"], [Side.LEFT, Side.RIGHT]),
+        (["Anna Left/scan.stl"], [None]),
+        (["left/a.stl", "left/b.stl"], [None, None]),
+        (["left/a right.stl", "right/b left.stl"], [Side.LEFT, Side.RIGHT]),
+        (["left/a left right.stl", "right/b.stl"], [None, Side.RIGHT]),
+    ],
+)
+def test_a_folder_tells_a_side_only_beside_one_of_the_other_side(tmp_path, names, sides):
+    for name in names:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    assert [part.side for part in scan_parts(tmp_path)] == sides
+
+
 def folder_with(folder: Path, *names: str) -> Path:
     folder.mkdir()
     for name in names:

@@ -126,6 +126,10 @@ def test_no_expansion_is_proposed_for_an_imprint(single, left_foot):
     asked = replace(design, finish=replace(design.finish, expansion_mm=2.0))
     warned = [warning.sentence for warning in finish_warnings(build_insole(foot, asked))]
     assert any("spread already" in sentence for sentence in warned)
+    unloaded = replace(foot, form=Form.UNLOADED_CAST)
+    assert starting.design(unloaded).finish.expansion_mm == 2.0
+    warned = [warning.sentence for warning in finish_warnings(build_insole(unloaded, asked))]
+    assert not any("spread already" in sentence for sentence in warned)
 
 
 def test_a_case_keeps_the_form_of_its_scan(single, tmp_path):

@@ -3,10 +3,14 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from insole_core.errors import UsageError
+from insole_core.cases.import_choice import ImportChoice
+from insole_core.errors import InputError, UsageError
 from insole_core.export.ply import write_ply
+from insole_core.foot.foot_candidate import PoseClicks
+from insole_core.foot.foot_placement import DoubtfulScanError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.workflows.open_scan import open_scan
@@ -39,3 +43,30 @@ def test_a_scan_that_changed_or_went_is_said(scan: Path, tmp_path: Path) -> None
     gone = replace(source, path=str(tmp_path / "gone.ply"))
     assert "not there any more" in change_of_source(gone)
     assert change_of_source(replace(source, path="example.zip")) == ""
+
+
+def larger(mesh: TriangleMesh, factor: float, path: Path) -> Path:
+    write_ply(replace(mesh, vertices=mesh.vertices * factor), path)
+    return path
+
+
+def test_three_clicks_open_a_doubtful_scan_with_the_doubt_as_a_warning(
+    left_mesh: TriangleMesh, tmp_path: Path
+) -> None:
+    path = larger(left_mesh, 1.33, tmp_path / "long.ply")
+    with pytest.raises(DoubtfulScanError, match="which few feet are"):
+        open_scan(path, Side.LEFT)
+    length_mm = 1.33 * float(np.ptp(left_mesh.vertices[:, 1]))
+    clicks = PoseClicks((0.0, 2.0, 20.0), (0.0, length_mm - 8, 12.0), (0.0, 0.65 * length_mm, 0.0))
+    scanned = open_scan(path, Side.LEFT, choice=ImportChoice(pose=clicks))
+    assert any("which few feet are" in warning for warning in scanned.warnings)
+    assert scanned.source.choice == ImportChoice(Side.LEFT, "mm", pose=clicks)
+
+
+def test_a_length_that_no_foot_has_is_opened_by_force_only(
+    left_mesh: TriangleMesh, tmp_path: Path
+) -> None:
+    path = larger(left_mesh, 1.5, tmp_path / "giant.ply")
+    with pytest.raises(InputError, match="feet are 90 to 350 mm long"):
+        open_scan(path, Side.LEFT)
+    assert open_scan(path, Side.LEFT, choice=ImportChoice(force=True)).foot.length_mm > 350

@@ -157,7 +157,7 @@ def test_a_picture_is_scaled_by_two_clicks(
         y = shown.top() + round(share * shown.height())
         QTest.mouseClick(view, LEFT, pos=QPoint(shown.center().x(), y))
     dialog.distance.setValue(15.0)
-    assert "mm long, and a picture of a foot" in dialog.note.text()
+    assert "mm long, and a picture of a foot" in dialog.warning.text()
     assert not dialog.lay_button.isEnabled()
     dialog.distance.setValue(0.8 * 2.0 * grey.shape[0])  # cells of 2 mm
     QTest.mouseClick(dialog.lay_button, LEFT)

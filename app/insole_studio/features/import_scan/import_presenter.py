@@ -201,6 +201,15 @@ class ImportPresenter(QObject):
         return np.eye(4) if read is None else _lying(read.mesh)
 
     @property
+    def _notes(self) -> tuple[str, ...]:
+        """How the shown foot was read, and what was left out."""
+        examination, foot, read = self._found.examination, self._foot, self._found.read
+        if examination is None or foot is None:
+            return () if read is None else read.notes
+        of_file = examination.notes if examination.read.second is None else foot.notes
+        return (*of_file, *examination.left_out)
+
+    @property
     def _wants_distance(self) -> bool:
         """Whether the points of a known distance are still to be clicked."""
         is_known = isinstance(self._found.choice.known_size, KnownDistance)
@@ -241,11 +250,6 @@ class ImportPresenter(QObject):
         numbers = range(len(found.feet))
         self._chosen = [found.proposed(number, self._said.get(number)) for number in numbers]
         self._shown = min(self._shown, max(len(found.feet) - 1, 0))
-        examination = found.examination
-        notes = found.read.notes if examination is None and found.read else ()
-        if examination is not None:
-            notes = (*examination.notes, *examination.left_out)
-        self._dialog.notes.say_all(notes)
         self._show_clicks()
         self._show_chosen(anew=True)
 
@@ -271,6 +275,7 @@ class ImportPresenter(QObject):
         told = () if foot is None else (*foot.doubts, *foot.warnings)
         doubts = [self._found.refusal, *told]
         dialog.doubts.say_all([doubt for doubt in doubts if doubt])
+        dialog.notes.say_all(self._notes)
         self._show_opening()
 
     def _show_opening(self) -> None:

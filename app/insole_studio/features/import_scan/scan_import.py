@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_core.workflows.import_scan import take_foot
 from insole_core.workflows.scanned_foot import ScannedFoot, choice_of, feet_made_of
-from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
 from insole_studio.services.app_services import AppServices
 
+if TYPE_CHECKING:
+    from insole_studio.features.import_scan.found_scan import FoundScan
+
 Take = Callable[[Sequence[ScannedFoot]], None]
-_Opened = tuple[FoundScan, ScannedFoot | None]
 
 
 class ScanImport:
@@ -39,11 +40,13 @@ class ScanImport:
             Called with the feet.
         """
 
+        from insole_studio.features.import_scan.found_scan import find_scan
+
         in_case = tuple(
             foot for foot in self._services.case.record.feet if side in (None, foot.side)
         )
 
-        def find(progress: Progress) -> _Opened:
+        def find(progress: Progress) -> tuple[FoundScan, ScannedFoot | None]:
             made = feet_made_of(path, in_case, progress)
             choice = choice_of(made) if made else ImportChoice(side)
             found = find_scan(path, choice, None, progress)
@@ -51,7 +54,7 @@ class ScanImport:
                 return replace(found, before=tuple(record.foot for record in made)), None
             return _taken_at_once(found)
 
-        def opened(result: _Opened) -> None:
+        def opened(result: tuple[FoundScan, ScannedFoot | None]) -> None:
             found, scanned = result
             if scanned is None:
                 self._ask(path, found, take)
@@ -73,8 +76,10 @@ class ScanImport:
         dialog.open()
 
 
-def _taken_at_once(found: FoundScan) -> _Opened:
+def _taken_at_once(found: FoundScan) -> tuple[FoundScan, ScannedFoot | None]:
     """Make the foot of a scan of which nothing has to be asked."""
+    from insole_core.workflows.import_scan import take_foot
+
     examination, side = found.examination, found.choice.side
     candidate = found.proposed(0) if found.feet else None
     if examination is None or side is None or candidate is None or not found.is_sure:

@@ -69,5 +69,6 @@ def form_options() -> list[tuple[str, str]]:
         ("", tr("As the shape tells")),
         (Form.FOOT.value, tr("A foot")),
         (Form.IMPRINT.value, tr("A foam box or another imprint")),
-        (Form.CAST.value, tr("A plaster cast")),
+        (Form.CAST.value, tr("A plaster cast, taken under weight")),
+        (Form.UNLOADED_CAST.value, tr("A plaster cast, taken without weight")),
     ]

@@ -4,33 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QDialog
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InputError
 from insole_core.geometry.side import Side
-from insole_core.pressure.picture import SUFFIXES as PICTURE_SUFFIXES
-from insole_core.pressure.picture import Picture, read_picture_file
-from insole_core.pressure.read_pressure import SUFFIXES, read_pressure
-from insole_core.pressure.recording import PressureRecording
 from insole_core.progress import Progress
-from insole_core.workflows.plantar_pressure import (
-    LaidPicture,
-    LaidPressure,
-    lay_picture,
-    lay_pressure,
-    with_picture,
-    with_pressure,
-)
+from insole_core.workflows.plantar_pressure import with_picture, with_pressure
 from insole_studio.document.plantar_view import PlantarLayer, PlantarView
 from insole_studio.features.design.actions.edit_actions import EditActions
 from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
 from insole_studio.features.design.models.color_maps import MapKind
-from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog, PressureDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
 from insole_studio.texts import tr, translate_core_message
+
+if TYPE_CHECKING:
+    from insole_core.pressure.picture import Picture
+    from insole_core.pressure.recording import PressureRecording
+    from insole_core.workflows.lay_plantar import LaidPicture, LaidPressure
 
 CHANNEL = "plantar"
 _DOUBT = "plantar-doubt"
@@ -61,6 +55,9 @@ class PlantarActions:
 
     def ask(self) -> None:
         """Let the user choose a file, and open it."""
+        from insole_core.pressure.picture import SUFFIXES as PICTURE_SUFFIXES
+        from insole_core.pressure.read_pressure import SUFFIXES
+
         patterns = " ".join(f"*{suffix}" for suffix in (*SUFFIXES, *PICTURE_SUFFIXES))
         kinds = tr("Pressure map or footprint") + f" ({patterns})"
         path = self._services.messages.questions.file_to_open(kinds, Kept.SCANS)
@@ -69,20 +66,26 @@ class PlantarActions:
 
     def open(self, path: Path) -> None:
         """Read a file in the background, and ask what it does not say."""
+        from insole_core.pressure.picture import SUFFIXES as PICTURE_SUFFIXES
+        from insole_core.pressure.picture import read_picture_file
+        from insole_core.pressure.read_pressure import read_pressure
 
         def read(_progress: Progress) -> Picture | tuple[PressureRecording, ...]:
             is_picture = path.suffix.lower() in PICTURE_SUFFIXES
             return read_picture_file(path) if is_picture else read_pressure(path)
 
         def ask(found: Picture | tuple[PressureRecording, ...]) -> None:
-            if isinstance(found, Picture):
-                self._ask_picture(found)
-            else:
+            if isinstance(found, tuple):
                 self._ask_pressure(path.name, found)
+            else:
+                self._ask_picture(found)
 
         self._services.run(CHANNEL, read, ask)
 
     def _ask_pressure(self, name: str, recordings: tuple[PressureRecording, ...]) -> None:
+        from insole_core.workflows.lay_plantar import lay_pressure
+        from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
+
         dialog = PressureDialog(name, recordings, self._services.window)
 
         def lay() -> None:
@@ -106,6 +109,9 @@ class PlantarActions:
         self._open(dialog, lay)
 
     def _ask_picture(self, picture: Picture) -> None:
+        from insole_core.workflows.lay_plantar import lay_picture
+        from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog
+
         dialog = PictureDialog(picture, self._services.window)
 
         def lay() -> None:

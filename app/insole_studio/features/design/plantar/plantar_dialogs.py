@@ -30,10 +30,11 @@ from insole_core.pressure.recording import (
     SeenFrom,
 )
 from insole_core.pressure.units import PressureUnit
-from insole_core.workflows.plantar_pressure import Shown
+from insole_core.workflows.lay_plantar import Shown
 from insole_studio.scene.coloring import map_colors
-from insole_studio.texts import fill, tr, translate_core_message
+from insole_studio.texts import fill, tr
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
 
@@ -52,6 +53,7 @@ class _PlantarDialog(QDialog):
         self.picture.setMinimumSize(*_PICTURE_PX)
         self.form = QFormLayout()
         self.note = _words("")
+        self.warning = MessageLabel("warning")
         self.buttons = QDialogButtonBox()
         role = QDialogButtonBox.ButtonRole
         self.lay_button = self.buttons.addButton(tr("Lay under the foot"), role.AcceptRole)
@@ -62,6 +64,7 @@ class _PlantarDialog(QDialog):
         right.addWidget(_words(sentence))
         right.addLayout(self.form)
         right.addWidget(self.note)
+        right.addWidget(self.warning)
         right.addStretch(1)
         right.addWidget(self.buttons)
         both = QHBoxLayout(self)
@@ -227,7 +230,7 @@ class PictureDialog(_PlantarDialog):
         self._add(tr("Dots"), self.dpi)
         self.distance = _number("mm", 0, 700)
         self._add(tr("Distance of two clicks"), self.distance)
-        self.picture.setToolTip(tr("Click two points whose distance is known"))
+        self.form.addRow("", _words(tr("Click two points whose distance is known")))
         self.picture.clicked.connect(self._click)
         self._show_clicks()
         self.refresh()
@@ -270,14 +273,14 @@ class PictureDialog(_PlantarDialog):
     def refresh(self, value: object = None) -> None:
         """Tell what is still open, or that the picture is not as large as a foot's."""
         super().refresh(value)
-        if self.open_questions():
-            return
-        try:
-            self.scaled()
-        except InputError as error:
-            self.lay_button.setEnabled(False)
-            self.note.setText(translate_core_message(error.message))
-            self.note.show()
+        refusal = ""
+        if not self.open_questions():
+            try:
+                self.scaled()
+            except InputError as error:
+                refusal = error.message
+                self.lay_button.setEnabled(False)
+        self.warning.say(refusal)
 
     def _click(self, x_px: float, y_px: float) -> None:
         """Take a point; a third one begins anew."""

@@ -1,0 +1,66 @@
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import PySide6
+import pytest
+import scipy
+
+from bundle.components import components_of
+from bundle.licences import BILL_OF_MATERIALS, LICENCES, write_both
+
+
+def place_and_file(package, pattern):
+    folder = Path(package.__file__).parent
+    file = next(folder.glob(pattern))
+    return (f"{folder.name}/{file.name}", str(file))
+
+
+@pytest.fixture(scope="module")
+def components():
+    files = [
+        place_and_file(np, "__init__.py"),
+        place_and_file(scipy, "__init__.py"),
+        place_and_file(PySide6, "QtCore*"),
+        ("base_library.zip", "base_library.zip"),
+    ]
+    return components_of(files)
+
+
+def test_every_file_has_a_work_with_version_licence_and_text(components):
+    assert [one.name for one in components] == ["numpy", "pyside6-essentials", "python", "scipy"]
+    for one in components:
+        assert one.version
+        assert one.licence
+        assert all(len(text) > 200 for _, text in one.texts), one.name
+
+
+def test_libraries_within_a_wheel_are_named():
+    place, file = place_and_file(np, "__init__.py")
+    inner = "numpy.libs/libgfortran-040039e1-0352e75f.so.5.0.0"
+    # only the place in the bundle tells the name
+    (numpy, _) = components_of([(place, file), (inner, file)])
+    assert ("gfortran", "5.0.0") in numpy.libraries
+
+
+def test_nothing_is_passed_on_of_which_nobody_knows_whose_it_is(tmp_path):
+    stray = tmp_path / "libstray.so"
+    stray.write_bytes(b"")
+    with pytest.raises(LookupError, match=r"libstray\.so"):
+        components_of([("libstray.so", str(stray))])
+
+
+def test_bill_and_texts_name_the_same_works(components, tmp_path):
+    write_both(components, "1.2.0", tmp_path)
+    texts = json.loads((tmp_path / LICENCES).read_text(encoding="utf-8"))
+    bill = json.loads((tmp_path / BILL_OF_MATERIALS).read_text(encoding="utf-8"))
+    assert (bill["bomFormat"], bill["specVersion"]) == ("CycloneDX", "1.6")
+    named = {(one["name"], one["version"]) for one in texts["components"]}
+    assert named == {(one["name"], one["version"]) for one in bill["components"]}
+    assert {one["purl"] for one in bill["components"]} >= {f"pkg:pypi/numpy@{np.__version__}"}
+    assert "PySide6" in texts["replacing_qt"]
+    lgpl = next(one for one in texts["components"] if one["name"] == "pyside6-essentials")
+    assert any("GNU LESSER GENERAL PUBLIC LICENSE" in text["text"] for text in lgpl["texts"])
+    python = next(one for one in texts["components"] if one["name"] == "python")
+    assert python["version"] == ".".join(map(str, sys.version_info[:3]))

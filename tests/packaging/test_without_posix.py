@@ -1,0 +1,41 @@
+"""Windows has no fcntl and the like: all of the product can be imported without them."""
+
+import subprocess
+import sys
+
+import pytest
+
+from bundle import product
+
+IMPORT_EVERYTHING = """
+import importlib, pkgutil, signal, sys
+
+import insole_core.export.file_lock  # chooses between fcntl and msvcrt by the system
+
+HIDDEN = {"fcntl", "grp", "posix_ipc", "pwd", "readline", "resource", "syslog", "termios", "tty"}
+for name in HIDDEN:
+    sys.modules[name] = None  # importing it fails, as on Windows
+for name in ("SIGHUP", "SIGPIPE", "SIGUSR1", "SIGUSR2", "SIGALRM", "SIGQUIT", "SIGKILL"):
+    delattr(signal, name)
+
+package = importlib.import_module(sys.argv[1])
+for module in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
+    if not module.name.endswith((".__main__", "migrations.env")):
+        importlib.import_module(module.name)
+        print(module.name)
+"""
+
+
+@pytest.mark.parametrize("package", ["insole_core", "insole_studio", "kinect_v1"])
+def test_every_module_can_be_imported(package):
+    folders = (product.ROOT / "app", product.ROOT / "drivers" / "kinect", product.ROOT)
+    call = [sys.executable, "-c", IMPORT_EVERYTHING, package]
+    done = subprocess.run(
+        call,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={"PYTHONPATH": ":".join(map(str, folders)), "QT_QPA_PLATFORM": "offscreen"},
+    )
+    assert done.returncode == 0, done.stderr
+    assert len(done.stdout.splitlines()) > 10
