@@ -27,7 +27,7 @@ from insole_core.foot.levelling import (
     is_cut_behind,
     level,
 )
-from insole_core.foot.missing_sole import closed_sole
+from insole_core.foot.missing_sole import ClosedSole, closed_sole
 from insole_core.foot.pose import (
     Pose,
     find_poses,
@@ -142,7 +142,7 @@ def find_foot(
         When the surface does not look like a foot in any pose, or has no sole.
     """
     mesh, scraps = without_scraps(mesh)
-    closed = closed_sole(mesh)
+    closed = _standing_foot(mesh)
     mesh, dorsal = (mesh, None) if closed is None else (closed.mesh, closed.dorsal)
     points, normals = surface_samples(mesh)
     if pose is None:
@@ -286,6 +286,18 @@ def _foot_poses(
             " check that the file holds a foot or its sole, and nothing else."
         )
     return poses
+
+
+def _standing_foot(mesh: TriangleMesh) -> ClosedSole | None:
+    """Return a foot without a sole, closed; None for what looks more like a foot as it is."""
+    closed = closed_sole(mesh)
+    if closed is None:
+        return None
+    standing, as_it_is = (
+        find_poses(surface, surface_points(surface), dorsal)[0].side_dissimilarity
+        for surface, dorsal in ((closed.mesh, closed.dorsal), (mesh, None))
+    )
+    return closed if standing < as_it_is else None
 
 
 def _clicked_poses(points: FloatArray, normals: FloatArray, clicks: PoseClicks) -> list[Pose]:

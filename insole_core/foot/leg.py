@@ -14,9 +14,9 @@ from insole_core.geometry.mesh import TriangleMesh
 _ANKLE_Y, _ANKLE_Z = 0.25, 0.27
 _LEG_FROM = 0.10
 """From the ankle, above which the surface is leg in whatever way it is inclined."""
-_KEPT = 0.45
+_KEPT = 0.40
 """From the ankle; the back of the leg is measured up to 140 mm over the sole."""
-_LEAST_CUT = 0.06
+_LEAST_CUT = 0.10
 _LEAST_POINTS = 200
 _SIDE_ON, _ROUNDS = 0.6, 3
 _UP = np.array([0.0, 0.0, 1.0])
