@@ -2076,6 +2076,10 @@
             <translation>Vänster fot är {left_mm:.0f} mm lång och höger {right_mm:.0f} mm; kontrollera att båda skanningarna är av denna patient, och i samma enhet.</translation>
         </message>
         <message>
+            <source>The leg was cut off {height_mm:.0f} mm over the sole.</source>
+            <translation>Benet skars av {height_mm:.0f} mm över sulan.</translation>
+        </message>
+        <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
             <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
         </message>
@@ -2280,6 +2284,10 @@
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
         <message>
+            <source>The scan shows no sole: the foot stood on something that was left out. A plane closes it, so the arch is not known; scan the foot from below as well, or design the arch by hand.</source>
+            <translation>Skanningen visar ingen sula: foten stod på något som utelämnades. Ett plan sluter den, så valvet är inte känt; skanna foten även underifrån, eller forma valvet för hand.</translation>
+        </message>
+        <message>
             <source>The scan {path} has changed since this case was made; the case keeps the foot as it was, open the scan again if the new one is wanted.</source>
             <translation>Skanningen {path} har ändrats sedan fallet gjordes; fallet behåller foten som den var, öppna skanningen igen om den nya önskas.</translation>
         </message>
@@ -2402,6 +2410,10 @@
         <message>
             <source>The toes are missing; the foot's length was estimated as {length_mm:.0f} mm from the rest.</source>
             <translation>Tårna saknas; fotens längd uppskattades till {length_mm:.0f} mm av resten.</translation>
+        </message>
+        <message>
+            <source>The toes seem to be missing, so that the foot's length of {length_mm:.0f} mm is a guess; scan the foot with its toes, or see that the length is right.</source>
+            <translation>Tårna tycks saknas, så fotens längd {length_mm:.0f} mm är en uppskattning; skanna foten med tårna, eller kontrollera att längden stämmer.</translation>
         </message>
         <message>
             <source>The transition to the rim is {used_mm:.0f} mm wide {where} instead of {asked_mm:.0f} mm, or the wall would be too steep or bent too sharply; a rim nearer to the foot needs less.</source>
