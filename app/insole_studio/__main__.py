@@ -19,6 +19,10 @@ LINEAR_ALGEBRA_THREADS = (
 
 def main() -> int:
     """Run with the command line arguments of this process."""
+    if getattr(sys, "frozen", False):  # the process of the sensors starts the same program
+        from multiprocessing import freeze_support
+
+        freeze_support()
     # Whatever the user has set: with other threads the sums of a matrix product are taken in
     # another order, and the same session gives another mesh (docs/decisions/0021).
     os.environ.update(dict.fromkeys(LINEAR_ALGEBRA_THREADS, "1"))

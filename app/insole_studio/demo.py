@@ -13,12 +13,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-from insole_core.progress import SILENT
 from insole_core.resources import resource_path
+from insole_studio.app.recorded_session import has_screen, record_simulated
 
 OUTPUT = Path("demo-output")
 SESSION = OUTPUT / "session.zip"
-SEED = 12
 _VIRTUAL = "INSOLE_STUDIO_DEMO_VIRTUAL"
 
 
@@ -27,28 +26,14 @@ def main() -> int:
     OUTPUT.mkdir(exist_ok=True)
     if not SESSION.exists():
         print("Simulating a recorded session of three views …", flush=True)
-        _simulate()
+        record_simulated(SESSION)
     if os.environ.get(_VIRTUAL):
         return _scripted()
-    if _has_screen():
+    if has_screen():
         print("Opening the window; the bundled case is under Case ▸ Open the example.", flush=True)
         return _interactive()
     print("There is no screen: doing the same off-screen.", flush=True)
     return _virtual()
-
-
-def _has_screen() -> bool:
-    if sys.platform in ("win32", "darwin"):
-        return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
-
-
-def _simulate() -> None:
-    from insole_core.recording.writer import write_session
-    from insole_core.simulate import SimulationOptions, simulate_session
-
-    simulated = simulate_session(SimulationOptions(seed=SEED), SILENT)
-    write_session(simulated.session, SESSION, simulated.truth, simulated.sensor2reference)
 
 
 def _interactive() -> int:

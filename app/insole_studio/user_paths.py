@@ -53,6 +53,11 @@ class UserPaths:
         return self.data_folder / "records"
 
     @property
+    def crashes_folder(self) -> Path:
+        """The folder of reports of errors in the program itself."""
+        return self.data_folder / "crashes"
+
+    @property
     def backed_up_folders(self) -> dict[str, Path]:
         """What belongs to a backup besides the record, by name."""
         return {"settings": self.settings_folder, "sensors": self.sensors_folder}

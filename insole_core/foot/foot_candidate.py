@@ -55,10 +55,16 @@ class CutLeg:
     ankle_deg
         Between the axis of the leg and the sole, seen from the side: 90 in standing, more where the
         foot is pointed.
+    end
+        Where the cut crosses the axis of the leg, mm, insole frame.
+    axis
+        Unit vector up the leg, insole frame.
     """
 
     height_mm: float
     ankle_deg: float
+    end: Point
+    axis: Point
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,6 +112,8 @@ class FoundFoot:
         What is to be asked, a sentence each; none where the first candidate is sure.
     notes
         What was concluded or left out, a sentence each.
+    warnings
+        What the user has to know of it although nothing has to be decided, a sentence each.
     path
         Its file, where the scan is a folder; None for the file that was examined.
     unit
@@ -119,6 +127,7 @@ class FoundFoot:
     candidates: tuple[FootCandidate, ...]
     doubts: tuple[Message, ...] = ()
     notes: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
     path: Path | None = None
     unit: Unit | None = None
     clicks: PoseClicks | None = None

@@ -19,7 +19,15 @@ from insole_core.foot.foot_proportions import (
     proportions,
 )
 from insole_core.foot.front_height import rated_pose
-from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, at_origin, is_cut_behind, level
+from insole_core.foot.leg import is_leg, leg_of, without_leg
+from insole_core.foot.levelling import (
+    OUTLINE_HEIGHT_MM,
+    at_origin,
+    is_cut_before,
+    is_cut_behind,
+    level,
+)
+from insole_core.foot.missing_sole import ClosedSole, closed_sole
 from insole_core.foot.pose import (
     Pose,
     find_poses,
@@ -134,15 +142,25 @@ def find_foot(
         When the surface does not look like a foot in any pose, or has no sole.
     """
     mesh, scraps = without_scraps(mesh)
+    closed = _standing_foot(mesh)
+    mesh, dorsal = (mesh, None) if closed is None else (closed.mesh, closed.dorsal)
     points, normals = surface_samples(mesh)
-    poses = _foot_poses(mesh, points) if pose is None else _clicked_poses(points, normals, pose)
+    if pose is None:
+        poses = _foot_poses(mesh, points, dorsal)
+    else:
+        poses = _clicked_poses(points, normals, pose)
     poses = sorted((rated_pose(one, points, normals) for one in poses), key=_dissimilarity)
     mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     notes = (_pose_note(pose), *_surface_notes(scraps, inside_out))
     found = _found(mesh, points, poses, notes, normals)
     if pose is None:
         found = _with_other_ways(found, points, normals, poses)
-    return replace(found, doubts=tuple(_doubts(found, side)))
+    return replace(
+        found,
+        candidates=tuple(_with_leg(found, one) for one in found.candidates),
+        doubts=tuple(_doubts(found, side)),
+        warnings=() if closed is None else (_no_sole(),),
+    )
 
 
 def find_pressed_foot(mesh: TriangleMesh, dorsal: FloatArray) -> FoundFoot:
@@ -189,6 +207,9 @@ def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = Fal
         *found.notes,
     )
     mesh = found.mesh.transformed(source2insole)
+    if candidate.leg is not None:
+        mesh = without_leg(mesh, candidate.leg)
+        placed = placed.part(~is_leg(placed.points, candidate.leg))
     foot = Foot(candidate.side, mesh, source2insole, candidate.length_mm, notes)
     foot.derived.get("even", (), lambda: placed)
     return foot
@@ -267,6 +288,18 @@ def _foot_poses(
     return poses
 
 
+def _standing_foot(mesh: TriangleMesh) -> ClosedSole | None:
+    """Return a foot without a sole, closed; None for what looks more like a foot as it is."""
+    closed = closed_sole(mesh)
+    if closed is None:
+        return None
+    standing, as_it_is = (
+        find_poses(surface, surface_points(surface), dorsal)[0].side_dissimilarity
+        for surface, dorsal in ((closed.mesh, closed.dorsal), (mesh, None))
+    )
+    return closed if standing < as_it_is else None
+
+
 def _clicked_poses(points: FloatArray, normals: FloatArray, clicks: PoseClicks) -> list[Pose]:
     """Return the poses that agree with clicked points, the most likely first."""
     frames = clicked_frames(points, normals, clicks)
@@ -299,6 +332,12 @@ def _with_other_ways(
     return replace(found, candidates=tuple(sorted(ways, key=lambda one: one.dissimilarity)))
 
 
+def _with_leg(found: FoundFoot, candidate: FootCandidate) -> FootCandidate:
+    """Return a candidate with the leg that is to be cut off."""
+    placed = found.even.transformed(at_origin(found.mesh, candidate.source2insole))
+    return replace(candidate, leg=leg_of(placed, candidate.length_mm))
+
+
 def _differ(source2rough: FloatArray, frames: list[FloatArray]) -> bool:
     """Return whether a frame (4, 4) is turned far from all of some others."""
     turns = (source2rough[:3, :3] @ frame[:3, :3].T for frame in frames)
@@ -310,6 +349,13 @@ def _doubts(found: FoundFoot, side: Side | None) -> Iterator[Message]:
     likely = found.candidates[0] if side is None else found.best(side) or found.candidates[0]
     mesh = found.mesh.transformed(at_origin(found.mesh, likely.source2insole))
     yield from proportion_doubts(proportions(mesh, likely.length_mm))
+    placed = found.even.transformed(at_origin(found.mesh, likely.source2insole))
+    if likely.covered < 1 or is_cut_before(placed.points):
+        yield Message(
+            "The toes seem to be missing, so that the foot's length of {length_mm:.0f} mm is a "
+            "guess; scan the foot with its toes, or see that the length is right.",
+            length_mm=likely.length_mm,
+        )
     limit = CLEAR * likely.dissimilarity
     others = [one for one in found.candidates if _differ(one.source2insole, [likely.source2insole])]
     others = [one for one in others if side in (None, one.side) and one.dissimilarity < limit]
@@ -343,6 +389,13 @@ def _pose_note(clicks: PoseClicks | None) -> Message:
     return Message(
         "The file does not say how the foot lies: of all ways it could stand, the one that"
         " looks most like a foot was taken."
+    )
+
+
+def _no_sole() -> Message:
+    return Message(
+        "The scan shows no sole: the foot stood on something that was left out. A plane closes it, "
+        "so the arch is not known; scan the foot from below as well, or design the arch by hand."
     )
 
 
@@ -466,6 +519,10 @@ def _candidate_notes(found: FootCandidate) -> Iterator[str]:
         )
     elif not found.second_toe_found:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
+    if found.leg is not None:
+        yield Message(
+            "The leg was cut off {height_mm:.0f} mm over the sole.", height_mm=found.leg.height_mm
+        )
 
 
 def _rear_notes(surface: EvenSurface) -> Iterator[str]:

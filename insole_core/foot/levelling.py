@@ -32,7 +32,7 @@ _BALL_BAND = 0.68
 _BAND = 0.02
 _PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
 _ROUNDS, _AT_REST_DEG = 40, 0.002
-_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the end of a heel, and the heel; share of its width
+_END_MM, _BLUNT = (6.0, 40.0), 0.7  # an end of the foot, and what is behind it; share of its width
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,6 +216,22 @@ def is_cut_behind(points: FloatArray) -> bool:
     points : (n, 3) float64, mm, insole frame
         Evenly spread over the foot.
     """
-    x, y, z = points.T
-    end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < depth)]) for depth in _REAR_MM)
-    return bool(end > _BLUNT * rear)
+    return _is_blunt(points, points[:, 1])
+
+
+def is_cut_before(points: FloatArray) -> bool:
+    """Return whether the toes are missing: one or two of them are the end of a foot.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, insole frame
+        Evenly spread over the foot.
+    """
+    return _is_blunt(points, -points[:, 1])
+
+
+def _is_blunt(points: FloatArray, inwards: FloatArray) -> bool:
+    low = points[:, 2] < OUTLINE_HEIGHT_MM
+    x, depth = points[low, 0], inwards[low] - inwards[low].min()
+    end, whole = (np.ptp(x[depth < reach_mm]) for reach_mm in _END_MM)
+    return bool(end > _BLUNT * whole)

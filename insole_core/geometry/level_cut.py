@@ -66,3 +66,15 @@ def level_cut(mesh: TriangleMesh, field: FloatArray) -> LevelCut:
         ends,
         from_start / (from_start - from_end),
     )
+
+
+def cut_off(mesh: TriangleMesh, field: FloatArray) -> TriangleMesh:
+    """Return the part of a mesh where a field (n,) is not negative, cut along its zero level."""
+    cut = level_cut(mesh, field)
+    vertices = cut.extended(mesh.vertices)
+    colors = (
+        None if mesh.colors is None else cut.extended(mesh.colors.astype(float)).astype(np.uint8)
+    )
+    used = np.zeros(len(vertices), dtype=bool)
+    used[cut.triangles] = True
+    return TriangleMesh(vertices, cut.triangles, colors).part(used)

@@ -14,7 +14,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.level_cut import level_cut
+from insole_core.geometry.level_cut import cut_off
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces, relaxed
 from insole_core.geometry.sampling import area_samples
@@ -157,7 +157,7 @@ def _imprint(mesh: TriangleMesh, viewer: ReliefViewer, view: _View, number: int)
     curled = curled_over(detail)
     inside = np.minimum(_within(view, number, places), _away_from(curled, detail, places))
     field = np.where(uppermost, np.minimum(-heights - _RIM_MM, inside), -1.0)
-    sole = _of_foot(_cut(mesh, field), view, number, detail, curled)
+    sole = _of_foot(cut_off(mesh, field), view, number, detail, curled)
     if float(sole.vertex_areas @ (sole.vertex_normals @ relief.up)) > 0:
         sole = sole.flipped()
     centre = sole.vertex_areas @ sole.vertices / sole.area_mm2
@@ -191,18 +191,6 @@ def _away_from(curled: BoolArray, detail: Relief, places: FloatArray) -> FloatAr
     """Return how far places (n, 2) lie from where the foam curls over, mm; not above 0 there."""
     away_mm = scipy.ndimage.distance_transform_edt(~curled) * detail.cell_mm
     return detail.at(away_mm - detail.cell_mm / 2, places, beyond=-1.0)
-
-
-def _cut(mesh: TriangleMesh, field: FloatArray) -> TriangleMesh:
-    """Return the part of a mesh where a field is not negative, cut along its zero level."""
-    cut = level_cut(mesh, field)
-    vertices = cut.extended(mesh.vertices)
-    colors = (
-        None if mesh.colors is None else cut.extended(mesh.colors.astype(float)).astype(np.uint8)
-    )
-    used = np.zeros(len(vertices), dtype=bool)
-    used[cut.triangles] = True
-    return TriangleMesh(vertices, cut.triangles, colors).part(used)
 
 
 def _of_foot(

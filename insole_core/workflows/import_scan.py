@@ -177,7 +177,8 @@ def take_foot(
     notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
     again = replace(choice, side=candidate.side, unit=found.unit, pose=found.clicks)
     source = replace(mesh_source(found.path or examination.path, form), choice=again)
-    return ScannedFoot(replace(foot, notes=notes, form=form), source)
+    warnings = tuple(map(str, found.warnings))
+    return ScannedFoot(replace(foot, notes=notes, form=form), source, warnings)
 
 
 def nearest_candidate(feet: Sequence[FoundFoot], foot: Foot) -> tuple[int, FootCandidate] | None:

@@ -19,6 +19,7 @@ from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.appearance import Appearance
 from insole_studio.app.application_events import ApplicationEvents
+from insole_studio.app.crash_reports import CrashReports
 from insole_studio.app.features import Features, make_features
 from insole_studio.app.garbage_collection import GarbageCollection
 from insole_studio.app.help_actions import HelpActions
@@ -239,13 +240,16 @@ def run_application(
         user_paths.make_private()
     app = build_application(qt, user_paths, emulate)
     opener = app.features.case_files.opener
-    sys.excepthook = _show_unexpected(app.services.messages)
+    crashes = CrashReports(user_paths.crashes_folder)
+    crashes.begin()
+    sys.excepthook = _show_unexpected(app.services.messages, crashes)
     app.controller.closed.connect(qt.quit)
     app.features.records.show_start()
     app.window.show()
     GarbageCollection(app.window)
     Preload(app.window)
     app.recover()
+    crashes.offer(app.services)
     QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
@@ -258,6 +262,7 @@ def run_application(
     finally:
         sys.excepthook = sys.__excepthook__
         app.close()
+        crashes.end()
 
 
 def qt_application() -> QApplication:
@@ -283,13 +288,14 @@ def _quit_on_signals(qt: QApplication) -> None:
 
 
 def _show_unexpected(
-    messages: UserMessages,
+    messages: UserMessages, crashes: CrashReports
 ) -> Callable[[type[BaseException], BaseException, TracebackType | None], None]:
-    """Return an exception hook that shows uncaught exceptions, those of slots included."""
+    """Return an exception hook that reports uncaught exceptions, those of slots included."""
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         sys.__excepthook__(kind, error, trace)
         if isinstance(error, Exception):
+            crashes.write(error)
             messages.show_error(error)
 
     return hook

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from html import escape
+from importlib.metadata import version
 
 from PySide6.QtCore import QObject, QTimer, QUrl
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
+from shiboken6 import isValid
 
 from insole_core.errors import InputError, InsoleError
+from insole_studio.acquisition.examined_sensors import examine_sensors
+from insole_studio.app.doctor_dialog import DoctorDialog
+from insole_studio.app.licences import Licence, licence_text, licences
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.manual_pages import (
     FIRST_PAGE,
@@ -17,6 +23,7 @@ from insole_studio.app.manual_pages import (
     page_about,
     page_of_module,
 )
+from insole_studio.app.text_dialog import TextDialog
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.app_services import AppServices
@@ -88,12 +95,35 @@ class HelpActions(QObject):
         """List all keyboard shortcuts."""
         KeyHelp(self._keys(), self._window).show()
 
+    def show_doctor(self) -> None:
+        """Examine the computer, and show what may keep the program from working."""
+        dialog = DoctorDialog(self._services, examine_sensors, self._window)
+        dialog.show()
+        dialog.examine()
+
+    def show_licences(self) -> None:
+        """Show the licences of all that the program comes with."""
+        title = tr("Licences")
+        messages = self._services.messages
+        dialog = TextDialog(title, "insole-studio-licences.txt", messages, self._window)
+        dialog.show_html(f"<p>{escape(tr('Reading…'))}</p>", "")
+        dialog.show()
+
+        def show(found: tuple[list[Licence], str]) -> None:
+            if isValid(dialog):
+                text = licence_text(*found)
+                dialog.show_html(f"<pre style='white-space: pre-wrap'>{escape(text)}</pre>", text)
+
+        self._services.run("licences", lambda _progress: licences(), show)
+
     def show_about(self) -> None:
         """Show the about box."""
         QMessageBox.about(
             self._window,
             tr("About Insole Studio"),
-            tr("Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence."),
+            tr("Version {version}").format(version=version("insole-studio"))
+            + "\n\n"
+            + tr("Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence."),
         )
 
     def _end_tour(self) -> None:

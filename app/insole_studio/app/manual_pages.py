@@ -12,6 +12,8 @@ from insole_core.resources import resource_path
 
 FIRST_PAGE = "first-insole"
 PAGE_OF_MODULE = {
+    "app.doctor_dialog": "troubleshooting",
+    "app.text_dialog": "troubleshooting",
     "features.calibrate": "calibration",
     "features.capture": "capture",
     "features.case_files": "design",

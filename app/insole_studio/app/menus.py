@@ -181,7 +181,10 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "retry_record",
         ),
     ),
-    (lambda: tr("&Help"), ("manual", "tour", "keys", SEPARATOR, "about")),
+    (
+        lambda: tr("&Help"),
+        ("manual", "tour", "keys", SEPARATOR, "doctor", SEPARATOR, "licences", "about"),
+    ),
 )
 
 TOOLBAR: tuple[tuple[str, ...], ...] = (

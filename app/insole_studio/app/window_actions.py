@@ -80,6 +80,18 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
         shortcut="Shift+F1",
     ),
     ActionRecord(
+        "doctor",
+        lambda: tr("Examine this computer…"),
+        lambda: tr("Graphics, sensors, disk, settings and record, with advice"),
+        lambda main, _on: main.help.show_doctor(),
+    ),
+    ActionRecord(
+        "licences",
+        lambda: tr("Licences…"),
+        lambda: tr("Of all that the program comes with"),
+        lambda main, _on: main.help.show_licences(),
+    ),
+    ActionRecord(
         "about",
         lambda: tr("About Insole Studio"),
         lambda: tr("Version and licence"),

@@ -63,6 +63,7 @@ def _foot(foot: FoundFoot) -> dict[str, Any]:
         "side": None if foot.told_side is None else foot.told_side.value,
         "doubts": list(map(str, foot.doubts)),
         "candidates": [_candidate(candidate) for candidate in foot.candidates],
+        "warnings": list(map(str, foot.warnings)),
         "notes": list(map(str, foot.notes)),
     }
 
@@ -92,5 +93,5 @@ def _lines(content: dict[str, Any]) -> list[str]:
             for one in foot["candidates"]
         ]
         lines += [f"  In doubt: {doubt}" for doubt in foot["doubts"]]
-        lines += [f"  {note}" for note in foot["notes"]]
+        lines += [f"  {said}" for said in (*foot["warnings"], *foot["notes"])]
     return [*lines, *content["notes"], *content["left_out"]]

@@ -22,12 +22,14 @@ from insole_studio.cli import (
     compare,
     design,
     devices,
+    doctor,
     evaluate,
     import_fakenect,
     inspect_scan,
     measure,
     pressure,
     reconstruct,
+    self_test,
     sensors,
     simulate,
     window,
@@ -54,6 +56,8 @@ COMMANDS: tuple[Command, ...] = (
     compare,
     records,
     simulate,
+    self_test,
+    doctor,
 )
 
 _SIGPIPE = 13  # Windows has no signal of this name

@@ -396,12 +396,20 @@
             <translation>Efter sin plats i lådan är detta {place} fot, efter sin form {told} fot; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>Calibrate the sensors that you capture with: Tools ▸ Calibrate sensors.</source>
+            <translation>Kalibrera de sensorer som du avbildar med: Verktyg ▸ Kalibrera sensorer.</translation>
+        </message>
+        <message>
             <source>Calibrated</source>
             <translation>Kalibrerad</translation>
         </message>
         <message>
             <source>Calibrating without {capture}</source>
             <translation>Kalibrerar utan {capture}</translation>
+        </message>
+        <message>
+            <source>Calibration</source>
+            <translation>Kalibrering</translation>
         </message>
         <message>
             <source>Capture</source>
@@ -478,6 +486,10 @@
         <message>
             <source>Continuing the surface to the edges</source>
             <translation>Fortsätter ytan till kanterna</translation>
+        </message>
+        <message>
+            <source>Copy packaging/linux/70-kinect-v1.rules to /etc/udev/rules.d, or install the package, then unplug the sensors and plug them in again.</source>
+            <translation>Kopiera packaging/linux/70-kinect-v1.rules till /etc/udev/rules.d, eller installera paketet; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>Copying {name}</source>
@@ -578,6 +590,10 @@
         <message>
             <source>Diabetic, full length</source>
             <translation>Diabetes, hel längd</translation>
+        </message>
+        <message>
+            <source>Disk</source>
+            <translation>Disk</translation>
         </message>
         <message>
             <source>Draft and chamfer of the walls are those of the prescription's shell; those of the order are not used.</source>
@@ -768,6 +784,10 @@
             <translation>Plattfot hos barn</translation>
         </message>
         <message>
+            <source>Folders</source>
+            <translation>Mappar</translation>
+        </message>
+        <message>
             <source>Follow-up</source>
             <translation>Uppföljning</translation>
         </message>
@@ -792,6 +812,10 @@
             <translation>Framfotsvridning</translation>
         </message>
         <message>
+            <source>Free some space: a session takes about 100 MB, a backup more.</source>
+            <translation>Frigör utrymme: en session tar ungefär 100 MB, en säkerhetskopia mer.</translation>
+        </message>
+        <message>
             <source>Free-hand pad</source>
             <translation>Frihandspelott</translation>
         </message>
@@ -806,6 +830,10 @@
         <message>
             <source>Give the known length in mm, between two different markers.</source>
             <translation>Ange den kända längden i mm, mellan två olika markörer.</translation>
+        </message>
+        <message>
+            <source>Graphics</source>
+            <translation>Grafik</translation>
         </message>
         <message>
             <source>Greatest height</source>
@@ -892,8 +920,16 @@
             <translation>Inlägget är byggt</translation>
         </message>
         <message>
+            <source>Install the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly.</source>
+            <translation>Installera grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), som ritar långsamt.</translation>
+        </message>
+        <message>
             <source>It has no date of a visit; open it and choose one.</source>
             <translation>Det saknar besöksdatum; öppna det och välj ett.</translation>
+        </message>
+        <message>
+            <source>It is more than a year old: check it, or calibrate the sensor again.</source>
+            <translation>Den är mer än ett år gammal: kontrollera den, eller kalibrera sensorn igen.</translation>
         </message>
         <message>
             <source>It is the same as {name}.</source>
@@ -906,6 +942,14 @@
         <message>
             <source>It names nobody whom the record knows; type the patient's name.</source>
             <translation>Det nämner ingen som finns i journalen; skriv patientens namn.</translation>
+        </message>
+        <message>
+            <source>It shares USB controller {bus} with another sensor, so the two take turns; plug one into a controller of its own to capture with both at once.</source>
+            <translation>Den delar USB-styrenhet {bus} med en annan sensor, så de två turas om; anslut den ena till en egen styrenhet för att avbilda med båda samtidigt.</translation>
+        </message>
+        <message>
+            <source>Its motor does not run, because its audio firmware is not loaded; tilt it by hand.</source>
+            <translation>Dess motor går inte, eftersom ljuddelens fasta program inte är laddat; luta den för hand.</translation>
         </message>
         <message>
             <source>Joining the views</source>
@@ -1188,6 +1232,10 @@
             <translation>Anteckningar</translation>
         </message>
         <message>
+            <source>Nothing can be written there, so neither settings nor work are kept: ask whoever looks after this computer for the right to write.</source>
+            <translation>Ingenting kan skrivas där, så varken inställningar eller arbete sparas: be den som sköter datorn om rätt att skriva.</translation>
+        </message>
+        <message>
             <source>Nothing is known of the material “{material}”: the insole is made at least {least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.</source>
             <translation>Inget är känt om materialet ”{material}”: inlägget görs minst {least_mm:g} mm tjockt, {edge_mm:g} mm vid framkanten; välj ett av {names}.</translation>
         </message>
@@ -1236,6 +1284,10 @@
             <translation>Bara {share:.0%} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
         </message>
         <message>
+            <source>OpenGL {version}, {renderer}</source>
+            <translation>OpenGL {version}, {renderer}</translation>
+        </message>
+        <message>
             <source>Order {number}: {count} files that may name the patient</source>
             <translation>Beställning {number}: {count} filer som kan nämna patienten</translation>
         </message>
@@ -1270,6 +1322,10 @@
         <message>
             <source>Pelott</source>
             <translation>Pelott</translation>
+        </message>
+        <message>
+            <source>Permission for sensors</source>
+            <translation>Behörighet till sensorer</translation>
         </message>
         <message>
             <source>Person</source>
@@ -1332,6 +1388,10 @@
             <translation>ProLab, tibialis posterior; footankle.com, plattfot</translation>
         </message>
         <message>
+            <source>Program</source>
+            <translation>Program</translation>
+        </message>
+        <message>
             <source>Pseudonym</source>
             <translation>Pseudonym</translation>
         </message>
@@ -1378,6 +1438,10 @@
         <message>
             <source>Reason</source>
             <translation>Orsak</translation>
+        </message>
+        <message>
+            <source>Record</source>
+            <translation>Journal</translation>
         </message>
         <message>
             <source>Record of a patient</source>
@@ -1512,6 +1576,10 @@
             <translation>Sesamoidit</translation>
         </message>
         <message>
+            <source>Settings</source>
+            <translation>Inställningar</translation>
+        </message>
+        <message>
             <source>Shaping the foot</source>
             <translation>Formar foten</translation>
         </message>
@@ -1610,6 +1678,10 @@
         <message>
             <source>The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the two, or check the side.</source>
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
+        </message>
+        <message>
+            <source>The 3-D views need OpenGL {version}: renew the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1.</source>
+            <translation>3D-vyerna behöver OpenGL {version}: förnya grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1.</translation>
         </message>
         <message>
             <source>The account {account} ({role}) may not {action}; ask somebody who may: {who}.</source>
@@ -1786,6 +1858,10 @@
         <message>
             <source>The database is damaged ({reason}); restore it from a backup.</source>
             <translation>Databasen är skadad ({reason}); återställ den från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>The database is damaged: restore the newest backup.</source>
+            <translation>Databasen är skadad: återställ den nyaste säkerhetskopian.</translation>
         </message>
         <message>
             <source>The database {file} is missing, but the files of the record beside it are there; restore the record from a backup, or bring the database back to its place.</source>
@@ -2004,6 +2080,10 @@
             <translation>Vänster fot är {left_mm:.0f} mm lång och höger {right_mm:.0f} mm; kontrollera att båda skanningarna är av denna patient, och i samma enhet.</translation>
         </message>
         <message>
+            <source>The leg was cut off {height_mm:.0f} mm over the sole.</source>
+            <translation>Benet skars av {height_mm:.0f} mm över sulan.</translation>
+        </message>
+        <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
             <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
         </message>
@@ -2152,6 +2232,10 @@
             <translation>Ordinationen för {side} fot är inte vad som signerades; jämför med en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>The processor draws, which is slow: install the driver of the graphics card.</source>
+            <translation>Processorn ritar, vilket går långsamt: installera grafikkortets drivrutin.</translation>
+        </message>
+        <message>
             <source>The program that reads the sensors has ended; look for sensors again.</source>
             <translation>Programmet som läser sensorerna har avslutats; sök efter sensorer igen.</translation>
         </message>
@@ -2206,6 +2290,10 @@
         <message>
             <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
+        </message>
+        <message>
+            <source>The scan shows no sole: the foot stood on something that was left out. A plane closes it, so the arch is not known; scan the foot from below as well, or design the arch by hand.</source>
+            <translation>Skanningen visar ingen sula: foten stod på något som utelämnades. Ett plan sluter den, så valvet är inte känt; skanna foten även underifrån, eller forma valvet för hand.</translation>
         </message>
         <message>
             <source>The scan {path} has changed since this case was made; the case keeps the foot as it was, open the scan again if the new one is wanted.</source>
@@ -2330,6 +2418,10 @@
         <message>
             <source>The toes are missing; the foot's length was estimated as {length_mm:.0f} mm from the rest.</source>
             <translation>Tårna saknas; fotens längd uppskattades till {length_mm:.0f} mm av resten.</translation>
+        </message>
+        <message>
+            <source>The toes seem to be missing, so that the foot's length of {length_mm:.0f} mm is a guess; scan the foot with its toes, or see that the length is right.</source>
+            <translation>Tårna tycks saknas, så fotens längd {length_mm:.0f} mm är en uppskattning; skanna foten med tårna, eller kontrollera att längden stämmer.</translation>
         </message>
         <message>
             <source>The transition to the rim is {used_mm:.0f} mm wide {where} instead of {asked_mm:.0f} mm, or the wall would be too steep or bent too sharply; a rim nearer to the foot needs less.</source>
@@ -2664,6 +2756,10 @@
             <translation>Lutar sensorn för vy {view}</translation>
         </message>
         <message>
+            <source>To capture, plug in the USB cable of each sensor and its 12 V supply.</source>
+            <translation>För att avbilda: anslut varje sensors USB-kabel och dess 12 V-matning.</translation>
+        </message>
+        <message>
             <source>Toe line</source>
             <translation>Tålinje</translation>
         </message>
@@ -2810,6 +2906,10 @@
         <message>
             <source>Weight in kg</source>
             <translation>Vikt i kg</translation>
+        </message>
+        <message>
+            <source>What cannot be read gets its default at the next start; the file is kept beside.</source>
+            <translation>Det som inte kan läsas får sitt standardvärde vid nästa start; filen behålls bredvid.</translation>
         </message>
         <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
@@ -3136,6 +3236,10 @@
             <translation>färgkamera</translation>
         </message>
         <message>
+            <source>cannot be examined</source>
+            <translation>kan inte undersökas</translation>
+        </message>
+        <message>
             <source>capture</source>
             <translation>avbildning</translation>
         </message>
@@ -3258,6 +3362,10 @@
         <message>
             <source>cutter</source>
             <translation>fräs</translation>
+        </message>
+        <message>
+            <source>damaged in part</source>
+            <translation>delvis skadade</translation>
         </message>
         <message>
             <source>dancer's pad</source>
@@ -3562,6 +3670,10 @@
         <message>
             <source>given name</source>
             <translation>förnamn</translation>
+        </message>
+        <message>
+            <source>granted to whoever sits at this computer</source>
+            <translation>ges till den som sitter vid datorn</translation>
         </message>
         <message>
             <source>greatest width of the heel at 10 to 22 % of the length</source>
@@ -4368,6 +4480,10 @@
             <translation>nej</translation>
         </message>
         <message>
+            <source>no OpenGL</source>
+            <translation>ingen OpenGL</translation>
+        </message>
+        <message>
             <source>no blue marker with a depth reading is seen; check the light and that the reference system is in the picture</source>
             <translation>ingen blå markör med djupvärde syns; kontrollera ljuset och att referenssystemet är i bild</translation>
         </message>
@@ -4376,12 +4492,36 @@
             <translation>ingen längd mellan två av dess markörer angavs; mät en för hand.</translation>
         </message>
         <message>
+            <source>no sensor is calibrated on this computer</source>
+            <translation>ingen sensor är kalibrerad på den här datorn</translation>
+        </message>
+        <message>
             <source>none</source>
             <translation>–</translation>
         </message>
         <message>
+            <source>none is plugged in</source>
+            <translation>ingen är ansluten</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>ingen ännu</translation>
+        </message>
+        <message>
+            <source>none yet; the defaults hold</source>
+            <translation>inga ännu; standardvärdena gäller</translation>
+        </message>
+        <message>
+            <source>not examined, because there is no screen</source>
+            <translation>inte undersökt, eftersom det inte finns någon skärm</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>inte antecknat</translation>
+        </message>
+        <message>
+            <source>not set up</source>
+            <translation>inte inrättad</translation>
         </message>
         <message>
             <source>notes</source>
@@ -4410,6 +4550,10 @@
         <message>
             <source>of unknown age</source>
             <translation>av okänd ålder</translation>
+        </message>
+        <message>
+            <source>on a server; Clinic ▸ Verify the record examines it</source>
+            <translation>på en server; Klinik ▸ Verifiera journalen undersöker den</translation>
         </message>
         <message>
             <source>one number</source>
@@ -4606,6 +4750,10 @@
         <message>
             <source>read the audit log</source>
             <translation>läsa loggen</translation>
+        </message>
+        <message>
+            <source>readable</source>
+            <translation>läsbara</translation>
         </message>
         <message>
             <source>rearfoot</source>
@@ -5608,6 +5756,10 @@
             <translation>{finding} Ändra designen, eller gå förbi regeln med ett skäl.</translation>
         </message>
         <message>
+            <source>{folder}</source>
+            <translation>{folder}</translation>
+        </message>
+        <message>
             <source>{folder} cannot be read: {reason}; check its name.</source>
             <translation>{folder} kan inte läsas: {reason}; kontrollera namnet.</translation>
         </message>
@@ -5696,6 +5848,10 @@
             <translation>{frame} saknas, men senare bilder finns; återställ den eller numrera om.</translation>
         </message>
         <message>
+            <source>{free:.1f} GB free</source>
+            <translation>{free:.1f} GB ledigt</translation>
+        </message>
+        <message>
             <source>{given} distances are given, but {folder} holds {count} captures; give one distance for each, in the order of their names.</source>
             <translation>{given} avstånd är angivna, men {folder} innehåller {count} tagningar; ange ett avstånd för var och en, i namnens ordning.</translation>
         </message>
@@ -5738,6 +5894,10 @@
         <message>
             <source>{kind} is no kind of a capture; use session or mesh.</source>
             <translation>{kind} är inget slags avbildning; använd session eller mesh.</translation>
+        </message>
+        <message>
+            <source>{kind}; report it if it does not go away.</source>
+            <translation>{kind}; rapportera det om det inte går över.</translation>
         </message>
         <message>
             <source>{least:g} to {most:g}</source>
@@ -6440,6 +6600,18 @@
             <translation>{region} {percent:.0f} %</translation>
         </message>
         <message>
+            <source>{serial}, model {model}, device {release}, USB controller {bus}</source>
+            <translation>{serial}, modell {model}, enhet {release}, USB-styrenhet {bus}</translation>
+        </message>
+        <message>
+            <source>{serial}: nobody has noted when</source>
+            <translation>{serial}: ingen har antecknat när</translation>
+        </message>
+        <message>
+            <source>{serial}: {days:.0f} days old</source>
+            <translation>{serial}: {days:.0f} dagar gammal</translation>
+        </message>
+        <message>
             <source>{serial}: {step} {value:.2f} {unit}</source>
             <translation>{serial}: {step} {value:.2f} {unit}</translation>
         </message>
@@ -6450,6 +6622,10 @@
         <message>
             <source>{share:.0%} of the {pad} lie on the transition to the rim; move it inwards or set a narrower transition.</source>
             <translation>{share:.0%} av {pad} ligger på övergången till randen; flytta den inåt eller ställ in en smalare övergång.</translation>
+        </message>
+        <message>
+            <source>{size:.1f} MB on this computer</source>
+            <translation>{size:.1f} MB på den här datorn</translation>
         </message>
         <message>
             <source>{text} can be {first} or {second}; say whether day or month comes first.</source>

@@ -452,6 +452,10 @@
             <translation>Skickad</translation>
         </message>
         <message>
+            <source>Set up sensors</source>
+            <translation>Ställ in sensorer</translation>
+        </message>
+        <message>
             <source>Shop</source>
             <translation>Verkstad</translation>
         </message>

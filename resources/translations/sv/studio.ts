@@ -612,6 +612,22 @@
             <translation>Slutar vid</translation>
         </message>
         <message>
+            <source>Examine again</source>
+            <translation>Undersök igen</translation>
+        </message>
+        <message>
+            <source>Examine this computer</source>
+            <translation>Undersök datorn</translation>
+        </message>
+        <message>
+            <source>Examine this computer…</source>
+            <translation>Undersök datorn…</translation>
+        </message>
+        <message>
+            <source>Examining…</source>
+            <translation>Undersöker…</translation>
+        </message>
+        <message>
             <source>Expert</source>
             <translation>Expert</translation>
         </message>
@@ -776,6 +792,10 @@
             <translation>Fortsätt arbeta</translation>
         </message>
         <message>
+            <source>Graphics, sensors, disk, settings and record, with advice</source>
+            <translation>Grafik, sensorer, disk, inställningar och journal, med råd</translation>
+        </message>
+        <message>
             <source>Greatest height of the wedge in the heel cup</source>
             <translation>Kilens största höjd i hälskålen</translation>
         </message>
@@ -892,6 +912,10 @@
             <translation>Insole Studio-fall</translation>
         </message>
         <message>
+            <source>Insole Studio met an error of its own last time. A report of it is kept; it holds no patients' data.</source>
+            <translation>Insole Studio råkade ut för ett eget fel förra gången. En rapport om det är sparad; den innehåller inga patientuppgifter.</translation>
+        </message>
+        <message>
             <source>Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence.</source>
             <translation>Insole Studio: från skanning av en fot till dess inlägg. BSD 3-Clause-licens.</translation>
         </message>
@@ -996,6 +1020,14 @@
             <translation>Räta upp sensorn med dess accelerometer</translation>
         </message>
         <message>
+            <source>Licences</source>
+            <translation>Licenser</translation>
+        </message>
+        <message>
+            <source>Licences…</source>
+            <translation>Licenser…</translation>
+        </message>
+        <message>
             <source>Light from the side</source>
             <translation>Släpljus</translation>
         </message>
@@ -1022,6 +1054,10 @@
         <message>
             <source>Look at it without changing its file, or go on with a copy under another name.</source>
             <translation>Titta på det utan att ändra filen, eller fortsätt med en kopia under ett annat namn.</translation>
+        </message>
+        <message>
+            <source>Look at the report</source>
+            <translation>Se rapporten</translation>
         </message>
         <message>
             <source>Look from here, in both views</source>
@@ -1134,6 +1170,10 @@
         <message>
             <source>Nothing is lost: the case stays open, and is not saved yet.</source>
             <translation>Inget har gått förlorat: fallet är fortfarande öppet men inte sparat än.</translation>
+        </message>
+        <message>
+            <source>Of all that the program comes with</source>
+            <translation>För allt som följer med programmet</translation>
         </message>
         <message>
             <source>One after the other</source>
@@ -1352,6 +1392,10 @@
             <translation>Höj, sänk eller jämna ut ytan med penseldrag</translation>
         </message>
         <message>
+            <source>Reading…</source>
+            <translation>Läser…</translation>
+        </message>
+        <message>
             <source>Rearfoot</source>
             <translation>Bakfot</translation>
         </message>
@@ -1440,6 +1484,10 @@
             <translation>Ta bort korrigering</translation>
         </message>
         <message>
+            <source>Remove it</source>
+            <translation>Ta bort den</translation>
+        </message>
+        <message>
             <source>Remove the reference plane</source>
             <translation>Ta bort referensplanet</translation>
         </message>
@@ -1454,6 +1502,10 @@
         <message>
             <source>Replace the file</source>
             <translation>Ersätt filen</translation>
+        </message>
+        <message>
+            <source>Report of an error</source>
+            <translation>Rapport om ett fel</translation>
         </message>
         <message>
             <source>Reverse Morton's extension</source>
@@ -1494,6 +1546,10 @@
         <message>
             <source>Save the prescription without the patient, for other feet</source>
             <translation>Spara ordinationen utan patienten, för andra fötter</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Spara…</translation>
         </message>
         <message>
             <source>Saving here would discard what was changed there.</source>
@@ -1894,6 +1950,10 @@
         <message>
             <source>Version and licence</source>
             <translation>Version och licens</translation>
+        </message>
+        <message>
+            <source>Version {version}</source>
+            <translation>Version {version}</translation>
         </message>
         <message>
             <source>View of sensor {serial}</source>

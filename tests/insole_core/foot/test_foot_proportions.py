@@ -67,8 +67,10 @@ def test_children_and_giants_have_feet(left_mesh: TriangleMesh, factor: float) -
     assert foot.length_mm == pytest.approx(246 * factor, rel=0.02)
 
 
-def test_the_user_may_insist_on_proportions_but_not_on_a_length(left_mesh: TriangleMesh) -> None:
+def test_the_user_may_insist_on_proportions_and_on_a_length(left_mesh: TriangleMesh) -> None:
     capsule = own(make.capsule(180, 35))
     assert place_foot(capsule, Side.LEFT, frame="unknown", force=True).length_mm > 200
+    long = scaled(1.5)(left_mesh)
+    assert place_foot(long, Side.LEFT, frame="unknown", force=True).length_mm > 350
     with pytest.raises(InputError, match="feet are 90 to 350 mm"):
-        place_foot(scaled(2.0)(left_mesh), Side.LEFT, frame="unknown", force=True)
+        place_foot(scaled(2.5)(left_mesh), Side.LEFT, frame="unknown", force=True)

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QPushButton
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, Patient
@@ -82,6 +82,34 @@ def test_the_application_runs_until_its_window_closes(qapp: QApplication, paths:
     assert sys.excepthook is sys.__excepthook__ or sys.excepthook is hook
     assert load_settings(paths.settings_file).window_docks != ""
     sys.excepthook = hook
+
+
+def test_an_unexpected_error_is_reported_without_names_and_told_at_the_next_start(
+    qapp: QApplication, paths: UserPaths
+) -> None:
+    def fail() -> None:
+        raise ValueError("Gustava Berg")
+
+    hook = sys.excepthook
+    QTimer.singleShot(200, qapp, fail)
+    QTimer.singleShot(500, qapp, lambda: close_soon([]))
+    assert run_application([], paths) == 0
+    reports = [path.read_text(encoding="utf-8") for path in paths.crashes_folder.glob("*.txt")]
+    assert len(reports) == 1
+    assert "ValueError" in reports[0]
+    assert "Gustava" not in reports[0]
+
+    offered: list[str] = []
+
+    def look() -> None:
+        for window in QApplication.topLevelWidgets():
+            offered.extend(button.text() for button in window.findChildren(QPushButton))
+        close_soon([])
+
+    QTimer.singleShot(300, qapp, look)
+    assert run_application([], paths) == 0
+    sys.excepthook = hook
+    assert "Look at the report" in offered
 
 
 def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, paths: UserPaths) -> None:

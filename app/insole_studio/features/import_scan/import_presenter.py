@@ -272,7 +272,8 @@ class ImportPresenter(QObject):
         )
         foot = self._foot
         dialog.finding.say("" if foot is None else finding_text(foot, chosen))
-        doubts = [self._found.refusal, *(() if foot is None else foot.doubts)]
+        told = () if foot is None else (*foot.doubts, *foot.warnings)
+        doubts = [self._found.refusal, *told]
         dialog.doubts.say_all([doubt for doubt in doubts if doubt])
         dialog.notes.say_all(self._notes)
         self._show_opening()

@@ -237,6 +237,8 @@ class StartPage(QWidget):
             self._files[key] = self._button(key, text, action)
             row.addWidget(self._files[key])
         row.addStretch(1)
+        row.addWidget(self._button("", tr("Set up sensors"), "calibrate"))
+        row.addWidget(self._button("", tr("Restore from a backup…"), "restore_record"))
         return row
 
     def _button(self, icon_name: str, text: str, action: str) -> QPushButton:

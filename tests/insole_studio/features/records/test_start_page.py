@@ -8,7 +8,7 @@ from datetime import date, timedelta
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.records.person import Person
@@ -181,3 +181,15 @@ def test_the_tour_waits_for_the_first_case(clinic: Application, qtbot: QtBot) ->
     assert clinic.window.page is None
     for tour in clinic.window.findChildren(Tour):
         tour.end()
+
+
+@pytest.mark.parametrize("action", ["open_example", "calibrate", "restore_record"])
+def test_the_first_page_offers_what_a_new_user_needs(clinic: Application, action: str) -> None:
+    page = page_of(clinic)
+    buttons = [b for b in page.findChildren(QPushButton) if b.property("action") == action]
+    (shown,) = [button for button in buttons if button.isVisible()]
+    asked: list[str] = []
+    page.action_requested.disconnect()
+    page.action_requested.connect(asked.append)
+    shown.click()
+    assert asked == [action]

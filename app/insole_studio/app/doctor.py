@@ -1,0 +1,288 @@
+"""What may keep the program from working on this computer, and what to do about it.
+
+The findings name no patient, no case and no file of one; folders of the user begin with ``~``.
+"""
+
+from __future__ import annotations
+
+import locale
+import os
+import platform
+import shutil
+import sqlite3
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib.metadata import version
+from pathlib import Path
+
+from insole_core.errors import InsoleError
+from insole_core.messages import Message, Translate, joined
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_studio.acquisition.examined_sensors import (
+    ExaminedSensor,
+    examine_sensors,
+    has_udev_rule,
+)
+from insole_studio.app.graphics import LEAST_OPENGL, Graphics
+from insole_studio.settings import Settings, load_settings
+from insole_studio.user_paths import UserPaths
+
+LEAST_FREE_GB = 2.0
+OLD_CALIBRATION_DAYS = 365
+RECORD_FILE = "records.sqlite3"
+FindSensors = Callable[[], tuple[ExaminedSensor, ...]]
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """One thing that was examined.
+
+    Parameters
+    ----------
+    topic, state
+        What it is, and how it is.
+    advice
+        One sentence on what to do; empty where nothing is wrong.
+    """
+
+    topic: str
+    state: str
+    advice: str = ""
+
+
+class Doctor:
+    """Examines the computer; `graphics` was asked in the window's thread, the rest in any."""
+
+    def __init__(
+        self,
+        paths: UserPaths,
+        graphics: Graphics | None,
+        find_sensors: FindSensors = examine_sensors,
+    ) -> None:
+        self._paths = paths
+        self._graphics = graphics
+        self._find_sensors = find_sensors
+
+    def examine(self) -> list[Diagnosis]:
+        """Examine everything; what cannot be examined is told, and does not end it."""
+        found: list[Diagnosis] = []
+        for topic, examination in (
+            (Message("Program"), self._program),
+            (Message("Graphics"), self._see_graphics),
+            (Message("Sensors"), self._sensors),
+            (Message("Permission for sensors"), self._permission),
+            (Message("Calibration"), self._calibration),
+            (Message("Folders"), self._folders),
+            (Message("Disk"), self._disk),
+            (Message("Settings"), self._settings),
+            (Message("Record"), self._record),
+        ):
+            try:
+                found += [Diagnosis(topic, state, advice) for state, advice in examination()]
+            except InsoleError as error:
+                found.append(Diagnosis(topic, Message("cannot be examined"), error.message))
+            except (OSError, ValueError, sqlite3.Error) as error:
+                kind = Message("{kind}; report it if it does not go away.", kind=_kind_of(error))
+                found.append(Diagnosis(topic, Message("cannot be examined"), kind))
+        return found
+
+    def _program(self) -> Iterator[tuple[str, str]]:
+        facts = (
+            f"Insole Studio {version('insole-studio')}",
+            platform.platform(),
+            f"Python {platform.python_version()}",
+            ".".join(part for part in locale.getlocale() if part) or "C",
+            "/".join(time.tzname),
+        )
+        yield joined(facts), ""
+
+    def _see_graphics(self) -> Iterator[tuple[str, str]]:
+        graphics = self._graphics
+        if graphics is None:
+            yield Message("not examined, because there is no screen"), ""
+            return
+        if graphics.version is None:
+            advice = Message(
+                "Install the driver of the graphics card, or start with the environment variable "
+                "LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly."
+            )
+            yield Message("no OpenGL"), advice
+            return
+        advice = Message("")
+        state = Message(
+            "OpenGL {version}, {renderer}",
+            version=".".join(map(str, graphics.version)),
+            renderer=graphics.renderer or "?",
+        )
+        if not graphics.is_enough:
+            advice = Message(
+                "The 3-D views need OpenGL {version}: renew the driver of the graphics card, or "
+                "start with the environment variable LIBGL_ALWAYS_SOFTWARE=1.",
+                version=".".join(map(str, LEAST_OPENGL)),
+            )
+        elif graphics.is_software:
+            advice = Message(
+                "The processor draws, which is slow: install the driver of the graphics card."
+            )
+        yield state, advice
+
+    def _sensors(self) -> Iterator[tuple[str, str]]:
+        sensors = self._find_sensors()
+        if not sensors:
+            yield (
+                Message("none is plugged in"),
+                Message("To capture, plug in the USB cable of each sensor and its 12 V supply."),
+            )
+        for sensor in sensors:
+            info = sensor.info
+            state = Message(
+                "{serial}, model {model}, device {release}, USB controller {bus}",
+                serial=info.serial or "?",
+                model=info.model.value if info.model else "?",
+                release=sensor.release or "?",
+                bus=str(info.bus),
+            )
+            yield state, self._advice_on(sensor, sensors)
+
+    def _advice_on(self, sensor: ExaminedSensor, all_: tuple[ExaminedSensor, ...]) -> str:
+        if sensor.info.problem:
+            return sensor.info.problem
+        if sum(other.info.bus == sensor.info.bus for other in all_) > 1:
+            return Message(
+                "It shares USB controller {bus} with another sensor, so the two take turns; plug "
+                "one into a controller of its own to capture with both at once.",
+                bus=str(sensor.info.bus),
+            )
+        if sensor.has_motor_firmware is False:
+            return Message(
+                "Its motor does not run, because its audio firmware is not loaded; tilt it by hand."
+            )
+        return ""
+
+    def _permission(self) -> Iterator[tuple[str, str]]:
+        if has_udev_rule():
+            yield Message("granted to whoever sits at this computer"), ""
+        else:
+            advice = Message(
+                "Copy packaging/linux/70-kinect-v1.rules to /etc/udev/rules.d, or install the "
+                "package, then unplug the sensors and plug them in again."
+            )
+            yield Message("not set up"), advice
+
+    def _calibration(self) -> Iterator[tuple[str, str]]:
+        store = SensorStore(self._paths.sensors_folder)
+        serials = store.serials()
+        if not serials:
+            advice = Message(
+                "Calibrate the sensors that you capture with: Tools ▸ Calibrate sensors."
+            )
+            yield Message("no sensor is calibrated on this computer"), advice
+        for serial in serials:
+            sensor = store.load(serial)
+            assert sensor is not None
+            days = [_age_days(step.made_at) for step in sensor.calibration]
+            if not days:
+                yield Message("{serial}: nobody has noted when", serial=serial), ""
+                continue
+            state = Message("{serial}: {days:.0f} days old", serial=serial, days=float(max(days)))
+            old = max(days) > OLD_CALIBRATION_DAYS
+            advice = Message("It is more than a year old: check it, or calibrate the sensor again.")
+            yield state, advice if old else ""
+
+    def _folders(self) -> Iterator[tuple[str, str]]:
+        for folder in (self._paths.settings_folder, self._paths.data_folder):
+            state = Message("{folder}", folder=shown(folder))
+            if os.access(_existing(folder), os.W_OK | os.X_OK):
+                yield state, ""
+            else:
+                yield (
+                    state,
+                    Message(
+                        "Nothing can be written there, so neither settings nor work are kept: ask "
+                        "whoever looks after this computer for the right to write."
+                    ),
+                )
+
+    def _disk(self) -> Iterator[tuple[str, str]]:
+        free_gb = shutil.disk_usage(_existing(self._paths.data_folder)).free / 1e9
+        advice = Message("Free some space: a session takes about 100 MB, a backup more.")
+        yield Message("{free:.1f} GB free", free=free_gb), advice if free_gb < LEAST_FREE_GB else ""
+
+    def _settings(self) -> Iterator[tuple[str, str]]:
+        """Read a copy, because reading renames a file that is damaged."""
+        path = self._paths.settings_file
+        if not path.exists():
+            yield Message("none yet; the defaults hold"), ""
+            return
+        if self._complaints():
+            advice = Message(
+                "What cannot be read gets its default at the next start; the file is kept beside."
+            )
+            yield Message("damaged in part"), advice
+        else:
+            yield Message("readable"), ""
+
+    def _complaints(self) -> list[Message]:
+        complaints: list[Message] = []
+        self._settings_of_copy(complaints.append)
+        return complaints
+
+    def _settings_of_copy(self, complain: Callable[[Message], None]) -> Settings:
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder) / "settings.json"
+            if self._paths.settings_file.exists():
+                shutil.copyfile(self._paths.settings_file, copy)
+            return load_settings(copy, complain)
+
+    def _record(self) -> Iterator[tuple[str, str]]:
+        if self._settings_of_copy(lambda _sentence: None).record_database:
+            yield Message("on a server; Clinic ▸ Verify the record examines it"), ""
+            return
+        path = self._paths.records_folder / RECORD_FILE
+        if not path.exists():
+            yield Message("none yet"), ""
+            return
+        address = f"{path.absolute().as_uri()}?mode=ro"
+        with closing(sqlite3.connect(address, uri=True)) as connection:
+            told = str(connection.execute("PRAGMA quick_check(1)").fetchone()[0])
+        state = Message("{size:.1f} MB on this computer", size=path.stat().st_size / 1e6)
+        advice = Message("The database is damaged: restore the newest backup.")
+        yield state, "" if told == "ok" else advice
+
+
+def report_lines(found: list[Diagnosis], translate: Translate = str) -> list[str]:
+    """Return the findings as the lines of a report."""
+    lines = []
+    for diagnosis in found:
+        mark = "!" if diagnosis.advice else " "
+        lines.append(f"{mark} {translate(diagnosis.topic)}: {translate(diagnosis.state)}")
+        if diagnosis.advice:
+            lines.append(f"    {translate(diagnosis.advice)}")
+    return lines
+
+
+def shown(path: Path) -> str:
+    """Write a path without the name of the user."""
+    try:
+        return str(Path("~") / path.relative_to(Path.home()))
+    except (ValueError, RuntimeError):  # elsewhere, or a user without a home
+        return str(path)
+
+
+def _existing(folder: Path) -> Path:
+    return next((place for place in (folder, *folder.parents) if place.exists()), folder)
+
+
+def _age_days(made_at: str) -> int:
+    made = datetime.fromisoformat(made_at)
+    made = made if made.tzinfo else made.replace(tzinfo=UTC)
+    return (datetime.now(UTC) - made).days
+
+
+def _kind_of(error: Exception) -> str:
+    """Return what happened without the names of files."""
+    return (error.strerror if isinstance(error, OSError) else None) or type(error).__name__

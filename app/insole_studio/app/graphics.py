@@ -1,0 +1,68 @@
+"""What draws the 3-D views: its name and version, asked without opening a window."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import cast
+
+from PySide6.QtGui import QOffscreenSurface, QOpenGLContext
+
+LEAST_OPENGL = (3, 2)
+"""What VTK draws with."""
+_RENDERER = 0x1F01
+_SOFTWARE = (
+    "llvmpipe", "softpipe", "swrast", "software", "gdi generic", "basic render", "swiftshader",
+)  # fmt: skip
+_NO_PICTURES = ("offscreen", "minimal")
+
+
+@dataclass(frozen=True)
+class Graphics:
+    """The OpenGL of this computer.
+
+    Parameters
+    ----------
+    version
+        Major and minor number; None where there is no OpenGL.
+    """
+
+    version: tuple[int, int] | None
+    renderer: str = ""
+
+    @property
+    def is_software(self) -> bool:
+        """Whether the processor draws, not a graphics card."""
+        return any(word in self.renderer.lower() for word in _SOFTWARE)
+
+    @property
+    def is_enough(self) -> bool:
+        """Whether the 3-D views can be drawn."""
+        return self.version is not None and self.version >= LEAST_OPENGL
+
+
+def examine_graphics(platform: str) -> Graphics | None:
+    """Ask for the OpenGL of this computer, in the thread of the window.
+
+    Parameters
+    ----------
+    platform
+        Name of Qt's platform.
+
+    Returns
+    -------
+    Graphics or None
+        None where Qt draws for no screen, and has no OpenGL to ask.
+    """
+    if platform in _NO_PICTURES:
+        return None
+    surface = QOffscreenSurface()
+    surface.create()
+    context = QOpenGLContext()
+    if not context.create() or not context.makeCurrent(surface):
+        return Graphics(None)
+    try:
+        functions, version = context.functions(), context.format().version()
+        renderer = cast("str | None", functions.glGetString(_RENDERER)) or ""
+        return Graphics((int(version[0]), int(version[1])), renderer)
+    finally:
+        context.doneCurrent()

@@ -1,0 +1,47 @@
+"""``insole-studio doctor``: say what may keep the program from working on this computer."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from typing import TYPE_CHECKING
+
+from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
+
+if TYPE_CHECKING:
+    from insole_studio.app.graphics import Graphics
+
+NAME = "doctor"
+HELP = "examine graphics, sensors, disk, settings and record, and advise on what is wrong"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments."""
+    parser.add_argument(
+        "--report", action=OutputPath, metavar="FILE",
+        help="write the lines to a file as well; no patient's data are in it",
+    )  # fmt: skip
+
+
+def run(arguments: argparse.Namespace, _progress: Progress) -> None:
+    """Print a line for each thing that was examined, and one of advice for each that is wrong."""
+    from insole_core.export.atomic import write_text
+    from insole_studio.app.doctor import Doctor, report_lines
+    from insole_studio.user_paths import UserPaths
+
+    lines = report_lines(Doctor(UserPaths.of_user(), _graphics()).examine())
+    print("\n".join(lines))
+    if arguments.report is not None:
+        write_text("\n".join(lines) + "\n", arguments.report)
+
+
+def _graphics() -> Graphics | None:
+    from insole_studio.app.recorded_session import has_screen
+
+    if not has_screen():
+        os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    from insole_studio.app.bootstrap import qt_application
+    from insole_studio.app.graphics import examine_graphics
+
+    return examine_graphics(qt_application().platformName())
