@@ -29,6 +29,7 @@ REAL = (
 )
 _ANKLE = 0.26  # height and place, shares of the length
 _TRIANGLES = 2000
+_FLOOR_MM, _UNDER_MM, _FACING_DOWN = 2.5, 30.0, -0.7
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +41,7 @@ class KnownFoot:
     variants: dict[str, Variant]
 
 
-def known_feet(simulated: int, folder: Path = SHARED) -> Iterator[KnownFoot]:
+def known_feet(simulated: int, folder: Path = SHARED, first_seed: int = 0) -> Iterator[KnownFoot]:
     """Return real feet, where the folder has them, and simulated ones of chance."""
     for name, side in REAL:
         if (folder / name).exists():
@@ -48,7 +49,7 @@ def known_feet(simulated: int, folder: Path = SHARED) -> Iterator[KnownFoot]:
             foot = place_foot(mesh, side, frame="unknown")
             short = name.startswith("plantar")
             yield KnownFoot(name, foot, SOLE_VARIANTS if short else VARIANTS)
-    for seed in range(simulated):
+    for seed in range(first_seed, first_seed + simulated):
         rng = np.random.default_rng(seed)
         side = list(Side)[seed % 2]
         mesh = build_foot(vary_shape(rng, side), rng, cell_mm=3.0).mesh
@@ -118,6 +119,26 @@ def with_leg(leg_mm: float, pointed_deg: float) -> Variant:
     return variant
 
 
+def stood(variant: Variant, from_above: bool) -> Variant:
+    """Return a variant that stood on a floor, which was left out up to 2.5 mm.
+
+    Parameters
+    ----------
+    from_above
+        Whether nothing that faces down was seen; else the arch was.
+    """
+
+    def standing(foot: Foot) -> TriangleMesh:
+        mesh = variant(foot)
+        height = mesh.vertices[:, 2] - mesh.vertices[:, 2].min()
+        seen = height > _FLOOR_MM
+        if from_above:
+            seen &= (mesh.vertex_normals[:, 2] > _FACING_DOWN) | (height > _UNDER_MM)
+        return mesh.part(seen)
+
+    return standing
+
+
 SOLE_VARIANTS: dict[str, Variant] = {
     "as it is": as_it_is,
     "2000 triangles": decimated,
@@ -131,4 +152,8 @@ VARIANTS: dict[str, Variant] = {
     "leg 150, standing": with_leg(150, 0),
     "leg 300, pointed 30°": with_leg(300, 30),
     "leg 300, pointed 60°": with_leg(300, 60),
+    "floor left out": stood(as_it_is, from_above=False),
+    "no sole": stood(as_it_is, from_above=True),
+    "no sole, leg 300, pointed 30°": stood(with_leg(300, 30), from_above=True),
+    "no sole, leg 300, pointed 60°": stood(with_leg(300, 60), from_above=True),
 }

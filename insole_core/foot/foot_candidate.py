@@ -16,6 +16,8 @@ Point = tuple[float, float, float]
 
 CLEAR = 1.25
 """Least ratio of the dissimilarities from both sides at which the shape determines the side."""
+NO_FOOT = 0.6
+"""Dissimilarity from which on a surface is not a foot."""
 
 
 @dataclass(frozen=True)

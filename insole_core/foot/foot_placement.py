@@ -11,7 +11,7 @@ import numpy as np
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.clicked_pose import clicked_frames
 from insole_core.foot.foot import Foot
-from insole_core.foot.foot_candidate import CLEAR, FootCandidate, FoundFoot, PoseClicks
+from insole_core.foot.foot_candidate import CLEAR, NO_FOOT, FootCandidate, FoundFoot, PoseClicks
 from insole_core.foot.foot_proportions import (
     check_length,
     check_proportions,
@@ -43,11 +43,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
 from insole_core.messages import Message
+from insole_core.scans.facing import INSIDE_OUT
 
 Frame = Literal["reference", "unknown"]
-
-_NO_FOOT = 0.6
-"""Dissimilarity from which on the surface is not a foot."""
 
 _TOE_YAWS_DEG = (4.0, -4.0)
 _MOST_WAYS = 4
@@ -280,7 +278,7 @@ def _foot_poses(
 ) -> list[Pose]:
     """Find the possible poses, the most likely first, which must look like a foot."""
     poses = find_poses(mesh, points, dorsal)
-    if poses[0].side_dissimilarity > _NO_FOOT:
+    if poses[0].side_dissimilarity > NO_FOOT:
         raise InputError(
             "The surface looks like no foot, whichever way it is turned;"
             " check that the file holds a foot or its sole, and nothing else."
@@ -315,7 +313,7 @@ def _with_other_ways(
 ) -> FoundFoot:
     """Add candidates that lie in another way and look nearly as much like a foot."""
     nearest = found.candidates[0]
-    limit = min(CLEAR * nearest.dissimilarity, _NO_FOOT)
+    limit = min(CLEAR * nearest.dissimilarity, NO_FOOT)
     ways = list(found.candidates)
     tried: list[FloatArray] = [way.source2insole for way in ways]
     for pose in poses:
@@ -416,7 +414,7 @@ def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
 def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     """Return the poses of a surface that lies as its frame says, or up to `_HELD_DEG` off."""
     poses = _as_it_lies(points, np.eye(4))
-    if poses[0].side_dissimilarity <= _NO_FOOT:
+    if poses[0].side_dissimilarity <= NO_FOOT:
         return poses
     held = [
         pose
@@ -535,7 +533,7 @@ def _rear_notes(surface: EvenSurface) -> Iterator[str]:
 
 def _surface_notes(scraps: int, inside_out: bool) -> Iterator[str]:
     if inside_out:
-        yield "The surface was inside out and has been turned."
+        yield Message(INSIDE_OUT)
     if scraps:
         what = "piece that floats" if scraps == 1 else "pieces that float"
         yield Message("{count} small {scraps} beside the foot left out.", count=scraps, scraps=what)

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from insole_core.foot.foot_candidate import CLEAR, NO_FOOT
 from insole_core.foot.pose import poses_as_it_lies, surface_points
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 
-_CLEAR = 1.25
-_NO_FOOT = 0.6
 _LEAST_SOLE_MM2 = 5000.0
 _GROUND_FACING = -0.5
 
@@ -37,12 +36,12 @@ def side_doubt(mesh: TriangleMesh, side: Side) -> str:
         min(pose.side_dissimilarity for pose in poses if pose.side is one)
         for one in (side, side.other)
     )
-    if min(asked, other) > _NO_FOOT:
+    if min(asked, other) > NO_FOOT:
         return (
             "What was measured in the volume of interest does not look like a foot; see that a "
             "foot was in place, and that the volume holds nothing else."
         )
-    if asked > _CLEAR * other:
+    if asked > CLEAR * other:
         return Message(
             "The session says that it is a {side} foot, but the shape looks like a "
             '{shape_side} one; ask which foot it is, and correct "side" in manifest.json '

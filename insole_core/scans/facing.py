@@ -6,6 +6,8 @@ import numpy as np
 
 from insole_core.geometry.mesh import TriangleMesh
 
+INSIDE_OUT = "The surface was inside out and has been turned."
+
 
 def faces_outwards(mesh: TriangleMesh) -> bool:
     """Return whether the triangles face outwards on the whole, of an open surface as well.

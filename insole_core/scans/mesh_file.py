@@ -13,7 +13,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.thinning import thinned
 from insole_core.messages import Message
-from insole_core.scans.facing import faces_outwards
+from insole_core.scans.facing import INSIDE_OUT, faces_outwards
 from insole_core.scans.formats import read_raw
 from insole_core.scans.length_unit import checked_length, stated_or_likely_unit
 from insole_core.scans.point_surface import surface_through, without_outliers
@@ -23,8 +23,6 @@ from insole_core.scans.scan_folder import ScanPart, part_content, scan_parts
 from insole_core.scans.spikes import without_spikes
 from insole_core.scans.units import MM_PER_UNIT, UNIT_NAMES, Unit, UnitError
 from insole_core.scans.vertex_merging import merged, without_flat_triangles
-
-INSIDE_OUT = "The surface was inside out and has been turned."
 
 __all__ = ["INSIDE_OUT", "ReadMesh", "Unit", "UnitError", "read_mesh", "read_part"]
 
