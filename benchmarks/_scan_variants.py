@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import permutations, product
@@ -27,8 +28,13 @@ REAL = (
     ("focus_template/template.obj", Side.LEFT),
     ("plantar_scan.obj", Side.RIGHT),
 )
+STOOD = ("foot3d_0044/mesh.obj", "foot3d_0044/colmap_mesh.obj")
+"""Of one left foot, with its leg and without a sole; its pose is known as it is found upright."""
 _ANKLE = 0.26  # height and place, shares of the length
 _TRIANGLES = 2000
+_FLOOR_MM, _SOLE_FACES = 3.0, -0.7
+FIRST_SEED = int(os.environ.get("SEED", "0"))
+"""Of the simulated feet."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +54,12 @@ def known_feet(simulated: int, folder: Path = SHARED) -> Iterator[KnownFoot]:
             foot = place_foot(mesh, side, frame="unknown")
             short = name.startswith("plantar")
             yield KnownFoot(name, foot, SOLE_VARIANTS if short else VARIANTS)
-    for seed in range(simulated):
+    for name in STOOD:
+        if (folder / name).exists():
+            mesh = read_mesh(folder / name).mesh
+            foot = place_foot(mesh, Side.LEFT, frame="unknown")
+            yield KnownFoot(name, foot, {"as it is": as_scanned(mesh)})
+    for seed in range(FIRST_SEED, FIRST_SEED + simulated):
         rng = np.random.default_rng(seed)
         side = list(Side)[seed % 2]
         mesh = build_foot(vary_shape(rng, side), rng, cell_mm=3.0).mesh
@@ -72,6 +83,11 @@ def as_it_is(foot: Foot) -> TriangleMesh:
     return foot.mesh
 
 
+def as_scanned(scan: TriangleMesh) -> Variant:
+    """Return the scan of a foot as it was before the foot was made of it."""
+    return lambda foot: scan.transformed(foot.source2insole)
+
+
 def decimated(foot: Foot) -> TriangleMesh:
     """Reduce a foot to 2000 triangles."""
     import pyvista as pv
@@ -90,6 +106,18 @@ def cut_above(share: float) -> Variant:
 
 def without_toes(foot: Foot) -> TriangleMesh:
     return foot.mesh.part(foot.mesh.vertices[:, 1] < 0.82 * foot.length_mm)
+
+
+def from_above(leg_mm: float, pointed_deg: float) -> Variant:
+    """Return a variant without a sole, as scanned in standing on a floor that was left out."""
+
+    def variant(foot: Foot) -> TriangleMesh:
+        mesh = with_leg(leg_mm, pointed_deg)(foot)
+        z = mesh.vertices[:, 2]
+        sole = (mesh.vertex_normals[:, 2] < _SOLE_FACES) & (z < 0.12 * foot.length_mm)
+        return mesh.part((z > _FLOOR_MM) & ~sole)
+
+    return variant
 
 
 def with_leg(leg_mm: float, pointed_deg: float) -> Variant:
@@ -131,4 +159,6 @@ VARIANTS: dict[str, Variant] = {
     "leg 150, standing": with_leg(150, 0),
     "leg 300, pointed 30°": with_leg(300, 30),
     "leg 300, pointed 60°": with_leg(300, 60),
+    "no sole, leg 150": from_above(150, 0),
+    "no sole, leg 300, pointed 60°": from_above(300, 60),
 }

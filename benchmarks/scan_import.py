@@ -1,10 +1,11 @@
 """Scans as clinics have them: which foot is found, how it lies, and what is asked.
 
-    SCANS=4 TURNS=24 python -m benchmarks scan_import
+    SCANS=4 SEED=0 TURNS=24 python -m benchmarks scan_import
 
 Real feet (where the shared data are) and simulated ones: as they are, reduced to 2000 triangles,
-cut at three heights, without toes, with a long leg in standing and pointed by 30 and 60 degrees;
-each turned 24 ways, in turn in millimetres, centimetres, metres and inches. Asked for: the side
+cut at three heights, without toes, with a long leg in standing and pointed by 30 and 60 degrees,
+without a sole; each turned 24 ways, in turn in millimetres, centimetres, metres, inches, and at no
+scale at all, with the foot's length said. Asked for: the side
 right or doubted in all, the axis within 3 degrees and the length within 1 % of the upright foot,
 no wrong side without a doubt. The two last columns are of the scans that were not doubted.
 """
@@ -19,17 +20,20 @@ from pathlib import Path
 
 from benchmarks._measure import print_table
 from benchmarks._scan_variants import KnownFoot, known_feet, quarter_turns, turned
+from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.export.ply import write_ply
 from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.scans.scale import KnownFootLength
 from insole_core.workflows.import_scan import examine_scan
 
 SIMULATED = int(os.environ.get("SCANS", "4"))
 TURNS = int(os.environ.get("TURNS", "24"))
-MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+NO_UNIT = "none"
+MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4, NO_UNIT: 41.7}
 MOST_DEG, MOST_SHARE = 3.0, 0.01
 
 
@@ -76,8 +80,9 @@ def _found(
 ) -> Result:
     scan = turned(mesh, rotation)
     write_ply(replace(scan, vertices=scan.vertices / MM_PER_UNIT[unit]), path)
+    known_size = KnownFootLength(known.foot.length_mm) if unit == NO_UNIT else None
     try:
-        foot = examine_scan(path).feet[0]
+        foot = examine_scan(path, ImportChoice(known_size=known_size)).feet[0]
     except InsoleError:
         return Result(refused=True)
     return result_of(known, foot, rotation)
