@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import permutations, product
@@ -27,9 +28,13 @@ REAL = (
     ("focus_template/template.obj", Side.LEFT),
     ("plantar_scan.obj", Side.RIGHT),
 )
+STOOD = ("foot3d_0044/mesh.obj", "foot3d_0044/colmap_mesh.obj")
+"""Of one left foot, with its leg and without a sole; its pose is known as it is found upright."""
 _ANKLE = 0.26  # height and place, shares of the length
 _TRIANGLES = 2000
-_FLOOR_MM, _UNDER_MM, _FACING_DOWN = 2.5, 30.0, -0.7
+_FLOOR_MM, _SOLE_FACES = 3.0, -0.7
+FIRST_SEED = int(os.environ.get("SEED", "0"))
+"""Of the simulated feet."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +46,7 @@ class KnownFoot:
     variants: dict[str, Variant]
 
 
-def known_feet(simulated: int, folder: Path = SHARED, first_seed: int = 0) -> Iterator[KnownFoot]:
+def known_feet(simulated: int, folder: Path = SHARED) -> Iterator[KnownFoot]:
     """Return real feet, where the folder has them, and simulated ones of chance."""
     for name, side in REAL:
         if (folder / name).exists():
@@ -49,7 +54,12 @@ def known_feet(simulated: int, folder: Path = SHARED, first_seed: int = 0) -> It
             foot = place_foot(mesh, side, frame="unknown")
             short = name.startswith("plantar")
             yield KnownFoot(name, foot, SOLE_VARIANTS if short else VARIANTS)
-    for seed in range(first_seed, first_seed + simulated):
+    for name in STOOD:
+        if (folder / name).exists():
+            mesh = read_mesh(folder / name).mesh
+            foot = place_foot(mesh, Side.LEFT, frame="unknown")
+            yield KnownFoot(name, foot, {"as it is": as_scanned(mesh)})
+    for seed in range(FIRST_SEED, FIRST_SEED + simulated):
         rng = np.random.default_rng(seed)
         side = list(Side)[seed % 2]
         mesh = build_foot(vary_shape(rng, side), rng, cell_mm=3.0).mesh
@@ -73,6 +83,11 @@ def as_it_is(foot: Foot) -> TriangleMesh:
     return foot.mesh
 
 
+def as_scanned(scan: TriangleMesh) -> Variant:
+    """Return the scan of a foot as it was before the foot was made of it."""
+    return lambda foot: scan.transformed(foot.source2insole)
+
+
 def decimated(foot: Foot) -> TriangleMesh:
     """Reduce a foot to 2000 triangles."""
     import pyvista as pv
@@ -91,6 +106,18 @@ def cut_above(share: float) -> Variant:
 
 def without_toes(foot: Foot) -> TriangleMesh:
     return foot.mesh.part(foot.mesh.vertices[:, 1] < 0.82 * foot.length_mm)
+
+
+def from_above(leg_mm: float, pointed_deg: float) -> Variant:
+    """Return a variant without a sole, as scanned in standing on a floor that was left out."""
+
+    def variant(foot: Foot) -> TriangleMesh:
+        mesh = with_leg(leg_mm, pointed_deg)(foot)
+        z = mesh.vertices[:, 2]
+        sole = (mesh.vertex_normals[:, 2] < _SOLE_FACES) & (z < 0.12 * foot.length_mm)
+        return mesh.part((z > _FLOOR_MM) & ~sole)
+
+    return variant
 
 
 def with_leg(leg_mm: float, pointed_deg: float) -> Variant:
@@ -119,26 +146,6 @@ def with_leg(leg_mm: float, pointed_deg: float) -> Variant:
     return variant
 
 
-def stood(variant: Variant, from_above: bool) -> Variant:
-    """Return a variant that stood on a floor, which was left out up to 2.5 mm.
-
-    Parameters
-    ----------
-    from_above
-        Whether nothing that faces down was seen; else the arch was.
-    """
-
-    def standing(foot: Foot) -> TriangleMesh:
-        mesh = variant(foot)
-        height = mesh.vertices[:, 2] - mesh.vertices[:, 2].min()
-        seen = height > _FLOOR_MM
-        if from_above:
-            seen &= (mesh.vertex_normals[:, 2] > _FACING_DOWN) | (height > _UNDER_MM)
-        return mesh.part(seen)
-
-    return standing
-
-
 SOLE_VARIANTS: dict[str, Variant] = {
     "as it is": as_it_is,
     "2000 triangles": decimated,
@@ -152,8 +159,6 @@ VARIANTS: dict[str, Variant] = {
     "leg 150, standing": with_leg(150, 0),
     "leg 300, pointed 30°": with_leg(300, 30),
     "leg 300, pointed 60°": with_leg(300, 60),
-    "floor left out": stood(as_it_is, from_above=False),
-    "no sole": stood(as_it_is, from_above=True),
-    "no sole, leg 300, pointed 30°": stood(with_leg(300, 30), from_above=True),
-    "no sole, leg 300, pointed 60°": stood(with_leg(300, 60), from_above=True),
+    "no sole, leg 150": from_above(150, 0),
+    "no sole, leg 300, pointed 60°": from_above(300, 60),
 }

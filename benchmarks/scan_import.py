@@ -4,10 +4,10 @@
 
 Real feet (where the shared data are) and simulated ones: as they are, reduced to 2000 triangles,
 cut at three heights, without toes, with a long leg in standing and pointed by 30 and 60 degrees,
-without the floor on which they stood or anything that faced it; each turned 24 ways, in turn in
-millimetres, centimetres, metres, inches, and in no unit with the foot's length told. Asked for: the
-side right or doubted in all, the axis within 3 degrees and the length within 1 % of the upright
-foot, no wrong side without a doubt. The two last columns are of the scans that were not doubted.
+without a sole; each turned 24 ways, in turn in millimetres, centimetres, metres, inches, and at no
+scale at all, with the foot's length said. Asked for: the side
+right or doubted in all, the axis within 3 degrees and the length within 1 % of the upright foot,
+no wrong side without a doubt. The two last columns are of the scans that were not doubted.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ from insole_core.scans.scale import KnownFootLength
 from insole_core.workflows.import_scan import examine_scan
 
 SIMULATED = int(os.environ.get("SCANS", "4"))
-FIRST_SEED = int(os.environ.get("SEED", "0"))
 TURNS = int(os.environ.get("TURNS", "24"))
-MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4, "none": 137.0}
+NO_UNIT = "none"
+MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4, NO_UNIT: 41.7}
 MOST_DEG, MOST_SHARE = 3.0, 0.01
 
 
@@ -58,7 +58,7 @@ def main() -> None:
     turns = list(quarter_turns())[:: max(24 // TURNS, 1)][:TURNS]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scan.ply"
-        for known in known_feet(SIMULATED, first_seed=FIRST_SEED):
+        for known in known_feet(SIMULATED):
             for name, variant in known.variants.items():
                 mesh = variant(known.foot)
                 results = [
@@ -80,10 +80,9 @@ def _found(
 ) -> Result:
     scan = turned(mesh, rotation)
     write_ply(replace(scan, vertices=scan.vertices / MM_PER_UNIT[unit]), path)
-    known_size = KnownFootLength(known.foot.length_mm) if unit == "none" else None
-    choice = ImportChoice(known_size=known_size)
+    known_size = KnownFootLength(known.foot.length_mm) if unit == NO_UNIT else None
     try:
-        foot = examine_scan(path, choice).feet[0]
+        foot = examine_scan(path, ImportChoice(known_size=known_size)).feet[0]
     except InsoleError:
         return Result(refused=True)
     return result_of(known, foot, rotation)
