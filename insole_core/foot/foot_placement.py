@@ -150,9 +150,10 @@ def find_foot(
     poses = sorted((rated_pose(one, points, normals) for one in poses), key=_dissimilarity)
     mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     notes = (_pose_note(pose), *_surface_notes(scraps, inside_out))
-    found = _found(mesh, points, poses, notes, normals)
+    shows_toes = closed is None  # a plane has no pulps
+    found = _found(mesh, points, poses, notes, normals, shows_toes=shows_toes)
     if pose is None:
-        found = _with_other_ways(found, points, normals, poses)
+        found = _with_other_ways(found, points, normals, poses, shows_toes)
     return replace(
         found,
         candidates=tuple(_with_leg(found, one) for one in found.candidates),
@@ -257,19 +258,22 @@ def _found(
     poses: list[Pose],
     notes: tuple[str, ...] = (),
     normals: FloatArray | None = None,
+    *,
+    shows_toes: bool = True,
 ) -> FoundFoot:
     """Level the surface as a foot of either side."""
     even = EvenSurface.of(mesh)
     nearest, other = sorted(
-        (_best(even, points, poses, side, normals) for side in Side),
+        (_best(even, points, poses, side, normals, shows_toes=shows_toes) for side in Side),
         key=lambda one: one.dissimilarity,
     )
-    if normals is not None:
+    if normals is not None and shows_toes:
         nearest = _by_second_toe(even, nearest)
     if other.dissimilarity > CLEAR * nearest.dissimilarity:
         # The directions of ground and toes follow from the shape, whatever the side.
         poses = _as_it_lies(points, nearest.source2insole)
-        other = replace(_best(even, points, poses, other.side), dissimilarity=other.dissimilarity)
+        again = _best(even, points, poses, other.side, shows_toes=shows_toes)
+        other = replace(again, dissimilarity=other.dissimilarity)
     return FoundFoot(mesh, even, (nearest, other), notes=notes)
 
 
@@ -309,7 +313,11 @@ def _dissimilarity(pose: Pose) -> float:
 
 
 def _with_other_ways(
-    found: FoundFoot, points: FloatArray, normals: FloatArray, poses: list[Pose]
+    found: FoundFoot,
+    points: FloatArray,
+    normals: FloatArray,
+    poses: list[Pose],
+    shows_toes: bool,
 ) -> FoundFoot:
     """Add candidates that lie in another way and look nearly as much like a foot."""
     nearest = found.candidates[0]
@@ -322,7 +330,7 @@ def _with_other_ways(
         if _differ(pose.source2rough, tried):
             tried.append(pose.source2rough)
             try:
-                way = _best(found.even, points, [pose], pose.side, normals)
+                way = _best(found.even, points, [pose], pose.side, normals, shows_toes=shows_toes)
             except InputError:  # nothing faces the ground: it cannot lie like this
                 continue
             if way.dissimilarity <= limit:
@@ -430,10 +438,12 @@ def _best(
     poses: list[Pose],
     side: Side,
     normals: FloatArray | None = None,
+    *,
+    shows_toes: bool = True,
 ) -> FootCandidate:
     """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
-    foot = level(surface, side, rough.source2rough, rough.covered)
+    foot = level(surface, side, rough.source2rough, rough.covered, shows_toes=shows_toes)
     levelled = next(
         pose
         for pose in poses_as_it_lies(points, foot.source2insole)

@@ -54,7 +54,12 @@ class LevelFoot:
 
 
 def level(
-    surface: EvenSurface, side: Side, source2rough: FloatArray, covered: float = 1.0
+    surface: EvenSurface,
+    side: Side,
+    source2rough: FloatArray,
+    covered: float = 1.0,
+    *,
+    shows_toes: bool = True,
 ) -> LevelFoot:
     """Find the insole frame of a foot of roughly known pose.
 
@@ -66,6 +71,8 @@ def level(
         To a frame with the toes towards +y and the sole towards -z, accurate to some 15 degrees.
     covered
         Share of the foot's length that the surface covers from the heel on.
+    shows_toes
+        Whether their pulps were seen from below.
 
     Returns
     -------
@@ -77,7 +84,7 @@ def level(
         When nothing faces the ground.
     """
     low = _low_part(surface, source2rough)
-    for with_toe in (True, False):
+    for with_toe in (True, False) if shows_toes else (False,):
         pose, at_rest = _settled(low, side, source2rough, covered, with_toe)
         if at_rest:
             break

@@ -22,7 +22,7 @@ from insole_core.geometry.mesh_graph import pieces
 _OUTLINE_MM, _OUTLINE_ASPECT = (90.0, 350.0), (0.25, 0.6)
 _LEAST_RIM = 30
 """Vertices."""
-_FLAT_MM, _LEAST_FLAT, _FITS = 4.0, 0.7, 4
+_FLAT_MM, _LEAST_FLAT, _FITS = 4.0, 0.6, 4
 """The rest runs over the arch, which is seen from the side."""
 _BELOW_MM, _BELOW_PERCENT = 4.0, 2
 _LEAST_HEIGHT = 0.28
@@ -65,7 +65,9 @@ def closed_sole(mesh: TriangleMesh) -> ClosedSole | None:
         dorsal = _standing(mesh, rim)
         if dorsal is not None:
             foot = _without_floor(mesh, rim, dorsal)
-            return ClosedSole(_closed(foot, dorsal), dorsal)
+            ground = _ground_rim(foot, dorsal)
+            if ground is not None:
+                return ClosedSole(_closed(foot, ground, dorsal), dorsal)
     return None
 
 
@@ -119,10 +121,18 @@ def _without_floor(mesh: TriangleMesh, rim: IntArray, dorsal: FloatArray) -> Tri
     return kept.part(piece == np.bincount(piece, minlength=count).argmax())
 
 
-def _closed(mesh: TriangleMesh, dorsal: FloatArray) -> TriangleMesh:
+def _ground_rim(mesh: TriangleMesh, dorsal: FloatArray) -> IntArray | None:
+    """Return the lowest rim that is as long as a foot: holes between toes may lie lower."""
+    height, flat = mesh.vertices @ dorsal, mesh.vertices @ _across(dorsal).T
+    long = [
+        rim for rim in _rims(mesh) if np.linalg.norm(np.ptp(flat[rim], axis=0)) > _OUTLINE_MM[0]
+    ]
+    return min(long, key=lambda rim: float(np.median(height[rim])), default=None)
+
+
+def _closed(mesh: TriangleMesh, rim: IntArray, dorsal: FloatArray) -> TriangleMesh:
     """Close the rim on the ground by a plane through what is lowest of it."""
     height = mesh.vertices @ dorsal
-    rim = min(_rims(mesh), key=lambda one: float(np.median(height[one])))
     across = _across(dorsal)
     flat = mesh.vertices @ across.T
     ends = mesh.links.ends

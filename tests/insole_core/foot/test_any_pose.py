@@ -17,6 +17,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
 from insole_core.scans.mesh_file import read_mesh
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import vary_shape
 
 
 def thrown(mesh: TriangleMesh, seed: int) -> tuple[TriangleMesh, np.ndarray]:
@@ -101,10 +103,23 @@ def test_a_foot_that_stood_has_its_sole_closed(
     assert "shows no sole" in " ".join(found.warnings)
     assert likely.length_mm == pytest.approx(left_foot.length_mm, rel=0.015)
     assert rotation_angle_deg((likely.source2insole @ a2b)[:3, :3]) < 3
+    assert not likely.second_toe_found  # no toe is seen in a plane
     foot = placed_foot(found, likely)
     sole = foot.mesh.vertices[foot.mesh.vertex_normals[:, 2] < -0.9]
     assert np.ptp(sole[:, 1]) > 0.8 * foot.length_mm
     assert np.percentile(sole[:, 2], 90) < 3
+
+
+def test_a_hole_between_the_toes_is_not_taken_for_the_sole() -> None:
+    rng = np.random.default_rng(43)
+    mesh = build_foot(vary_shape(rng, Side.RIGHT), rng, cell_mm=3.0).mesh
+    foot = place_foot(mesh, Side.RIGHT, frame="reference")
+    height = foot.mesh.vertices[:, 2]
+    faces_down = foot.mesh.vertex_normals[:, 2] < -0.7
+    stood = foot.mesh.part((height > 2.5) & ~(faces_down & (height < 30)))
+    found = find_foot(stood)
+    assert (found.told_side, len(found.warnings)) == (Side.RIGHT, 1)
+    assert found.candidates[0].length_mm == pytest.approx(foot.length_mm, rel=0.01)
 
 
 @pytest.mark.shared
