@@ -48,6 +48,7 @@ def freeze() -> str:
         str(product.PACKAGING / "insole-studio.spec"),
     ]  # fmt: skip
     subprocess.run(call, check=True, env=environment)
+    shrink.reduce_pictures(_resources() / "manual")
     if sys.platform.startswith("linux"):
         for library in product.FROZEN.rglob("libicudata.so.*"):
             if not library.is_symlink():
@@ -60,6 +61,10 @@ def freeze() -> str:
     if size > MOST_MEBIBYTES:
         raise UnfitError(f"the program takes {size:.0f} MiB; {MOST_MEBIBYTES} are allowed")
     return version
+
+
+def _resources() -> Path:
+    return next(product.FROZEN.rglob("insole_core/_resources"))
 
 
 def _write_metadata(version: str) -> None:

@@ -54,6 +54,9 @@ UNUSED = (
     "pillow.libs/libfreetype*",
     "pillow.libs/libharfbuzz*",
     "pillow.libs/liblcms*",
+    # families of icons that are not used
+    "qtawesome/fonts/[!m]*",
+    "qtawesome/fonts/materialdesignicons5*",
     # fonts of PostScript, which the product does not write
     "matplotlib/mpl-data/fonts/afm/*",
     "matplotlib/mpl-data/fonts/pdfcorefonts/*",

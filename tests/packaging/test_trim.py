@@ -17,6 +17,7 @@ from bundle.trim import is_needed, trimmed
         "insole_core/_resources/translations/sv/design.qm",
         "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf",
         "cvista/libvtkRendering-cvista.so",
+        "qtawesome/fonts/materialdesignicons6-webfont-6.9.96.ttf",
         "libusb_package/libusb-1.0.so",
     ],
 )
@@ -32,6 +33,7 @@ def test_what_the_program_needs_stays(place):
         "PySide6/Qt/translations/qtbase_de.qm",
         "PySide6/translations/qt_help_sv.qm",
         "scipy/io/tests/data/test.mat",
+        "qtawesome/fonts/phosphor-1.3.0.ttf",
     ],
 )
 def test_what_it_does_not_need_goes(place):

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cache
+from pathlib import Path
+
 import qtawesome
 from PySide6.QtGui import QGuiApplication, QIcon, QPalette
+from qtawesome.iconic_font import IconicFont
 
 _NAMES = {
     "open": "mdi6.folder-open-outline",
@@ -61,7 +65,7 @@ def icon(name: str) -> QIcon:
     plain, on = palette.color(role.ButtonText), palette.color(role.HighlightedText)
     disabled = palette.color(group.Disabled, role.ButtonText)
     # The colours are passed each time: qtawesome caches icons by their arguments.
-    found: QIcon = qtawesome.icon(
+    found: QIcon = _letters().icon(
         _NAMES[name],
         color=plain,
         color_active=plain,
@@ -71,3 +75,12 @@ def icon(name: str) -> QIcon:
         color_on_disabled=disabled,
     )
     return found
+
+
+@cache
+def _letters() -> IconicFont:
+    """Return the only one of qtawesome's fonts that is used; it would read all of them."""
+    folder = Path(qtawesome.__file__).parent / "fonts"
+    (font,) = folder.glob("materialdesignicons6-*.ttf")
+    (names,) = folder.glob("materialdesignicons6-*.json")
+    return IconicFont(("mdi6", font.name, names.name, str(folder)))
