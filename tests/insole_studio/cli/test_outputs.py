@@ -220,8 +220,8 @@ def test_a_command_killed_between_two_renames_is_settled_by_the_next(
 def test_nohup_is_heeded(tmp_path: Path) -> None:
     code = (
         "import os, signal\n"
-        "from insole_studio.cli.stopping import stop_on_signals\n"
-        "stop_on_signals()\n"
+        "from insole_studio.cli.stopping import StopRequest\n"
+        "StopRequest().heed_signals()\n"
         "os.kill(os.getpid(), signal.SIGHUP)\n"
     )
     call = ["nohup", sys.executable, "-c", code]

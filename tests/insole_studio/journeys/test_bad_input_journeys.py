@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from asked_scan import asked_scan, insist_on
 from pointing import drag, pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -228,7 +229,7 @@ def part(mesh: TriangleMesh, first_mm: float, last_mm: float) -> TriangleMesh:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("first_mm", "last_mm", "sentence"),
-    [(-50.0, 185.0, "The toes are missing"), (50.0, 400.0, "The heel is missing")],
+    [(-50.0, 185.0, "The toes seem to be missing"), (50.0, 400.0, "The heel is missing")],
 )
 def test_a_scan_without_toes_or_heel_is_opened_and_said(
     app: Application,
@@ -243,8 +244,12 @@ def test_a_scan_without_toes_or_heel_is_opened_and_said(
     write_ply(part(real_foot, first_mm, last_mm), path)
     app.features.case_files.opener.open_path(path, Side.RIGHT)
     settle()
-    notices = [n.text for n in app.services.notices.notices]
-    assert any(sentence in text for text in notices)
+    told = [n.text for n in app.services.notices.notices]
+    dialog = asked_scan(app)
+    if dialog is not None:  # the length of a foot without toes is a guess
+        told.append(dialog.doubts.text())
+        insist_on(app, settle, Side.RIGHT)
+    assert any(sentence in text for text in told)
     assert app.services.messages.dialogs == []
     assert app.stage.preview.mesh is not None
     act(app, "add_posting")
