@@ -23,7 +23,7 @@ _BALL_SHARES, _HEEL_SHARES = (0.60, 0.75), (0.08, 0.20)
 _BALL_TO_LENGTH, _USUAL_BALL_TO_LENGTH = (0.26, 0.52), (0.31, 0.47)
 _HEEL_TO_BALL, _USUAL_HEEL_TO_BALL = (0.40, 0.88), (0.52, 0.84)
 _MIDFOOT_SHARES, _MOST_MIDFOOT_TO_BALL = (0.40, 0.50), 1.0
-_USUAL_LENGTH_MM = (110.0, 320.0)
+USUAL_LENGTH_MM = (110.0, 320.0)
 """EU 17 to 49."""
 _BORDERS = (0.5, 99.5)
 _LEAST_HEIGHT_TO_LENGTH = 0.07
@@ -131,7 +131,7 @@ def check_proportions(sizes: Proportions) -> None:
 def proportion_doubts(sizes: Proportions) -> Iterator[Message]:
     """Say what about a placed surface is unusual for a foot, a sentence each."""
     length_mm = sizes.length_mm
-    if not _within(length_mm, _USUAL_LENGTH_MM):
+    if not _within(length_mm, USUAL_LENGTH_MM):
         yield Message(
             "The foot would be {length_mm:.0f} mm long, which few feet are; check the unit.",
             length_mm=length_mm,

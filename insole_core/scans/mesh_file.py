@@ -59,6 +59,8 @@ class ReadMesh:
         Where it was read from.
     second
         The other scan of a folder or archive with both feet.
+    is_unit_concluded
+        Whether only the size tells the unit: neither the file nor the user has.
     """
 
     mesh: TriangleMesh
@@ -69,6 +71,7 @@ class ReadMesh:
     was_turned: bool = False
     part: ScanPart | None = None
     second: ReadMesh | None = None
+    is_unit_concluded: bool = False
 
     def scaled(self, factor: float) -> ReadMesh:
         """Correct the scale of a scan whose foot has been found and is of a known length."""
@@ -128,6 +131,7 @@ def read_part(
     else:
         raw = _without_outliers(raw)
         surface, pitch = TriangleMesh(raw.vertices, raw.triangles, raw.colors), 0.0
+    is_said = known_size is not None or unit is not None
     unit, mm_per_unit = _scale(surface, raw, unit, known_size, path)
     spikes = 0
     if count:
@@ -146,7 +150,14 @@ def read_part(
         mesh = mesh.flipped()
         corrections.append(Message(INSIDE_OUT))
     return ReadMesh(
-        mesh, unit, mm_per_unit, scale_note, tuple(corrections), was_turned=was_turned, part=part
+        mesh,
+        unit,
+        mm_per_unit,
+        scale_note,
+        tuple(corrections),
+        was_turned=was_turned,
+        part=part,
+        is_unit_concluded=not is_said and raw.unit != unit,
     )
 
 

@@ -2336,6 +2336,10 @@
             <translation>Avtryckets form skiljer inte vänster från höger; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>The size does not tell the unit: the foot is {length_mm:.0f} mm long in {unit}, and about {other_mm:.0f} mm in {other_unit}; say in which unit the file is.</source>
+            <translation>Storleken visar inte enheten: foten är {length_mm:.0f} mm lång i {unit} och omkring {other_mm:.0f} mm i {other_unit}; ange filens enhet.</translation>
+        </message>
+        <message>
             <source>The solid is closed.</source>
             <translation>Kroppen är sluten.</translation>
         </message>

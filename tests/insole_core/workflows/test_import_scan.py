@@ -32,6 +32,16 @@ def test_a_foot_has_a_candidate_of_either_side(scan: Path) -> None:
     assert found.candidates[0].length_mm == pytest.approx(245, abs=2)
 
 
+def test_a_size_of_feet_in_two_units_is_asked(left_mesh: TriangleMesh, tmp_path: Path) -> None:
+    path = tmp_path / "foot.ply"
+    inches = left_mesh.vertices * 290 / 245 / 25.4
+    write_ply(left_mesh.moved(inches), path)
+    (found,) = examine_scan(path).feet
+    assert "mm long in inches, and about 114 mm in centimetres" in " ".join(found.doubts)
+    (told,) = examine_scan(path, ImportChoice(unit="inch")).feet
+    assert told.doubts == ()
+
+
 def test_the_other_side_is_taken_by_force_only(scan: Path) -> None:
     examination = examine_scan(scan)
     (found,) = examination.feet
