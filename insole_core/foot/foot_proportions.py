@@ -81,7 +81,7 @@ def check_length(length_mm: float, *, force: bool = False) -> None:
     InputError
         With the numbers.
     """
-    if not _within(length_mm, _FORCED_LENGTH_MM if force else LENGTH_MM):
+    if not is_within(length_mm, _FORCED_LENGTH_MM if force else LENGTH_MM):
         raise InputError(
             "The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to "
             "{most_mm:g} mm long; check its unit, and that it is a whole foot.",
@@ -101,7 +101,7 @@ def check_proportions(sizes: Proportions) -> None:
     """
     length_mm = sizes.length_mm
     ball, heel = sizes.ball_mm / length_mm, sizes.heel_mm / max(sizes.ball_mm, 1e-9)
-    if not (_within(ball, _BALL_TO_LENGTH) and _within(heel, _HEEL_TO_BALL)):
+    if not (is_within(ball, _BALL_TO_LENGTH) and is_within(heel, _HEEL_TO_BALL)):
         raise ProportionsError(
             "The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm "
             "wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole "
@@ -131,14 +131,14 @@ def check_proportions(sizes: Proportions) -> None:
 def proportion_doubts(sizes: Proportions) -> Iterator[Message]:
     """Say what about a placed surface is unusual for a foot, a sentence each."""
     length_mm = sizes.length_mm
-    if not _within(length_mm, USUAL_LENGTH_MM):
+    if not is_within(length_mm, USUAL_LENGTH_MM):
         yield Message(
             "The foot would be {length_mm:.0f} mm long, which few feet are; check the unit.",
             length_mm=length_mm,
         )
     ball, heel = sizes.ball_mm / length_mm, sizes.heel_mm / max(sizes.ball_mm, 1e-9)
     narrow_waist = sizes.midfoot_mm <= _MOST_MIDFOOT_TO_BALL * sizes.ball_mm
-    usual = _within(ball, _USUAL_BALL_TO_LENGTH) and _within(heel, _USUAL_HEEL_TO_BALL)
+    usual = is_within(ball, _USUAL_BALL_TO_LENGTH) and is_within(heel, _USUAL_HEEL_TO_BALL)
     if not (usual and narrow_waist):
         yield Message(
             "The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm "
@@ -151,7 +151,8 @@ def proportion_doubts(sizes: Proportions) -> Iterator[Message]:
         )
 
 
-def _within(value: float, limits: tuple[float, float]) -> bool:
+def is_within(value: float, limits: tuple[float, float]) -> bool:
+    """Return whether a value lies between two limits, or on one of them."""
     return limits[0] <= value <= limits[1]
 
 

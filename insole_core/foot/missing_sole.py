@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 import scipy
 
+from insole_core.foot.foot_proportions import is_within
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
@@ -95,7 +96,7 @@ def _standing(mesh: TriangleMesh, rim: IntArray) -> FloatArray | None:
         off = np.abs((points - centre) @ normal)
         flat = off <= max(_FLAT_MM, float(np.quantile(off, _LEAST_FLAT)))
     length, width = np.ptp((points - centre) @ along), np.ptp((points - centre) @ across)
-    is_outline = _within(length, _OUTLINE_MM) and _within(width / length, _OUTLINE_ASPECT)
+    is_outline = is_within(length, _OUTLINE_MM) and is_within(width / length, _OUTLINE_ASPECT)
     if not is_outline or np.quantile(off, _LEAST_FLAT) > _FLAT_MM:
         return None
     height = (mesh.vertices - centre) @ normal
@@ -219,7 +220,3 @@ def _enclosed(edges: FloatArray) -> float:
     """Return the signed area that the edges (n, 2, 2) of a closed line enclose."""
     (x, y), (u, v) = (np.moveaxis(edges[:, k], -1, 0) for k in (0, 1))
     return float((x * v - y * u).sum() / 2)
-
-
-def _within(value: float, limits: tuple[float, float]) -> bool:
-    return limits[0] <= value <= limits[1]

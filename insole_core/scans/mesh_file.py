@@ -24,7 +24,7 @@ from insole_core.scans.spikes import without_spikes
 from insole_core.scans.units import MM_PER_UNIT, UNIT_NAMES, Unit, UnitError
 from insole_core.scans.vertex_merging import merged, without_flat_triangles
 
-__all__ = ["INSIDE_OUT", "ReadMesh", "Unit", "UnitError", "read_mesh", "read_part"]
+__all__ = ["ReadMesh", "Unit", "UnitError", "read_mesh", "read_part"]
 
 _MOST_AREA_MM2 = 3e6  # ten times a foot with its lower leg
 _LEAST_DEPTH_MM = 4.0  # anything flatter has no shape to design on
