@@ -183,7 +183,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Help"),
-        ("manual", "tour", "keys", SEPARATOR, "doctor", SEPARATOR, "licences", "about"),
+        ("manual", "tour", "keys", "news", SEPARATOR, "doctor", SEPARATOR, "licences", "about"),
     ),
 )
 
