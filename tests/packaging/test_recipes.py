@@ -75,7 +75,7 @@ def test_all_open_the_same_case_files(installer, menu_entry, application):
 
 
 def test_linux_and_windows_give_access_to_the_same_sensors():
-    rules = (LINUX / "70-kinect-v1.rules").read_text(encoding="utf-8")
+    rules = product.UDEV_RULE.read_text(encoding="utf-8")
     driver = (WINDOWS / "kinect-v1.inf").read_text(encoding="utf-8")
     instructions = (WINDOWS / "DRIVER.txt").read_text(encoding="utf-8").lower()
     allowed = set(re.findall(r'ATTR{idProduct}=="(\w{4})", MODE', rules))

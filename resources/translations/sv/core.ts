@@ -488,10 +488,6 @@
             <translation>Fortsätter ytan till kanterna</translation>
         </message>
         <message>
-            <source>Copy packaging/linux/70-kinect-v1.rules to /etc/udev/rules.d, or install the package, then unplug the sensors and plug them in again.</source>
-            <translation>Kopiera packaging/linux/70-kinect-v1.rules till /etc/udev/rules.d, eller installera paketet; dra sedan ut sensorerna och anslut dem igen.</translation>
-        </message>
-        <message>
             <source>Copying {name}</source>
             <translation>{name} kopieras</translation>
         </message>
@@ -850,6 +846,10 @@
         <message>
             <source>Hallux rigidus</source>
             <translation>Hallux rigidus</translation>
+        </message>
+        <message>
+            <source>Have an administrator copy {rule} to /etc/udev/rules.d, then unplug the sensors and plug them in again.</source>
+            <translation>Låt en administratör kopiera {rule} till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>Heel and ball of this foot lie in an impossible order, so no form of the library can be laid on it; choose a base from the foot, or scan again.</source>
