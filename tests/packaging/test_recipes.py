@@ -112,7 +112,7 @@ def test_every_resource_goes_into_the_bundle():
     resources = [
         path
         for path in (product.ROOT / "resources").rglob("*")
-        if path.is_file() and path.suffix not in {".py", ".pyc", ".ts"}
+        if path.is_file() and path.suffix not in {".py", ".pyc", ".ts", ".map"}
     ]
     assert len(resources) > 30
     for path in resources:
