@@ -183,7 +183,19 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Help"),
-        ("manual", "tour", "keys", SEPARATOR, "doctor", SEPARATOR, "licences", "about"),
+        (
+            "manual",
+            "tour",
+            "keys",
+            SEPARATOR,
+            "sample_patient",
+            "remove_sample",
+            SEPARATOR,
+            "doctor",
+            SEPARATOR,
+            "licences",
+            "about",
+        ),
     ),
 )
 
