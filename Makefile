@@ -10,7 +10,7 @@ READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system
 
 SITE   := resources/manual
-PAGES  := $(wildcard docs/*.py docs/manual/*.md docs/manual/*/* docs/formats/*)
+PAGES  := $(wildcard docs/*.py docs/manual/*.md docs/manual/*/* docs/formats/*) CHANGELOG.md
 
 .PHONY: demo test test-fast lint manual bench package clean
 .DEFAULT_GOAL := demo

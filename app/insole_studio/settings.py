@@ -46,6 +46,7 @@ class Settings:
     language: Language = "system"
     touch: bool = False
     tour_seen: bool = False
+    version_used: str = ""
     author: str = ""
     clinic: str = ""
     maker: str = ""

@@ -10,10 +10,12 @@ from pathlib import Path
 from types import TracebackType
 
 from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
 from insole_core.geometry.side import Side
 from insole_core.messages import Message, joined
+from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.actions import ACTIONS
@@ -250,6 +252,7 @@ def run_application(
     Preload(app.window)
     app.recover()
     crashes.offer(app.services)
+    app.main.help.offer_news()
     QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
@@ -274,6 +277,8 @@ def qt_application() -> QApplication:
     application = QApplication(sys.argv[:1])
     application.setApplicationName("Insole Studio")
     application.setApplicationDisplayName("Insole Studio")
+    application.setDesktopFileName("insole-studio")
+    application.setWindowIcon(QIcon(str(resource_path("icons/insole-studio.svg"))))
     return application
 
 

@@ -18,6 +18,7 @@ from insole_studio.app.licences import Licence, licence_text, licences
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.manual_pages import (
     FIRST_PAGE,
+    NEWS_PAGE,
     PAGE_OF_TOOL,
     manual_page,
     page_about,
@@ -73,6 +74,23 @@ class HelpActions(QObject):
             raise InputError(
                 "No browser could be opened; open {path} in one to read the manual.", path=path
             )
+
+    def show_news(self) -> None:
+        """Open the page on what is new."""
+        try:
+            self._open_page(NEWS_PAGE)
+        except InsoleError as error:
+            self._services.messages.show_error(error)
+
+    def offer_news(self) -> None:
+        """Offer the page on what is new, once after each update."""
+        settings, running = self._services.settings, version("insole-studio")
+        if settings.version_used not in {"", running}:
+            text = tr("Insole Studio was updated to version {version}.").format(version=running)
+            self._services.notices.put(
+                NEWS_PAGE, text, (tr("What is new"), self.show_news), stays=True
+            )
+        settings.version_used = running
 
     def begin_tour_with_first_case(self) -> None:
         """Start the tour when the first case is opened, unless it was seen before."""

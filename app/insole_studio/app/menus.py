@@ -187,6 +187,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "manual",
             "tour",
             "keys",
+            "news",
             SEPARATOR,
             "sample_patient",
             "remove_sample",

@@ -80,6 +80,12 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
         shortcut="Shift+F1",
     ),
     ActionRecord(
+        "news",
+        lambda: tr("What is new"),
+        lambda: tr("The page of the manual about what this version can do"),
+        lambda main, _on: main.help.show_news(),
+    ),
+    ActionRecord(
         "doctor",
         lambda: tr("Examine this computer…"),
         lambda: tr("Graphics, sensors, disk, settings and record, with advice"),

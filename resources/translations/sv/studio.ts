@@ -916,6 +916,10 @@
             <translation>Insole Studio råkade ut för ett eget fel förra gången. En rapport om det är sparad; den innehåller inga patientuppgifter.</translation>
         </message>
         <message>
+            <source>Insole Studio was updated to version {version}.</source>
+            <translation>Insole Studio har uppdaterats till version {version}.</translation>
+        </message>
+        <message>
             <source>Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence.</source>
             <translation>Insole Studio: från skanning av en fot till dess inlägg. BSD 3-Clause-licens.</translation>
         </message>
@@ -1800,6 +1804,10 @@
             <translation>Designens siffror visas här.</translation>
         </message>
         <message>
+            <source>The page of the manual about what this version can do</source>
+            <translation>Manualens sida om vad den här versionen kan</translation>
+        </message>
+        <message>
             <source>The path</source>
             <translation>Vägen</translation>
         </message>
@@ -1966,6 +1974,10 @@
         <message>
             <source>Weight-bearing</source>
             <translation>Belastad</translation>
+        </message>
+        <message>
+            <source>What is new</source>
+            <translation>Nyheter</translation>
         </message>
         <message>
             <source>What is selected, in mm and degrees: type, scroll, or use the arrow keys.</source>
