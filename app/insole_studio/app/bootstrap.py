@@ -256,6 +256,7 @@ def run_application(
     QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
+    app.features.records.sample.add_at_first_start()
     app.main.help.begin_tour_with_first_case()
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
