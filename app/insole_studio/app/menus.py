@@ -183,7 +183,20 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Help"),
-        ("manual", "tour", "keys", "news", SEPARATOR, "doctor", SEPARATOR, "licences", "about"),
+        (
+            "manual",
+            "tour",
+            "keys",
+            "news",
+            SEPARATOR,
+            "sample_patient",
+            "remove_sample",
+            SEPARATOR,
+            "doctor",
+            SEPARATOR,
+            "licences",
+            "about",
+        ),
     ),
 )
 

@@ -2288,6 +2288,14 @@
             <translation>Samma person står på rad {line}.</translation>
         </message>
         <message>
+            <source>The sample patient cannot be merged with anybody; remove it.</source>
+            <translation>Provpatienten kan inte slås ihop med någon; ta bort den.</translation>
+        </message>
+        <message>
+            <source>The sample patient keeps its name and pseudonym, so that nobody takes it for a real patient.</source>
+            <translation>Provpatienten behåller sitt namn och sin pseudonym, så att ingen tar den för en verklig patient.</translation>
+        </message>
+        <message>
             <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
