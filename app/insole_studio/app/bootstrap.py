@@ -145,7 +145,6 @@ def build_application(
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
-    events = ApplicationEvents(application)  # before any label could be polished without it
     case, jobs = Case(), Jobs()
     # Once all that listens has let go of the case before.
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
@@ -175,9 +174,8 @@ def build_application(
     main = WindowFeature(
         window,
         Appearance(services, window, stage),
-        HelpActions(services, window, stage, key_sections),
+        HelpActions(services, window, features, key_sections),
     )
-    events.help_requested.connect(main.help.show_manual_about)
     controller = MainController(services, features, main, autosave)
     if not _show_settings(main, settings, dark):
         complaints.append(
@@ -186,6 +184,8 @@ def build_application(
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
     maintenance = RecordMaintenance(clinic, window)
+    events = ApplicationEvents(application)  # last: making a window sends thousands of events
+    events.help_requested.connect(main.help.show_manual_about)
     return Application(
         services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )
@@ -257,7 +257,7 @@ def run_application(
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
     app.features.records.sample.add_at_first_start()
-    app.main.help.begin_tour_with_first_case()
+    app.main.help.offer_tour()
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
     _quit_on_signals(qt)

@@ -69,8 +69,9 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
     ActionRecord(
         "tour",
         lambda: tr("Take the tour"),
-        lambda: tr("The window in five steps"),
+        lambda: tr("From a scan to the written file, on the example; again, to reach its bubble"),
         lambda main, _on: main.help.begin_tour(),
+        shortcut="Ctrl+F1",
     ),
     ActionRecord(
         "keys",

@@ -64,8 +64,16 @@
             <translation>&gt; 0 höjer bakfotens mediala kant (varus), &lt; 0 den laterala</translation>
         </message>
         <message>
+            <source>A pelott</source>
+            <translation>En pelott</translation>
+        </message>
+        <message>
             <source>A plane to look at the foot against</source>
             <translation>Ett plan att betrakta foten mot</translation>
+        </message>
+        <message>
+            <source>A scan</source>
+            <translation>En skanning</translation>
         </message>
         <message>
             <source>A wedge in the heel cup, medial or lateral</source>
@@ -114,6 +122,10 @@
         <message>
             <source>Allowance on both sides of the ball</source>
             <translation>Tillägg på trampdynans båda sidor</translation>
+        </message>
+        <message>
+            <source>An insole begins with a scan: captured with the sensors, or imported from any scanner. Click on “Open the example”, whose scan is done.</source>
+            <translation>Ett inlägg börjar med en skanning: avbildad med sensorerna eller importerad från vilken skanner som helst. Klicka på ”Öppna exemplet”, vars skanning är gjord.</translation>
         </message>
         <message>
             <source>Angle</source>
@@ -292,6 +304,10 @@
             <translation>Välj snittverktyget och klicka på fotsulan.</translation>
         </message>
         <message>
+            <source>Choose “Section” to cut the insole anywhere and read its thickness.</source>
+            <translation>Välj ”Snitt” för att skära inlägget var som helst och läsa av tjockleken.</translation>
+        </message>
+        <message>
             <source>Click on the foot to place it.</source>
             <translation>Klicka på foten för att placera det.</translation>
         </message>
@@ -306,6 +322,10 @@
         <message>
             <source>Click on the sole to place: {name}</source>
             <translation>Klicka på fotsulan för att placera: {name}</translation>
+        </message>
+        <message>
+            <source>Click on the sole where it shall be. The example has one already: drag that one to another place.</source>
+            <translation>Klicka på fotsulan där den ska sitta. Exemplet har redan en: dra den till ett annat ställe.</translation>
         </message>
         <message>
             <source>Close</source>
@@ -376,10 +396,6 @@
             <translation>Snitta inlägget och mät dess tjocklek</translation>
         </message>
         <message>
-            <source>Cut the insole anywhere and read its thickness. Then export: Ctrl+E.</source>
-            <translation>Snitta inlägget var som helst och läs av tjockleken. Exportera sedan: Ctrl+E.</translation>
-        </message>
-        <message>
             <source>Cut the insole where the pointer is, and show the heights there</source>
             <translation>Snitta inlägget där pekaren är, och visa höjderna där</translation>
         </message>
@@ -444,6 +460,10 @@
             <translation>Gör det senast ångrade steget igen</translation>
         </message>
         <message>
+            <source>Done</source>
+            <translation>Klart</translation>
+        </message>
+        <message>
             <source>Dorsal</source>
             <translation>Dorsalt</translation>
         </message>
@@ -454,6 +474,10 @@
         <message>
             <source>Drag a handle to change the pelott, drag beside it to turn the view</source>
             <translation>Dra ett handtag för att ändra pelotten, dra bredvid för att vrida vyn</translation>
+        </message>
+        <message>
+            <source>Drag a landmark to where it belongs. The insole follows at once, and Ctrl+Z takes it back. Skip this if all of them are right.</source>
+            <translation>Dra ett landmärke dit det hör. Inlägget följer genast, och Ctrl+Z tar tillbaka det. Hoppa över detta om alla är rätt.</translation>
         </message>
         <message>
             <source>Drag a landmark to where it belongs; click on the skin to mark a further point</source>
@@ -676,6 +700,10 @@
             <translation>Sök landmärkena på nytt</translation>
         </message>
         <message>
+            <source>Finish</source>
+            <translation>Klart</translation>
+        </message>
+        <message>
             <source>Finished height</source>
             <translation>Färdig höjd</translation>
         </message>
@@ -744,16 +772,16 @@
             <translation>Frihandspelott</translation>
         </message>
         <message>
+            <source>From a scan to the written file, on the example; again, to reach its bubble</source>
+            <translation>Från skanning till skriven fil, på exemplet; igen för att nå dess bubbla</translation>
+        </message>
+        <message>
             <source>From axis</source>
             <translation>Från axeln</translation>
         </message>
         <message>
             <source>From heel</source>
             <translation>Från hälen</translation>
-        </message>
-        <message>
-            <source>From patient to insole in five steps. Click on a step to go there.</source>
-            <translation>Från patient till inlägg i fem steg. Klicka på ett steg för att gå dit.</translation>
         </message>
         <message>
             <source>From the foot</source>
@@ -864,6 +892,10 @@
             <translation>Hålls</translation>
         </message>
         <message>
+            <source>Here is the scanned foot; the landmarks on its skin were found. Choose “Landmarks” to see and correct them.</source>
+            <translation>Här är den skannade foten; landmärkena på huden är hittade. Välj ”Landmärken” för att se och rätta dem.</translation>
+        </message>
+        <message>
             <source>Horseshoe</source>
             <translation>Hästsko</translation>
         </message>
@@ -934,10 +966,6 @@
         <message>
             <source>Intrinsic</source>
             <translation>Intern</translation>
-        </message>
-        <message>
-            <source>It follows at once. The same handles work here; keys 1 to 6 look from all sides.</source>
-            <translation>Det följer genast med. Samma handtag fungerar här; tangenterna 1 till 6 visar från alla håll.</translation>
         </message>
         <message>
             <source>It holds the pads and corrections of the insole that it was kept from; those of this design come on top.</source>
@@ -1148,6 +1176,10 @@
             <translation>Nytt fall</translation>
         </message>
         <message>
+            <source>New here? The tour makes a whole insole of an example, from scan to file.</source>
+            <translation>Ny här? Rundturen gör ett helt inlägg av ett exempel, från skanning till fil.</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>Nästa</translation>
         </message>
@@ -1164,6 +1196,10 @@
             <translation>Inga än. Välj pelottverktyget och klicka på fotsulan.</translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation>Inte nu</translation>
+        </message>
+        <message>
             <source>Not weight-bearing</source>
             <translation>Utan belastning</translation>
         </message>
@@ -1174,6 +1210,10 @@
         <message>
             <source>Nothing is lost: the case stays open, and is not saved yet.</source>
             <translation>Inget har gått förlorat: fallet är fortfarande öppet men inte sparat än.</translation>
+        </message>
+        <message>
+            <source>Now a pad behind the metatarsal heads. Choose the tool “Pelott”.</source>
+            <translation>Nu en pelott bakom metatarsalhuvudena. Välj verktyget ”Pelott”.</translation>
         </message>
         <message>
             <source>Of all that the program comes with</source>
@@ -1194,10 +1234,6 @@
         <message>
             <source>Open a copy</source>
             <translation>Öppna en kopia</translation>
-        </message>
-        <message>
-            <source>Open a scan here. Drag the landmarks to where they belong; click on the sole with the pelott tool to place a pad.</source>
-            <translation>Öppna en avbildning här. Dra landmärkena dit de hör hemma; klicka på fotsulan med pelottverktyget för att placera en pelott.</translation>
         </message>
         <message>
             <source>Open a session in a zip archive, or a foot from a .ply, .stl or .obj file</source>
@@ -1680,6 +1716,10 @@
             <translation>Skons storlek, som bestämmer längden</translation>
         </message>
         <message>
+            <source>Skip</source>
+            <translation>Hoppa över</translation>
+        </message>
+        <message>
             <source>Slope</source>
             <translation>Lutning</translation>
         </message>
@@ -1776,6 +1816,22 @@
             <translation>Den konturen är för liten för en pelott; rita runt dess plats</translation>
         </message>
         <message>
+            <source>The checks stand on the right, each with its number; a click shows the place. Click on “Export…” and say where to write the file.</source>
+            <translation>Kontrollerna står till höger, var och en med sitt tal; ett klick visar stället. Klicka på ”Exportera…” och säg var filen ska skrivas.</translation>
+        </message>
+        <message>
+            <source>The design</source>
+            <translation>Designen</translation>
+        </message>
+        <message>
+            <source>The file</source>
+            <translation>Filen</translation>
+        </message>
+        <message>
+            <source>The file is written: that was a whole insole. For a patient, begin with “New patient” on the first page (F3); F1 explains what is in front of you.</source>
+            <translation>Filen är skriven: det var ett helt inlägg. För en patient, börja med ”Ny patient” på första sidan (F3); F1 förklarar det du har framför dig.</translation>
+        </message>
+        <message>
             <source>The foot</source>
             <translation>Foten</translation>
         </message>
@@ -1790,6 +1846,14 @@
         <message>
             <source>The insole is being built…</source>
             <translation>Inlägget byggs…</translation>
+        </message>
+        <message>
+            <source>The insole is designed. Click on “Check &amp; export” to check it for the shop.</source>
+            <translation>Inlägget är designat. Klicka på ”Kontrollera &amp; exportera” för att kontrollera det för verkstaden.</translation>
+        </message>
+        <message>
+            <source>The landmarks</source>
+            <translation>Landmärkena</translation>
         </message>
         <message>
             <source>The language of the window, from the next start on</source>
@@ -1808,10 +1872,6 @@
             <translation>Manualens sida om vad den här versionen kan</translation>
         </message>
         <message>
-            <source>The path</source>
-            <translation>Vägen</translation>
-        </message>
-        <message>
             <source>The section</source>
             <translation>Snittet</translation>
         </message>
@@ -1822,10 +1882,6 @@
         <message>
             <source>The sensor stands</source>
             <translation>Sensorn står</translation>
-        </message>
-        <message>
-            <source>The window in five steps</source>
-            <translation>Fönstret i fem steg</translation>
         </message>
         <message>
             <source>The window speaks this language from the next start on.</source>
@@ -1912,6 +1968,10 @@
             <translation>Pekläge</translation>
         </message>
         <message>
+            <source>Tour</source>
+            <translation>Rundtur</translation>
+        </message>
+        <message>
             <source>Turn</source>
             <translation>Vridning</translation>
         </message>
@@ -1980,8 +2040,8 @@
             <translation>Nyheter</translation>
         </message>
         <message>
-            <source>What is selected, in mm and degrees: type, scroll, or use the arrow keys.</source>
-            <translation>Det som är valt, i mm och grader: skriv, rulla, eller använd piltangenterna.</translation>
+            <source>What is selected, in mm and degrees. Give the pelott another height: type it, or turn the wheel over the field.</source>
+            <translation>Det valda, i mm och grader. Ge pelotten en annan höjd: skriv den, eller rulla med hjulet över fältet.</translation>
         </message>
         <message>
             <source>What the edge of the insole follows</source>
