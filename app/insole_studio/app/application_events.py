@@ -38,6 +38,8 @@ class ApplicationEvents(QObject):
     def __init__(self, application: QApplication) -> None:
         super().__init__(application)
         application.installEventFilter(self)
+        for widget in application.allWidgets():  # those that were made before
+            _show_as_it_is(widget)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Look at an event on its way; F1 alone is withheld."""

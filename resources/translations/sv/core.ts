@@ -488,10 +488,6 @@
             <translation>Fortsätter ytan till kanterna</translation>
         </message>
         <message>
-            <source>Copy packaging/linux/70-kinect-v1.rules to /etc/udev/rules.d, or install the package, then unplug the sensors and plug them in again.</source>
-            <translation>Kopiera packaging/linux/70-kinect-v1.rules till /etc/udev/rules.d, eller installera paketet; dra sedan ut sensorerna och anslut dem igen.</translation>
-        </message>
-        <message>
             <source>Copying {name}</source>
             <translation>{name} kopieras</translation>
         </message>
@@ -922,6 +918,10 @@
         <message>
             <source>Install the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly.</source>
             <translation>Installera grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), som ritar långsamt.</translation>
+        </message>
+        <message>
+            <source>Install the package, or copy 70-kinect-v1.rules, which comes with the program, to /etc/udev/rules.d; then unplug the sensors and plug them in again.</source>
+            <translation>Installera paketet, eller kopiera 70-kinect-v1.rules, som följer med programmet, till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>It has no date of a visit; open it and choose one.</source>
