@@ -56,6 +56,13 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
         lambda main, on: main.appearance.set_touch(on),
         checkable=True,
     ),
+    ActionRecord(
+        "software_rendering",
+        lambda: tr("Software rendering"),
+        lambda: tr("Draw with the processor, where the graphics card cannot; from the next start"),
+        lambda main, on: main.appearance.set_software_rendering(on),
+        checkable=True,
+    ),
     _language("system", lambda: tr("Language of the system")),
     _language("en", lambda: "English"),
     _language("sv", lambda: "Svenska"),

@@ -584,6 +584,10 @@
             <translation>Rita konturen av en vanlig sko i denna storlek, med klackens höjd</translation>
         </message>
         <message>
+            <source>Draw with the processor, where the graphics card cannot; from the next start</source>
+            <translation>Rita med processorn där grafikkortet inte kan; från nästa start</translation>
+        </message>
+        <message>
             <source>Drawn</source>
             <translation>Ritad</translation>
         </message>
@@ -1532,6 +1536,10 @@
             <translation>Ta bort referensplanet</translation>
         </message>
         <message>
+            <source>Renew the system, which brings the driver of the graphics card.</source>
+            <translation>Förnya systemet, som har med grafikkortets drivrutin.</translation>
+        </message>
+        <message>
             <source>Repeat the design of a case…</source>
             <translation>Upprepa ett falls design…</translation>
         </message>
@@ -1546,6 +1554,10 @@
         <message>
             <source>Report of an error</source>
             <translation>Rapport om ett fel</translation>
+        </message>
+        <message>
+            <source>Restart with software rendering</source>
+            <translation>Starta om med programvarurendering</translation>
         </message>
         <message>
             <source>Reverse Morton's extension</source>
@@ -1740,12 +1752,20 @@
             <translation>Jämna ut med penseln</translation>
         </message>
         <message>
+            <source>Software rendering</source>
+            <translation>Programvarurendering</translation>
+        </message>
+        <message>
             <source>Somebody holds the foot</source>
             <translation>Någon håller foten</translation>
         </message>
         <message>
             <source>Something unexpected happened; your work is kept. Please report it.</source>
             <translation>Något oväntat hände; ditt arbete finns kvar. Rapportera det gärna.</translation>
+        </message>
+        <message>
+            <source>Start all the same</source>
+            <translation>Starta ändå</translation>
         </message>
         <message>
             <source>Starting</source>
@@ -1816,6 +1836,14 @@
             <translation>Den konturen är för liten för en pelott; rita runt dess plats</translation>
         </message>
         <message>
+            <source>The 3-D views cannot be drawn: they need OpenGL {needed}, and this is {found}.</source>
+            <translation>3D-vyerna kan inte ritas: de behöver OpenGL {needed}, och det här är {found}.</translation>
+        </message>
+        <message>
+            <source>The 3-D views cannot be drawn: this computer has no OpenGL.</source>
+            <translation>3D-vyerna kan inte ritas: den här datorn har ingen OpenGL.</translation>
+        </message>
+        <message>
             <source>The checks stand on the right, each with its number; a click shows the place. Click on “Export…” and say where to write the file.</source>
             <translation>Kontrollerna står till höger, var och en med sitt tal; ett klick visar stället. Klicka på ”Exportera…” och säg var filen ska skrivas.</translation>
         </message>
@@ -1834,6 +1862,10 @@
         <message>
             <source>The foot</source>
             <translation>Foten</translation>
+        </message>
+        <message>
+            <source>The graphics card draws from the next start on.</source>
+            <translation>Grafikkortet ritar från nästa start.</translation>
         </message>
         <message>
             <source>The insole</source>
@@ -1870,6 +1902,22 @@
         <message>
             <source>The page of the manual about what this version can do</source>
             <translation>Manualens sida om vad den här versionen kan</translation>
+        </message>
+        <message>
+            <source>The processor cannot draw them either: renew the driver of the graphics card.</source>
+            <translation>Processorn kan inte heller rita dem: förnya grafikkortets drivrutin.</translation>
+        </message>
+        <message>
+            <source>The processor draws from the next start on.</source>
+            <translation>Processorn ritar från nästa start.</translation>
+        </message>
+        <message>
+            <source>The program could not start itself; start it again.</source>
+            <translation>Programmet kunde inte starta sig självt; starta det igen.</translation>
+        </message>
+        <message>
+            <source>The program may end by itself as soon as it draws.</source>
+            <translation>Programmet kan avslutas av sig självt så snart det ritar.</translation>
         </message>
         <message>
             <source>The section</source>
@@ -2074,6 +2122,10 @@
         <message>
             <source>Wireframe</source>
             <translation>Trådmodell</translation>
+        </message>
+        <message>
+            <source>With software rendering the processor draws them, more slowly. View ▸ Software rendering turns it off again once the graphics card has a newer driver.</source>
+            <translation>Med programvarurendering ritar processorn dem, långsammare. Visa ▸ Programvarurendering stänger av det igen när grafikkortet fått en nyare drivrutin.</translation>
         </message>
         <message>
             <source>Write the outline of the insole in true size as a PDF</source>
