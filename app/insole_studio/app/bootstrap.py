@@ -265,6 +265,7 @@ def run_application(
         app.services.messages.show_sentence(joined(app.complaints, " "))
     app.features.records.sample.add_at_first_start()
     app.main.help.offer_tour()
+    app.events.file_requested.connect(lambda name: opener.open_path(Path(name), None))
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
     _quit_on_signals(qt)
