@@ -29,7 +29,6 @@ from insole_studio.features.design.tools.metatarsal_line import clearance
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.tour import Tour
 
 pytestmark = pytest.mark.slow
 
@@ -424,18 +423,6 @@ def test_the_outline_is_printed_in_true_size(
     assert content.startswith(b"%PDF")
     # 80 × 250 mm and its margin fit on A4: 595 × 842 points.
     assert b"/MediaBox [0 0 595" in content
-
-
-def test_the_tour_has_five_stops_and_is_not_shown_again(opened: Application) -> None:
-    act(opened, "tour")
-    tour = opened.window.findChild(Tour)
-    assert tour is not None
-    for _ in range(5):
-        assert tour.isVisible()
-        assert tour.shown.widget.isVisible()  # the section panel is hidden as yet
-        assert opened.window.geometry().contains(tour.geometry())
-        tour.go_on()
-    assert opened.settings.tour_seen
 
 
 def test_touch_mode_widens_what_can_be_grabbed(opened: Application, foot: SceneView) -> None:
