@@ -499,17 +499,21 @@ def test_a_pad_of_the_library_lies_at_its_place_at_once(
     assert len(opened.case.history) == 2
 
 
-def test_touch_mode_makes_every_target_44_pixels(opened: Application, foot: SceneView) -> None:
+def test_touch_mode_makes_every_target_44_pixels(
+    opened: Application, foot: SceneView, qtbot: QtBot
+) -> None:
     act(opened, "tool_pelott")
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 120.0))
     act(opened, "touch")
     opened.case.select(None)  # the fields are laid out anew
-    QTest.qWait(50)
     panel = opened.stage.parameters
-    every = [*panel.findChildren(NumberField), *panel.findChildren(ComboBox)]
-    fields = [field for field in every if field.isVisible()]
-    assert fields
-    assert min(field.height() for field in fields) >= 44
+
+    def shown_fields() -> list[NumberField | ComboBox]:
+        every = [*panel.findChildren(NumberField), *panel.findChildren(ComboBox)]
+        return [field for field in every if field.isVisible()]
+
+    qtbot.waitUntil(lambda: min((field.height() for field in shown_fields()), default=0) >= 44)
+    fields = shown_fields()
     buttons = [
         button
         for button in opened.window.findChildren(QToolButton)
