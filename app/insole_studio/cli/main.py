@@ -35,6 +35,7 @@ from insole_studio.cli import (
     window,
 )
 from insole_studio.cli.argument_parser import Parser
+from insole_studio.cli.order import command as order
 from insole_studio.cli.path_arguments import check_paths
 from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, StopRequest
@@ -51,6 +52,7 @@ COMMANDS: tuple[Command, ...] = (
     reconstruct,
     inspect_scan,
     design,
+    order,
     devices,
     measure,
     pressure,
