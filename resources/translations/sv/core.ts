@@ -2312,6 +2312,10 @@
             <translation>Skanningen {path} finns inte längre, eller kan inte läsas; fallet har en egen kopia av foten, så arbetet kan fortsätta.</translation>
         </message>
         <message>
+            <source>The screen {screen} does not answer; start Insole Studio at the desktop of the computer, as the user who is signed in there.</source>
+            <translation>Skärmen {screen} svarar inte; starta Insole Studio vid datorns skrivbord, som den användare som är inloggad där.</translation>
+        </message>
+        <message>
             <source>The sensors of the views {first} and {second} stood in the same place ({apart_mm:.0f} mm apart); see that no view was recorded under two names.</source>
             <translation>Sensorerna för vyerna {first} och {second} stod på samma plats ({apart_mm:.0f} mm isär); se till att ingen vy spelades in under två namn.</translation>
         </message>
@@ -2410,6 +2414,10 @@
         <message>
             <source>The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to {most_mm:g} mm long; check its unit, and that it is a whole foot.</source>
             <translation>Ytan skulle vara en fot på {length_mm:.0f} mm, och fötter är {least_mm:g} till {most_mm:g} mm långa; kontrollera enheten, och att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The system lacks the library {name}; install Insole Studio by its package, which brings all that it needs, or ask whoever looks after this computer for that library.</source>
+            <translation>Systemet saknar biblioteket {name}; installera Insole Studio med dess paket, som har med allt det behöver, eller be den som sköter datorn om biblioteket.</translation>
         </message>
         <message>
             <source>The table has {count} columns, and {mapped} are chosen; choose the columns anew.</source>
@@ -2662,6 +2670,10 @@
         <message>
             <source>There is no order {number} in the record; check the number.</source>
             <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
+            <source>There is no screen to open a window on; start Insole Studio at the desktop of the computer. What works without one says insole-studio --help.</source>
+            <translation>Det finns ingen skärm att öppna ett fönster på; starta Insole Studio vid datorns skrivbord. Vad som fungerar utan säger insole-studio --help.</translation>
         </message>
         <message>
             <source>There is no step {number}; choose one from 1 to {count}.</source>
@@ -2930,6 +2942,10 @@
         <message>
             <source>Width</source>
             <translation>Bredd</translation>
+        </message>
+        <message>
+            <source>Windows cannot load a library of {name}; run the installer of Insole Studio again, and install the updates of Windows.</source>
+            <translation>Windows kan inte läsa in ett bibliotek till {name}; kör Insole Studios installationsprogram igen och installera uppdateringarna av Windows.</translation>
         </message>
         <message>
             <source>Writing the file</source>

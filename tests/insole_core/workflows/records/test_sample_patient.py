@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from insole_core.cases.case_record import Patient
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.errors import InputError, RecordsError
 from insole_core.geometry.side import Side
@@ -25,6 +26,7 @@ from insole_core.records.sample_patient import (
     remove_sample,
 )
 from insole_core.records.verify import verify_record
+from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.records.sample_patient import ensure_sample
 
 NAME = "Anna Example (sample patient)"
@@ -68,6 +70,13 @@ def test_its_label_cannot_be_lost(records: Records, sample: Person) -> None:
     for kept, merged in ((sample, real), (real, sample)):
         with pytest.raises(RecordsError, match="cannot be merged"):
             records.persons.merge(kept.id, merged.id)
+
+
+def test_the_shop_may_read_that_it_is_a_sample() -> None:
+    texts = {"file name": "SAMPLE-insole-right"}
+    require_nameless(Patient(NAME, pseudonym=SAMPLE_PSEUDONYM), texts)
+    with pytest.raises(InputError):
+        require_nameless(Patient(NAME), texts)
 
 
 def test_it_is_nothing_to_back_up_and_nothing_to_keep(records: Records, sample: Person) -> None:
