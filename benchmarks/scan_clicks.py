@@ -11,16 +11,13 @@ upright foot. A scan without toes has no tip to click, so its length is an estim
 from __future__ import annotations
 
 import os
-import tempfile
-import time
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from benchmarks._measure import print_table
-from benchmarks._scan_variants import KnownFoot, known_feet, quarter_turns, turned
-from benchmarks.scan_import import Result, result_of, row_of
+from benchmarks._scan_variants import KnownFoot, turned
+from benchmarks.scan_import import Result, examine_all, result_of
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.export.ply import write_ply
@@ -35,31 +32,13 @@ CLICK_SD_MM = 4.0
 
 
 def main() -> None:
-    rng, rows, start, count = np.random.default_rng(7), [], time.process_time(), 0
-    turns = list(quarter_turns())[:: max(24 // TURNS, 1)][:TURNS]
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "scan.ply"
-        for known in known_feet(SIMULATED):
-            for name, variant in known.variants.items():
-                mesh = variant(known.foot)
-                results = [_clicked(known, mesh, rotation, rng, path) for rotation in turns]
-                count += len(results)
-                rows.append((known.name, name, *row_of(results)))
-    print_table(
-        ("foot", "scan", "scans", "right", "doubted", "refused", "wrong side unsaid",
-         "worst axis deg", "worst length %"),
-        rows,
-    )  # fmt: skip
-    print(f"{(time.process_time() - start) / count:.2f} s of processor time a scan")
+    examine_all(_clicked, SIMULATED, TURNS)
 
 
 def _clicked(
-    known: KnownFoot,
-    mesh: TriangleMesh,
-    rotation: FloatArray,
-    rng: np.random.Generator,
-    path: Path,
+    known: KnownFoot, mesh: TriangleMesh, rotation: FloatArray, number: int, path: Path
 ) -> Result:
+    rng = np.random.default_rng(number)
     places = _places(mesh) + rng.normal(scale=CLICK_SD_MM, size=(3, 3))
     clicked = turned(replace(mesh, vertices=np.vstack([mesh.vertices, places])), rotation)
     heel, toe, sole = ((float(x), float(y), float(z)) for x, y, z in clicked.vertices[-3:])

@@ -15,6 +15,7 @@ from __future__ import annotations
 import os
 import tempfile
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -53,17 +54,26 @@ class Result:
         return self.right_side and placed
 
 
+Examined = Callable[[KnownFoot, TriangleMesh, FloatArray, int, Path], Result]
+"""Examine the scan of a foot, turned by a rotation (3, 3), the how manieth; a file to write."""
+
+
 def main() -> None:
+    examine_all(_found, SIMULATED, TURNS)
+
+
+def examine_all(examined: Examined, simulated: int, most_turns: int) -> None:
+    """Print what is found of all feet, scans and turns."""
     rows, start, count = [], time.process_time(), 0
-    turns = list(quarter_turns())[:: max(24 // TURNS, 1)][:TURNS]
+    turns = list(quarter_turns())[:: max(24 // most_turns, 1)][:most_turns]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scan.ply"
-        for known in known_feet(SIMULATED):
+        for known in known_feet(simulated):
             for name, variant in known.variants.items():
                 mesh = variant(known.foot)
                 results = [
-                    _found(known, mesh, rotation, unit, path)
-                    for rotation, unit in zip(turns, list(MM_PER_UNIT) * len(turns), strict=False)
+                    examined(known, mesh, rotation, number, path)
+                    for number, rotation in enumerate(turns)
                 ]
                 count += len(results)
                 rows.append((known.name, name, *row_of(results)))
@@ -76,8 +86,9 @@ def main() -> None:
 
 
 def _found(
-    known: KnownFoot, mesh: TriangleMesh, rotation: FloatArray, unit: str, path: Path
+    known: KnownFoot, mesh: TriangleMesh, rotation: FloatArray, number: int, path: Path
 ) -> Result:
+    unit = list(MM_PER_UNIT)[number % len(MM_PER_UNIT)]
     scan = turned(mesh, rotation)
     write_ply(replace(scan, vertices=scan.vertices / MM_PER_UNIT[unit]), path)
     known_size = KnownFootLength(known.foot.length_mm) if unit == NO_UNIT else None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -27,7 +27,7 @@ from insole_core.foot.levelling import (
     is_cut_behind,
     level,
 )
-from insole_core.foot.missing_sole import ClosedSole, closed_sole
+from insole_core.foot.missing_sole import closed_sole
 from insole_core.foot.pose import (
     Pose,
     find_poses,
@@ -140,25 +140,28 @@ def find_foot(
         When the surface does not look like a foot in any pose, or has no sole.
     """
     mesh, scraps = without_scraps(mesh)
-    closed = _standing_foot(mesh)
-    mesh, dorsal = (mesh, None) if closed is None else (closed.mesh, closed.dorsal)
+    standing = _standing_foot(mesh)
+    if standing is not None:
+        mesh = standing.mesh
     points, normals = surface_samples(mesh)
-    if pose is None:
-        poses = _foot_poses(mesh, points, dorsal)
-    else:
+    if pose is not None:
         poses = _clicked_poses(points, normals, pose)
+    elif standing is not None:
+        poses = _like_a_foot(standing.poses)
+    else:
+        poses = _foot_poses(mesh, points)
     poses = sorted((rated_pose(one, points, normals) for one in poses), key=_dissimilarity)
     mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     notes = (_pose_note(pose), *_surface_notes(scraps, inside_out))
-    shows_toes = closed is None  # a plane has no pulps
-    found = _found(mesh, points, poses, notes, normals, shows_toes=shows_toes)
+    shows_pulps = standing is None  # a plane has none
+    found = _found(mesh, points, poses, notes, normals, shows_pulps=shows_pulps)
     if pose is None:
-        found = _with_other_ways(found, points, normals, poses, shows_toes)
+        found = _with_other_ways(found, points, normals, poses, shows_pulps)
     return replace(
         found,
         candidates=tuple(_with_leg(found, one) for one in found.candidates),
         doubts=tuple(_doubts(found, side)),
-        warnings=() if closed is None else (_no_sole(),),
+        warnings=() if standing is None else (_no_sole(),),
     )
 
 
@@ -259,20 +262,20 @@ def _found(
     notes: tuple[str, ...] = (),
     normals: FloatArray | None = None,
     *,
-    shows_toes: bool = True,
+    shows_pulps: bool = True,
 ) -> FoundFoot:
     """Level the surface as a foot of either side."""
     even = EvenSurface.of(mesh)
     nearest, other = sorted(
-        (_best(even, points, poses, side, normals, shows_toes=shows_toes) for side in Side),
+        (_best(even, points, poses, side, normals, shows_pulps=shows_pulps) for side in Side),
         key=lambda one: one.dissimilarity,
     )
-    if normals is not None and shows_toes:
-        nearest = _by_second_toe(even, nearest)
+    if normals is not None:
+        nearest = _by_second_toe(even, nearest, shows_pulps)
     if other.dissimilarity > CLEAR * nearest.dissimilarity:
         # The directions of ground and toes follow from the shape, whatever the side.
         poses = _as_it_lies(points, nearest.source2insole)
-        again = _best(even, points, poses, other.side, shows_toes=shows_toes)
+        again = _best(even, points, poses, other.side, shows_pulps=shows_pulps)
         other = replace(again, dissimilarity=other.dissimilarity)
     return FoundFoot(mesh, even, (nearest, other), notes=notes)
 
@@ -281,7 +284,10 @@ def _foot_poses(
     mesh: TriangleMesh, points: FloatArray, dorsal: FloatArray | None = None
 ) -> list[Pose]:
     """Find the possible poses, the most likely first, which must look like a foot."""
-    poses = find_poses(mesh, points, dorsal)
+    return _like_a_foot(find_poses(mesh, points, dorsal))
+
+
+def _like_a_foot(poses: list[Pose]) -> list[Pose]:
     if poses[0].side_dissimilarity > NO_FOOT:
         raise InputError(
             "The surface looks like no foot, whichever way it is turned;"
@@ -290,16 +296,24 @@ def _foot_poses(
     return poses
 
 
-def _standing_foot(mesh: TriangleMesh) -> ClosedSole | None:
+@dataclass(frozen=True, eq=False)
+class _StandingFoot:
+    """A foot without a sole, closed by a plane, and its possible poses, the most likely first."""
+
+    mesh: TriangleMesh
+    poses: list[Pose]
+
+
+def _standing_foot(mesh: TriangleMesh) -> _StandingFoot | None:
     """Return a foot without a sole, closed; None for what looks more like a foot as it is."""
     closed = closed_sole(mesh)
     if closed is None:
         return None
-    standing, as_it_is = (
-        find_poses(surface, surface_points(surface), dorsal)[0].side_dissimilarity
-        for surface, dorsal in ((closed.mesh, closed.dorsal), (mesh, None))
-    )
-    return closed if standing < as_it_is else None
+    standing = find_poses(closed.mesh, surface_points(closed.mesh), closed.dorsal)
+    as_it_is = find_poses(mesh, surface_points(mesh))
+    if standing[0].side_dissimilarity >= as_it_is[0].side_dissimilarity:
+        return None
+    return _StandingFoot(closed.mesh, standing)
 
 
 def _clicked_poses(points: FloatArray, normals: FloatArray, clicks: PoseClicks) -> list[Pose]:
@@ -317,7 +331,7 @@ def _with_other_ways(
     points: FloatArray,
     normals: FloatArray,
     poses: list[Pose],
-    shows_toes: bool,
+    shows_pulps: bool,
 ) -> FoundFoot:
     """Add candidates that lie in another way and look nearly as much like a foot."""
     nearest = found.candidates[0]
@@ -330,7 +344,7 @@ def _with_other_ways(
         if _differ(pose.source2rough, tried):
             tried.append(pose.source2rough)
             try:
-                way = _best(found.even, points, [pose], pose.side, normals, shows_toes=shows_toes)
+                way = _best(found.even, points, [pose], pose.side, normals, shows_pulps=shows_pulps)
             except InputError:  # nothing faces the ground: it cannot lie like this
                 continue
             if way.dissimilarity <= limit:
@@ -439,11 +453,11 @@ def _best(
     side: Side,
     normals: FloatArray | None = None,
     *,
-    shows_toes: bool = True,
+    shows_pulps: bool = True,
 ) -> FootCandidate:
     """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
-    foot = level(surface, side, rough.source2rough, rough.covered, shows_toes=shows_toes)
+    foot = level(surface, side, rough.source2rough, rough.covered, shows_pulps=shows_pulps)
     levelled = next(
         pose
         for pose in poses_as_it_lies(points, foot.source2insole)
@@ -461,14 +475,14 @@ def _best(
     )
 
 
-def _by_second_toe(surface: EvenSurface, foot: FootCandidate) -> FootCandidate:
+def _by_second_toe(surface: EvenSurface, foot: FootCandidate, shows_pulps: bool) -> FootCandidate:
     """Look for the 2nd toe from either side of its usual place, so that chance does not decide."""
     if foot.second_toe_found or foot.covered < 1:
         return foot
     for yaw_deg in _TOE_YAWS_DEG:
         turned = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg), np.zeros(3))
         try:
-            other = level(surface, foot.side, turned @ foot.source2insole)
+            other = level(surface, foot.side, turned @ foot.source2insole, shows_pulps=shows_pulps)
         except InputError:
             return foot
         if other.second_toe_found:

@@ -17,7 +17,7 @@ from insole_core.geometry.arrays import FloatArray
 MOST_FRONT_HEIGHT = 0.27
 """Of the toes, in shares of the length; of feet it is 0.08 to 0.15, without toes up to 0.25."""
 _USUAL_FRONT_HEIGHT = 0.15
-_FRONT_WEIGHT, _COVERED_WEIGHT = 1.5, 0.2
+_FRONT_WEIGHT = 1.5
 _BAND = (0.86, 0.94)
 _UPWARD, _LEAST_POINTS = 0.5, 15
 _UPPER, _ALL = 30, 90  # percentiles; what hangs over the toes, such as a leg, does not count
@@ -48,6 +48,5 @@ def front_height(points: FloatArray, normals: FloatArray, source2rough: FloatArr
 def rated_pose(pose: Pose, points: FloatArray, normals: FloatArray) -> Pose:
     """Add to the dissimilarity of a pose what it is too high at the toes, or lacks of a foot."""
     excess = front_height(points, normals, pose.source2rough) - _USUAL_FRONT_HEIGHT
-    lacking = _COVERED_WEIGHT * (1 - pose.covered)
-    rating = pose.side_dissimilarity + lacking + _FRONT_WEIGHT * max(excess, 0.0)
+    rating = pose.side_dissimilarity + pose.lacking + _FRONT_WEIGHT * max(excess, 0.0)
     return replace(pose, side_dissimilarity=rating)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
@@ -20,6 +21,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
 
+_Toes = Literal["pulps", "backs"]
+
 OUTLINE_HEIGHT_MM = 45.0
 """Height over the sole above which the surface is leg and does not belong to the outline."""
 
@@ -31,7 +34,8 @@ _SECOND_TOE_ACROSS, _SECOND_TOE_REACH = 0.41, 0.12
 _BALL_BAND = 0.68
 _BAND = 0.02
 _PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
-_ROUNDS, _AT_REST_DEG = 40, 0.002
+_BACK_FACING = 0.3
+_ROUNDS, _AT_REST_DEG, _NEARLY_AT_REST_DEG = 40, 0.002, 0.2
 _END_MM, _BLUNT = (6.0, 40.0), 0.7  # an end of the foot, and what is behind it; share of its width
 
 
@@ -59,7 +63,7 @@ def level(
     source2rough: FloatArray,
     covered: float = 1.0,
     *,
-    shows_toes: bool = True,
+    shows_pulps: bool = True,
 ) -> LevelFoot:
     """Find the insole frame of a foot of roughly known pose.
 
@@ -71,8 +75,8 @@ def level(
         To a frame with the toes towards +y and the sole towards -z, accurate to some 15 degrees.
     covered
         Share of the foot's length that the surface covers from the heel on.
-    shows_toes
-        Whether their pulps were seen from below.
+    shows_pulps
+        Whether the toes were seen from below; otherwise their backs are looked for.
 
     Returns
     -------
@@ -84,28 +88,30 @@ def level(
         When nothing faces the ground.
     """
     low = _low_part(surface, source2rough)
-    for with_toe in (True, False) if shows_toes else (False,):
-        pose, at_rest = _settled(low, side, source2rough, covered, with_toe)
+    for toes in ("pulps" if shows_pulps else "backs", None):
+        pose, at_rest = _settled(low, side, source2rough, covered, toes)
         if at_rest:
             break
-    marks = _Marks(low, side, pose, covered, with_toe)
+    marks = _Marks(low, side, pose, covered, toes)
     ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.points[:, 2].min()]))
     return LevelFoot(ground @ pose, marks.length, marks.second_toe[1])
 
 
 def _settled(
-    low: EvenSurface, side: Side, pose: FloatArray, covered: float, with_toe: bool
+    low: EvenSurface, side: Side, pose: FloatArray, covered: float, toes: _Toes | None
 ) -> tuple[FloatArray, bool]:
     """Iterate the pose, and return whether it came to rest.
 
-    Where the 2nd toe hardly stands out, it is found in one pose and lost in the next one.
+    Where the 2nd toe hardly stands out, it is found in one pose and lost in the next one, and the
+    axis swings by degrees; a coarse surface lets it swing by hundredths.
     """
     for _ in range(_ROUNDS):
-        step = _Marks(low, side, pose, covered, with_toe).frame()
+        step = _Marks(low, side, pose, covered, toes).frame()
         pose = step @ pose
-        if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
+        moved_deg = rotation_angle_deg(step[:3, :3])
+        if moved_deg < _AT_REST_DEG:
             return pose, True
-    return pose, False
+    return pose, moved_deg < _NEARLY_AT_REST_DEG
 
 
 def _low_part(surface: EvenSurface, source2rough: FloatArray) -> EvenSurface:
@@ -118,16 +124,20 @@ class _Marks:
     """The positions of heel, heads and toe in the current pose."""
 
     def __init__(
-        self, surface: EvenSurface, side: Side, pose: FloatArray, covered: float, with_toe: bool
+        self, surface: EvenSurface, side: Side, pose: FloatArray, covered: float, toes: _Toes | None
     ) -> None:
         self.side = side
-        self.with_toe = with_toe and covered >= 1
+        self.toes = toes if covered >= 1 else None
         self.points = transform(pose, surface.points)
         low = self.points[:, 2] < self.points[:, 2].min() + OUTLINE_HEIGHT_MM
         self.outline = self.points[low]
-        sole = low & (surface.normals @ pose[2, :3] < -0.5)
+        facing_up = surface.normals @ pose[2, :3]
+        sole = low & (facing_up < -0.5)
         self.sole = self.points[sole]
         self.sole_areas = surface.area_mm2[sole]
+        back = low & (facing_up > _BACK_FACING)
+        self.backs = self.points[back] * (1.0, 1.0, -1.0)  # its ridges, as if seen from below
+        self.back_areas = surface.area_mm2[back]
         if not sole.any():
             raise InputError(
                 "The surface has no sole: nothing of it faces the ground;"
@@ -166,10 +176,13 @@ class _Marks:
         usual = np.array(
             [medial + _SECOND_TOE_ACROSS * (lateral - medial), self.back + self.length]
         )
-        if not self.with_toe:
+        if self.toes is None:
             return usual, False
         search = _SECOND_TOE_REACH * abs(lateral - medial)
-        x = pulp_line(self.sole, self.sole_areas, self.length, usual, search)
+        if self.toes == "pulps":
+            x = pulp_line(self.sole, self.sole_areas, self.length, usual, search)
+        else:
+            x = pulp_line(self.backs, self.back_areas, self.length, usual, search)
         return (usual, False) if x is None else (np.array([x, usual[1]]), True)
 
     def height(self, xy: FloatArray) -> float:

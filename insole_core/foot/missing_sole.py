@@ -31,6 +31,8 @@ _LEAST_HEIGHT = 0.28
 above its seen sole lies lower."""
 _FLOOR_MM, _SHADOW_MM, _MARGIN_MM = 9.0, 60.0, 2.0
 _GROUND_PERCENT = 10
+_ABOVE, _ROUNDS = 0.05, 12
+"""Weight of what lies over the ground."""
 _CELL_MM, _PIXEL_MM = 3.0, 0.5
 
 
@@ -68,6 +70,7 @@ def closed_sole(mesh: TriangleMesh) -> ClosedSole | None:
             foot = _without_floor(mesh, rim, dorsal)
             ground = _ground_rim(foot, dorsal)
             if ground is not None:
+                dorsal = _ground_normal(foot.vertices[ground], dorsal)
                 return ClosedSole(_closed(foot, ground, dorsal), dorsal)
     return None
 
@@ -129,6 +132,23 @@ def _ground_rim(mesh: TriangleMesh, dorsal: FloatArray) -> IntArray | None:
         rim for rim in _rims(mesh) if np.linalg.norm(np.ptp(flat[rim], axis=0)) > _OUTLINE_MM[0]
     ]
     return min(long, key=lambda rim: float(np.median(height[rim])), default=None)
+
+
+def _ground_normal(rim: FloatArray, dorsal: FloatArray) -> FloatArray:
+    """Return the normal (3,) of the ground below a rim (n, 3).
+
+    Asymmetric least squares (Newey & Powell 1987): heel and ball stand on the ground, and the rim
+    between them runs over the arch.
+    """
+    across = _across(dorsal)
+    design = np.column_stack([rim @ across.T, np.ones(len(rim))])
+    height = rim @ dorsal
+    weights = np.ones(len(rim))
+    for _ in range(_ROUNDS):
+        plane = np.linalg.lstsq(design * weights[:, None], height * weights, rcond=None)[0]
+        weights = np.sqrt(np.where(height > design @ plane, _ABOVE, 1 - _ABOVE))
+    normal = dorsal - plane[:2] @ across
+    return np.asarray(normal / np.linalg.norm(normal))
 
 
 def _closed(mesh: TriangleMesh, rim: IntArray, dorsal: FloatArray) -> TriangleMesh:

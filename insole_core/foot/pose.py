@@ -28,6 +28,7 @@ _SAME_FACE_DEG = 10.0
 _YAWS_DEG = (-10.0, -5.0, 0.0, 5.0, 10.0)
 _WORTH_TURNING = 1.7  # the yaw changes a dissimilarity by less than this ratio
 _COVERED = (1.0, 0.85, 0.75)
+_COVERED_WEIGHT = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +51,14 @@ class Pose:
     side: Side
     side_dissimilarity: float
     covered: float
+
+    @property
+    def lacking(self) -> float:
+        """What is added to the dissimilarity for the toes that are missing.
+
+        Any end of a foot is somewhat like that of a longer one without toes.
+        """
+        return _COVERED_WEIGHT * (1 - self.covered)
 
 
 def find_poses(
@@ -146,7 +155,10 @@ def turned_poses(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
     turns = [rotation_about(np.array([0.0, 0.0, 1.0]), yaw) @ rotation for yaw in _YAWS_DEG]
     poses = [pose for turn in turns for pose in poses_as_it_lies(points, rigid(turn, np.zeros(3)))]
     for side in Side:
-        yield min((p for p in poses if p.side is side), key=lambda p: p.side_dissimilarity)
+        yield min(
+            (pose for pose in poses if pose.side is side),
+            key=lambda pose: pose.side_dissimilarity + pose.lacking,
+        )
 
 
 def poses_as_it_lies(points: FloatArray, source2rough: FloatArray) -> Iterator[Pose]:

@@ -7,6 +7,7 @@ from pathlib import Path
 from insole_core.errors import InputError
 from insole_core.pressure.emed import is_emed, read_emed
 from insole_core.pressure.export_text import read_text
+from insole_core.pressure.footscan import is_footscan, read_footscan
 from insole_core.pressure.grid_text import read_grid
 from insole_core.pressure.pedar import is_pedar, read_pedar
 from insole_core.pressure.recording import PITCH_MM, PressureRecording
@@ -16,7 +17,7 @@ from insole_core.pressure.xsensor import is_xsensor, read_xsensor
 SUFFIXES = (".lst", ".asf", ".asc", ".csv", ".txt", ".tsv")
 _READERS = (
     (is_emed, read_emed), (is_tekscan, read_tekscan), (is_pedar, read_pedar),
-    (is_xsensor, read_xsensor),
+    (is_xsensor, read_xsensor), (is_footscan, read_footscan),
 )  # fmt: skip
 
 

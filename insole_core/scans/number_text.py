@@ -10,6 +10,8 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArr
 from insole_core.messages import Message
 
 LINE_FEED = ord("\n")
+_MOST_RUNS = 20_000
+"""Of neighbouring lines that are copied one by one."""
 _BYTE_ORDER_MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
 
 
@@ -91,7 +93,11 @@ class Lines:
 
     def joined(self, wanted: BoolArray) -> bytes:
         """Return the wanted lines as one text."""
-        return self.codes[np.repeat(wanted, self.lengths)].tobytes()
+        changes = np.flatnonzero(np.diff(wanted, prepend=False, append=False))
+        if len(changes) > _MOST_RUNS:
+            return self.codes[np.repeat(wanted, self.lengths)].tobytes()
+        places = np.append(self.starts, len(self.text))[changes].reshape(-1, 2)
+        return b"".join(self.text[start:end] for start, end in places.tolist())
 
     def each(self, wanted: BoolArray) -> list[bytes]:
         """Return the wanted lines one by one, without white space at their ends."""
@@ -104,10 +110,18 @@ class Lines:
         ]
 
 
-def words_per_line(text: bytes) -> IntArray:
-    """Count the words between white space of each line (n,) of a text that ends in a line feed."""
+def words_per_line(text: bytes, begins: IntArray | None = None) -> IntArray:
+    """Count the words between white space of each line (n,) of a text that ends in a line feed.
+
+    Parameters
+    ----------
+    text
+    begins : (m,) int64, optional
+        Its `word_starts`, where they are known.
+    """
     codes = np.frombuffer(text, np.uint8)
-    begins = word_starts(codes)
+    if begins is None:
+        begins = word_starts(codes)
     ends = np.flatnonzero(codes == LINE_FEED)
     width = len(begins) // max(len(ends), 1)
     if width and len(begins) == width * len(ends):

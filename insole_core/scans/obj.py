@@ -99,8 +99,9 @@ def _corners(
     text: bytes, vertices_before: _Counts, coordinates_before: _Counts, source: ScanContent
 ) -> _Corners:
     """Read the polygons; relative indices count back from what is before them."""
-    counts = words_per_line(text) - 1 if text else np.empty(0, dtype=np.int64)
-    per_corner, with_texture = _form(text)
+    begins = word_starts(np.frombuffer(text, np.uint8))
+    counts = words_per_line(text, begins) - 1 if text else np.empty(0, dtype=np.int64)
+    per_corner, with_texture = _form(text, begins)
     if per_corner == 0:  # corners of different forms
         text, per_corner, with_texture = _SLASHED.sub(b"", text), 1, False
     numbers = integers(text.translate(bytes.maketrans(b"/", b" "), b"f"))
@@ -113,14 +114,16 @@ def _corners(
     return _Corners(vertex, _from_zero(numbers[:, 1], coordinates_before, counts, source), counts)
 
 
-def _form(text: bytes) -> tuple[int, bool]:
-    """Return the numbers per corner, and whether the second is a texture; 0 if they differ."""
+def _form(text: bytes, begins: IntArray) -> tuple[int, bool]:
+    """Return the numbers per corner, and whether the second is a texture; 0 if they differ.
+
+    `begins` (m,) are where its words begin.
+    """
     codes = np.frombuffer(text, np.uint8)
     slashes = np.flatnonzero(codes == ord("/"))
     if not len(slashes):
         return 1, False
-    starts = word_starts(codes)
-    starts = starts[codes[starts] != ord("f")]
+    starts = begins[codes[begins] != ord("f")]
     each, rest = divmod(len(slashes), len(starts))
     double = text.count(b"//")
     if rest or double not in {0, len(starts)} or b"/ " in text or b"/\n" in text:

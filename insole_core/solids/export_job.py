@@ -14,6 +14,7 @@ import numpy as np
 
 from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
+from insole_core.export.shop_order import OrderTerms
 from insole_core.export.slicer_3mf import Printer, write_slicer_3mf
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
@@ -97,6 +98,11 @@ class ExportJob:
         Whether STL is written as text.
     printing
         Settings and zones in a 3MF for a slicer; None for a file without.
+    terms
+        Quantity, colour and so on, for the job sheet.
+    ordered
+        All parts of the order, also those of other files, which the drawing shows together;
+        empty for `parts` alone.
     """
 
     parts: tuple[Part, ...]
@@ -109,6 +115,8 @@ class ExportJob:
     override: Override | None = None
     ascii_stl: bool = False
     printing: Printing | None = None
+    terms: OrderTerms = field(default_factory=OrderTerms)
+    ordered: tuple[Part, ...] = ()
 
     @property
     def is_nested(self) -> bool:
@@ -381,10 +389,13 @@ def _make(job: ExportJob, part: Part) -> dict[str, str]:
     facts = {
         "material": job.materials.get(part.side) or "–",
         "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
+        **{name: text for name, text in job.terms.facts.items() if name != "remarks"},
         **make_facts(part.insole.design),
     }
     if part.insole.design.shell is None or part.order.kind == "positive":
         facts["draft of the walls"] = f"{plain_number(part.order.options.draft_deg)}°"
+    if job.terms.remarks:
+        facts["remarks"] = job.terms.remarks
     if job.block is not None:
         size = " × ".join(map(plain_number, job.block.size_mm))
         facts["stock"] = f"{job.block.name}, {size} mm"

@@ -11,6 +11,7 @@ from insole_core.errors import InputError
 from insole_core.resources import resource_path
 
 FIRST_PAGE = "first-insole"
+NEWS_PAGE = "whats-new"
 PAGE_OF_MODULE = {
     "app.doctor_dialog": "troubleshooting",
     "app.text_dialog": "troubleshooting",

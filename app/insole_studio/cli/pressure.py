@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument(
         "map", type=Path, metavar="MAP",
-        help="an export of emed, F-Scan, pedar or XSENSOR, or a table (.csv .txt)",
+        help="an export of emed, F-Scan, pedar, XSENSOR or footscan, or a table (.csv .txt)",
     )  # fmt: skip
     parser.add_argument("--case", type=Path, required=True, metavar="CASE.insole")
     parser.add_argument(

@@ -46,6 +46,7 @@ from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.app.recorded_session import record_simulated
 from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.app.scripted_answers import ScriptedAnswers
+from insole_studio.cli.time_limit import time_limit
 from insole_studio.user_paths import UserPaths
 
 RESOURCES = (
@@ -59,6 +60,8 @@ RESOURCES = (
     "rules",
     "matching_error",
 )
+MOST_SECONDS = 300.0
+"""Of a step; they take up to 30 s on two slow processors."""
 FRAMES = 3
 PAD_MM = (0.0, 140.0)
 MOST_DIFFERENCE_MM = 0.1
@@ -109,15 +112,22 @@ class SelfTest:
         A recorded session to play; None simulates one.
     tell
         Called with each result as soon as it is there.
+    give_up
+        Called, in another thread, with the result of a step that does not end; ends the process.
     """
 
     def __init__(
-        self, folder: Path, session: Path | None, tell: Callable[[StepResult], None]
+        self,
+        folder: Path,
+        session: Path | None,
+        tell: Callable[[StepResult], None],
+        give_up: Callable[[StepResult], None],
     ) -> None:
         self._folder = folder
         self._recorded = session or folder / "recorded.zip"
         self._is_simulated = session is None
         self._tell = tell
+        self._give_up = give_up
         self._captured = folder / "captured"
         self._window: ScriptedWindow | None = None
         self._stl: Path | None = None
@@ -171,8 +181,14 @@ class SelfTest:
     def _try(self, name: str, step: Callable[[], None]) -> StepResult:
         started_s = time.perf_counter()
         problem = trace = ""
+
+        def give_up(where: str) -> None:
+            sentence = f"it did not end within {MOST_SECONDS:.0f} s"
+            self._give_up(StepResult(name, MOST_SECONDS, sentence, where))
+
         try:
-            step()
+            with time_limit(MOST_SECONDS, give_up):
+                step()
             self._raise_what_the_window_told()
         except InsoleError as error:
             problem = str(error)

@@ -120,6 +120,21 @@ def test_xsensor_tells_the_feet_and_leaves_out_its_groups(tmp_path: Path) -> Non
     assert right.peak().max() == pytest.approx(40.0, rel=1e-3)
 
 
+FOOTSCAN = "Entire plate roll off\n" + "".join(
+    f"Frame {number} ({8 * number} ms)\n0\t0\t1,9\n" + "0\t{heel}\t0\n" + "0\t0\t0\n" * 5
+    for number in range(2)
+)
+
+
+def test_a_table_of_footscan_says_what_its_numbers_are(tmp_path: Path) -> None:
+    text = FOOTSCAN.format(heel="3,87096")
+    (recording,) = read_pressure(_written(tmp_path / "roll off.txt", text))
+    assert (recording.device, recording.questions) == ("footscan", (Question.SIDE,))
+    assert recording.values.shape == (2, 7, 3)
+    # 3.87 N on 5.08 x 7.62 mm are 100 kPa.
+    assert recording.peak()[1, 1] == pytest.approx(100.05, abs=0.1)
+
+
 @pytest.mark.parametrize(
     "row",
     ["0;12,5;200,25;3", "0\t12.5\t200.25\t3", "0,12.5,200.25,3,", "0 12.5 200.25 3",
@@ -135,7 +150,7 @@ def test_a_table_is_read_whatever_separates_its_numbers(tmp_path: Path, row: str
 
 
 def test_what_a_table_does_not_say_is_asked(tmp_path: Path) -> None:
-    text = "Frame 0 (0 ms)\n" + _table(["0;1;2"] * 2) + "\nFrame 1\n" + _table(["0;3;1"] * 2)
+    text = "Frame 0\n" + _table(["0;1;2"] * 2) + "\nFrame 1\n" + _table(["0;3;1"] * 2)
     (recording,) = read_pressure(_written(tmp_path / "map.txt", text))
     assert recording.values.shape == (2, 8, 3)
     assert set(recording.questions) == {

@@ -15,7 +15,7 @@ from dialog_pictures import DIALOGS, OF_JOURNEYS, OF_WINDOWS, SCAN, show
 from PySide6.QtCore import QObject, Qt, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
+from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QPushButton
 
 import insole_studio.features
 from insole_core.cases.case_record import ScanSource
@@ -87,6 +87,20 @@ def test_f1_follows_the_tool(
         settle()
         opened.window.actions_by_key["manual"].trigger()
     assert browser.shown == ["design", "rim-and-device", "pressure"]
+
+
+def test_what_is_new_is_offered_once_after_an_update(app: Application, browser: Browser) -> None:
+    app.main.help.offer_news()  # the first start of all
+    assert app.services.notices.notices == []
+    app.settings.version_used = "0.0.1"
+    app.main.help.offer_news()
+    (notice,) = app.services.notices.notices
+    assert notice.text.startswith("Insole Studio was updated to version")
+    button = next(b for b in app.window.findChildren(QPushButton) if b.text() == "What is new")
+    button.click()
+    assert browser.shown == ["whats-new"]
+    app.main.help.offer_news()
+    assert app.services.notices.notices == []
 
 
 def test_a_missing_manual_is_told(app: Application, monkeypatch: pytest.MonkeyPatch) -> None:
