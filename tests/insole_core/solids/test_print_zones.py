@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import zipfile
 from dataclasses import replace
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 
 from benchmarks._printed_density import BED_MM, sliced
-from insole_core.errors import DesignError, InputError, UsageError
+from insole_core.errors import DesignError, InputError, OutputError, UsageError
 from insole_core.export.slicer_3mf import PRINTERS, Infill, Printer, write_slicer_3mf
 from insole_core.export.three_mf import CORE
 from insole_core.geometry.side import Side
@@ -65,6 +66,7 @@ def test_thirds_of_the_foot_are_closed_bodies_that_reach_over_the_whole_part(par
     assert corners[:, 1].max(axis=0) == pytest.approx(high + OVERLAP_MM)
 
 
+@pytest.mark.slow
 def test_layers_together_are_the_insole(part):
     zones = zoned_part(part, plan(*map(zone, ("cover", "shell", "base")))).printed.modifiers
     solid = to_manifold(part.solid)
@@ -186,6 +188,21 @@ def files(part, tmp_path_factory) -> dict[Printer, Path]:
     return {printer: folder / f"{printer}.3mf" for printer in PRINTERS}
 
 
+def test_full_disk_leaves_nothing_half_written(part, tmp_path, monkeypatch):
+    def full(_archive: zipfile.ZipFile, name: str, *_rest: object) -> None:
+        if name.startswith("Metadata/"):
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(zipfile.ZipFile, "writestr", full)
+    printed = zoned_part(part, plan(zone("heel"))).printed
+    path = tmp_path / "i.3mf"
+    path.write_text("old")
+    with pytest.raises(OutputError, match="the disk is full; free some space and try again"):
+        write_slicer_3mf([printed], path, "orca")
+    assert [each.name for each in tmp_path.iterdir()] == ["i.3mf"]
+    assert path.read_text() == "old"
+
+
 def xml_of(path: Path, name: str) -> ElementTree.Element:
     with zipfile.ZipFile(path) as archive:
         return ElementTree.fromstring(archive.read(name))
@@ -245,6 +262,7 @@ def test_prusaslicer_prints_each_zone_at_its_density(left_foot, tmp_path):
     """Two boxes in heel and arch: the plastic of the infill fills as much of them as asked."""
     part = part_of(left_foot, most_triangles=8000, most_deviation_mm=0.3)
     printed = zoned_part(part, plan(zone("heel", 15), zone("arch", 40))).printed
+    printed = replace(printed, infill=Infill(5, "grid"))
     path = tmp_path / "zones.3mf"
     write_slicer_3mf([placed_print(printed, standing(part.solid))], path, "prusaslicer")
     result = sliced(path, tmp_path, layer_mm=0.35)
