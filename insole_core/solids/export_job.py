@@ -16,6 +16,7 @@ import numpy as np
 from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
 from insole_core.export.shop_order import OrderTerms
+from insole_core.export.slicer_3mf import Printer, write_slicer_3mf
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
 from insole_core.export.transaction import Transaction
@@ -42,6 +43,7 @@ from insole_core.solids.checks import (
 from insole_core.solids.order import Part, nest_parts
 from insole_core.solids.prescription_paper import NOBODY, Responsible, write_prescription_paper
 from insole_core.solids.shop import Block, Shop
+from insole_core.solids.zone_bodies import ZonedPart, placed_print
 
 # `paper` is imported by the functions that write one: it brings reportlab and matplotlib.
 if TYPE_CHECKING:
@@ -73,6 +75,14 @@ class ExportPaths:
 
 
 @dataclass(frozen=True, eq=False)
+class Printing:
+    """A print for a certain slicer, with the zones of each side."""
+
+    printer: Printer
+    zoned: Mapping[Side, ZonedPart]
+
+
+@dataclass(frozen=True, eq=False)
 class ExportJob:
     """The parts to export and the facts for their documents.
 
@@ -94,6 +104,8 @@ class ExportJob:
         Of blocking rules.
     ascii_stl
         Whether STL is written as text.
+    printing
+        Settings and zones in a 3MF for a slicer; None for a file without.
     terms
         Quantity, colour and so on, for the job sheet.
     ordered
@@ -112,6 +124,7 @@ class ExportJob:
     block: Block | None = None
     override: Override | None = None
     ascii_stl: bool = False
+    printing: Printing | None = None
     terms: OrderTerms = field(default_factory=OrderTerms)
     ordered: tuple[Part, ...] = ()
     translate: Translate = str
@@ -252,9 +265,7 @@ def run_export_job(
     placed = job.placed()
     records = [require_export(each.findings, job.override) for each in placed]
     progress.step(0.1, "Writing the file")
-    objects = [layer for each in placed for layer in each.objects(job.shop)]
-    label = job.identification.get("pseudonym", "")
-    write_solids(objects, beside.solid, ascii_stl=job.ascii_stl, label=label)
+    _write_solid(job, placed, beside.solid)
     if beside.checks is not None:
         text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
         write_text(text + "\n", beside.checks)
@@ -275,6 +286,36 @@ def run_export_job(
             identification={**job.patient, **job.identification},
             material=" / ".join(dict.fromkeys(filter(None, job.materials.values()))),
             day=date.today(),
+        )
+
+
+def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> None:
+    label = job.identification.get("pseudonym", "")
+    if job.printing is None:
+        objects = [layer for each in placed for layer in each.objects(job.shop)]
+        write_solids(objects, path, ascii_stl=job.ascii_stl, label=label)
+        return
+    prints = [
+        placed_print(job.printing.zoned[each.part.side].printed, each.insole2file)
+        for each in placed
+    ]
+    title = " ".join(filter(None, ("Insole", label)))
+    write_slicer_3mf(prints, path, job.printing.printer, title)
+
+
+def require_3mf(path: Path) -> None:
+    """Check that a file for a slicer can hold settings and zones.
+
+    Raises
+    ------
+    UsageError
+        If its suffix is not .3mf.
+    """
+    if path.suffix.lower() != ".3mf":
+        raise UsageError(
+            "Only a .3mf file holds zones and settings for a slicer, and {path} is none; change "
+            "its suffix, or name no printer.",
+            path=path,
         )
 
 

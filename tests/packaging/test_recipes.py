@@ -3,6 +3,7 @@
 import configparser
 import plistlib
 import re
+import shlex
 import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
@@ -12,6 +13,8 @@ import pytest
 from build import FORMATS
 from bundle import deb, product
 from bundle.trim import is_needed
+from insole_studio.cli import window
+from insole_studio.cli.main import command_parser
 
 LINUX = product.PACKAGING / "linux"
 WINDOWS = product.PACKAGING / "windows"
@@ -74,8 +77,17 @@ def test_all_open_the_same_case_files(installer, menu_entry, application):
     ]
 
 
+def test_a_double_click_opens_the_case(installer, menu_entry):
+    (windows,) = re.findall(r'open\\command"; .*ValueData: "(.*)"$', installer, re.MULTILINE)
+    for command, place in ((menu_entry["Exec"], "%f"), (windows.replace('""', '"'), "%1")):
+        arguments = shlex.split(command)[1:]
+        parsed = command_parser().parse_args([{place: "a b.insole"}.get(a, a) for a in arguments])
+        assert parsed.command is window
+        assert parsed.path == Path("a b.insole")
+
+
 def test_linux_and_windows_give_access_to_the_same_sensors():
-    rules = (LINUX / "70-kinect-v1.rules").read_text(encoding="utf-8")
+    rules = product.UDEV_RULE.read_text(encoding="utf-8")
     driver = (WINDOWS / "kinect-v1.inf").read_text(encoding="utf-8")
     instructions = (WINDOWS / "DRIVER.txt").read_text(encoding="utf-8").lower()
     allowed = set(re.findall(r'ATTR{idProduct}=="(\w{4})", MODE', rules))
@@ -112,7 +124,7 @@ def test_every_resource_goes_into_the_bundle():
     resources = [
         path
         for path in (product.ROOT / "resources").rglob("*")
-        if path.is_file() and path.suffix not in {".py", ".pyc", ".ts"}
+        if path.is_file() and path.suffix not in {".py", ".pyc", ".ts", ".map"}
     ]
     assert len(resources) > 30
     for path in resources:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli import print_arguments
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
@@ -53,6 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     shape.add_argument(
         "--cutter", type=number, metavar="MM", help="diameter of the ball-nose cutter"
     )
+    print_arguments.add_arguments(parser)
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
     papers.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
@@ -87,6 +89,7 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
 
     if arguments.layers and arguments.out.suffix.lower() != ".3mf":
         raise UsageError(f"--layers needs a .3mf file, and --out is {arguments.out}; change one.")
+    print_arguments.check(arguments)
     return open_places(places(arguments))
 
 
@@ -130,6 +133,7 @@ def deliver(
             block=block if len(insoles) > 1 else None,
             override=_override(arguments),
             ascii_stl=arguments.ascii,
+            printing=print_arguments.printing(parts, arguments),
         ),
         places(arguments),
         beside,

@@ -868,6 +868,10 @@
             <translation>Hallux rigidus</translation>
         </message>
         <message>
+            <source>Have an administrator copy {rule} to /etc/udev/rules.d, then unplug the sensors and plug them in again.</source>
+            <translation>Låt en administratör kopiera {rule} till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
+        </message>
+        <message>
             <source>Heel and ball of this foot lie in an impossible order, so no form of the library can be laid on it; choose a base from the foot, or scan again.</source>
             <translation>Fotens häl och trampdyna ligger i en omöjlig ordning, så ingen form ur biblioteket kan läggas på den; välj foten som bas eller skanna igen.</translation>
         </message>
@@ -938,10 +942,6 @@
         <message>
             <source>Install the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly.</source>
             <translation>Installera grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), som ritar långsamt.</translation>
-        </message>
-        <message>
-            <source>Install the package, or copy 70-kinect-v1.rules, which comes with the program, to /etc/udev/rules.d; then unplug the sensors and plug them in again.</source>
-            <translation>Installera paketet, eller kopiera 70-kinect-v1.rules, som följer med programmet, till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>It has no date of a visit; open it and choose one.</source>
@@ -1278,6 +1278,10 @@
         <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
             <translation>En vy utan referenssystem: tas som ett föremål på ett bord.</translation>
+        </message>
+        <message>
+            <source>Only a .3mf file holds zones and settings for a slicer, and {path} is none; change its suffix, or name no printer.</source>
+            <translation>Bara en .3mf-fil rymmer zoner och inställningar för ett skivningsprogram, och {path} är ingen; ändra ändelsen, eller ange ingen skrivare.</translation>
         </message>
         <message>
             <source>Only partly measured: {regions}; see the holes there before designing.</source>
@@ -2092,6 +2096,10 @@
             <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
+            <source>The insole does not reach the zone {zone}.</source>
+            <translation>Inlägget når inte till zonen {zone}.</translation>
+        </message>
+        <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
             <translation>Inlägget är {height_mm:.0f} mm högt och får kanske inte plats i en sko; upp till {usual_mm:g} mm är vanligt.</translation>
         </message>
@@ -2284,6 +2292,10 @@
             <translation>Ordinationen för {side} fot är inte vad som signerades; jämför med en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>The pressure under the {side} foot lies nowhere {zone}; change the limits or leave the zone out.</source>
+            <translation>Trycket under foten ({side}) ligger ingenstans i zonen {zone}; ändra gränserna eller utelämna zonen.</translation>
+        </message>
+        <message>
             <source>The processor draws, which is slow: install the driver of the graphics card.</source>
             <translation>Processorn ritar, vilket går långsamt: installera grafikkortets drivrutin.</translation>
         </message>
@@ -2366,6 +2378,10 @@
         <message>
             <source>The scan {path} is not there any more, or cannot be read; the case holds its own copy of the foot, so the work can go on.</source>
             <translation>Skanningen {path} finns inte längre, eller kan inte läsas; fallet har en egen kopia av foten, så arbetet kan fortsätta.</translation>
+        </message>
+        <message>
+            <source>The screen {screen} does not answer; start Insole Studio at the desktop of the computer, as the user who is signed in there.</source>
+            <translation>Skärmen {screen} svarar inte; starta Insole Studio vid datorns skrivbord, som den användare som är inloggad där.</translation>
         </message>
         <message>
             <source>The sensors of the views {first} and {second} stood in the same place ({apart_mm:.0f} mm apart); see that no view was recorded under two names.</source>
@@ -2466,6 +2482,10 @@
         <message>
             <source>The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to {most_mm:g} mm long; check its unit, and that it is a whole foot.</source>
             <translation>Ytan skulle vara en fot på {length_mm:.0f} mm, och fötter är {least_mm:g} till {most_mm:g} mm långa; kontrollera enheten, och att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The system lacks the library {name}; install Insole Studio by its package, which brings all that it needs, or ask whoever looks after this computer for that library.</source>
+            <translation>Systemet saknar biblioteket {name}; installera Insole Studio med dess paket, som har med allt det behöver, eller be den som sköter datorn om biblioteket.</translation>
         </message>
         <message>
             <source>The table has {count} columns, and {mapped} are chosen; choose the columns anew.</source>
@@ -2584,6 +2604,26 @@
             <translation>Uppvärmningen behöver tre tidpunkter med mätvärden; spela in i 15 minuter.</translation>
         </message>
         <message>
+            <source>The zone {zone} does not lie on the {side} insole; leave it out.</source>
+            <translation>Zonen {zone} ligger inte på inlägget ({side}); utelämna den.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} is a layer that the design does not have; give the layer a thickness or leave the zone out.</source>
+            <translation>Zonen {zone} är ett lager som designen inte har; ge lagret en tjocklek eller utelämna zonen.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} is thinner than two walls ({least:g} mm), so no infill finds room in it; make it larger or leave it out.</source>
+            <translation>Zonen {zone} är tunnare än två väggar ({least:g} mm), så ingen fyllning får plats i den; gör den större eller utelämna den.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} needs a map of pressures under the {side} foot; lay one under it, or leave the zone out.</source>
+            <translation>Zonen {zone} behöver en tryckkarta under foten ({side}); lägg in en, eller utelämna zonen.</translation>
+        </message>
+        <message>
+            <source>The zones {first} and {second} overlap; there, {second} is obeyed.</source>
+            <translation>Zonerna {first} och {second} överlappar; där gäller {second}.</translation>
+        </message>
+        <message>
             <source>The {count} frames show different scenes (they differ by {difference_raw:.0f} raw units); record one still wall without moving the sensor.</source>
             <translation>De {count} bilderna visar olika motiv (de skiljer {difference_raw:.0f} råenheter); spela in en stilla vägg utan att röra sensorn.</translation>
         </message>
@@ -2626,6 +2666,14 @@
         <message>
             <source>The {side} foot was changed while the map was being aligned to it, so the map was not laid; lay it again.</source>
             <translation>Foten ({side}) ändrades medan bilden passades in under den, så bilden lades inte dit; lägg den igen.</translation>
+        </message>
+        <message>
+            <source>The {side} insole has no pad {zone}; its pads are: {names}.</source>
+            <translation>Inlägget ({side}) har ingen pelott {zone}; de som finns är: {names}.</translation>
+        </message>
+        <message>
+            <source>The {side} insole has no pad, so there is no zone {zone}; leave it out.</source>
+            <translation>Inlägget ({side}) har ingen pelott, så zonen {zone} finns inte; utelämna den.</translation>
         </message>
         <message>
             <source>The {what} cannot be right: {reason}</source>
@@ -2722,6 +2770,10 @@
         <message>
             <source>There is no order {number} in the record; check the number.</source>
             <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
+            <source>There is no screen to open a window on; start Insole Studio at the desktop of the computer. What works without one says insole-studio --help.</source>
+            <translation>Det finns ingen skärm att öppna ett fönster på; starta Insole Studio vid datorns skrivbord. Vad som fungerar utan säger insole-studio --help.</translation>
         </message>
         <message>
             <source>There is no step {number}; choose one from 1 to {count}.</source>
@@ -2996,6 +3048,10 @@
             <translation>Bredd</translation>
         </message>
         <message>
+            <source>Windows cannot load a library of {name}; run the installer of Insole Studio again, and install the updates of Windows.</source>
+            <translation>Windows kan inte läsa in ett bibliotek till {name}; kör Insole Studios installationsprogram igen och installera uppdateringarna av Windows.</translation>
+        </message>
+        <message>
             <source>Writing the file</source>
             <translation>Skriver filen</translation>
         </message>
@@ -3034,6 +3090,10 @@
         <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
             <translation>Du är inte inloggad; logga först in med ditt konto i registret.</translation>
+        </message>
+        <message>
+            <source>Zones of other density are for insoles only; choose the insole as the piece, or no printer.</source>
+            <translation>Zoner med annan täthet finns bara för inlägg; välj inlägget som stycke, eller ingen skrivare.</translation>
         </message>
         <message>
             <source>a device or a pipe of that name is there; choose another name</source>
@@ -3880,6 +3940,10 @@
             <translation>innehåller inget material; lägg till ett</translation>
         </message>
         <message>
+            <source>holds no preset; add one</source>
+            <translation>har ingen förinställning; lägg till en</translation>
+        </message>
+        <message>
             <source>holds no pressure</source>
             <translation>innehåller inget tryck</translation>
         </message>
@@ -3974,6 +4038,10 @@
         <message>
             <source>is no key of findings; check its spelling or leave it out</source>
             <translation>är ingen nyckel i en fil med fynd; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
+            <source>is no key that is known here; check its spelling or leave it out</source>
+            <translation>är ingen känd nyckel här; kontrollera stavningen eller utelämna den</translation>
         </message>
         <message>
             <source>is no picture</source>
@@ -4480,6 +4548,10 @@
             <translation>måste vara över 0 och högst 100</translation>
         </message>
         <message>
+            <source>must be above from_kpa</source>
+            <translation>måste vara större än from_kpa</translation>
+        </message>
+        <message>
             <source>must be an object {…}</source>
             <translation>måste vara ett objekt {…}</translation>
         </message>
@@ -4564,6 +4636,10 @@
             <translation>anger ett material två gånger; behåll ett av dem</translation>
         </message>
         <message>
+            <source>names one preset twice; keep one of them</source>
+            <translation>nämner en förinställning två gånger; behåll en av dem</translation>
+        </message>
+        <message>
             <source>names the same marker id twice</source>
             <translation>anger samma markör-id två gånger</translation>
         </message>
@@ -4574,6 +4650,10 @@
         <message>
             <source>names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _</source>
             <translation>anger {name!r}, men en vy har 1 till 32 av tecknen a-z, 0-9 och _</translation>
+        </message>
+        <message>
+            <source>names {name} twice; keep one of them</source>
+            <translation>nämner {name} två gånger; behåll en av dem</translation>
         </message>
         <message>
             <source>narrow</source>
@@ -6754,6 +6834,10 @@
         <message>
             <source>{place} was made by a newer Insole Studio (tables {found}; this program knows them up to {newest}); install the newest version.</source>
             <translation>{place} har skapats av ett nyare Insole Studio (tabeller {found}; det här programmet känner dem till och med {newest}); installera den nyaste versionen.</translation>
+        </message>
+        <message>
+            <source>{printer} has no pattern {pattern}; choose another pattern, such as gyroid, or another printer.</source>
+            <translation>{printer} har inget mönster {pattern}; välj ett annat mönster, till exempel gyroid, eller en annan skrivare.</translation>
         </message>
         <message>
             <source>{problem} Kept so far: {views}.</source>
