@@ -292,6 +292,10 @@
             <translation>Valfritt nummer</translation>
         </message>
         <message>
+            <source>Approved by</source>
+            <translation>Godkänd av</translation>
+        </message>
+        <message>
             <source>Arch fill</source>
             <translation>Valvfyllnad</translation>
         </message>
@@ -468,6 +472,10 @@
             <translation>Sluter {kind}</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Färg</translation>
+        </message>
+        <message>
             <source>Colour on depth, after a constant shift</source>
             <translation>Färg på djup, efter en fast förskjutning</translation>
         </message>
@@ -478,6 +486,10 @@
         <message>
             <source>Colouring the surface</source>
             <translation>Färglägger ytan</translation>
+        </message>
+        <message>
+            <source>Comparing the files</source>
+            <translation>Jämför filerna</translation>
         </message>
         <message>
             <source>Contact</source>
@@ -568,6 +580,10 @@
             <translation>Datum</translation>
         </message>
         <message>
+            <source>Delivery date</source>
+            <translation>Leveransdag</translation>
+        </message>
+        <message>
             <source>Designed by</source>
             <translation>Utformad av</translation>
         </message>
@@ -610,6 +626,10 @@
         <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
+        </message>
+        <message>
+            <source>Drawn by</source>
+            <translation>Ritad av</translation>
         </message>
         <message>
             <source>Drawn outline</source>
@@ -1368,6 +1388,10 @@
             <translation>Kilning</translation>
         </message>
         <message>
+            <source>Posts, pads and corrections</source>
+            <translation>Stöd, pelotter och korrigeringar</translation>
+        </message>
+        <message>
             <source>Prescriber</source>
             <translation>Ordinatör</translation>
         </message>
@@ -1406,6 +1430,10 @@
         <message>
             <source>Put the sensor in its place for view {views}</source>
             <translation>Ställ sensorn på sin plats för vy {views}</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Antal</translation>
         </message>
         <message>
             <source>Read in {unit}: the surface is {length_mm:.0f} mm long.</source>
@@ -1508,6 +1536,10 @@
             <translation>Avlastning under femte tån</translation>
         </message>
         <message>
+            <source>Remarks</source>
+            <translation>Anmärkningar</translation>
+        </message>
+        <message>
             <source>Removed: {correction}</source>
             <translation>Borttaget: {correction}</translation>
         </message>
@@ -1540,12 +1572,20 @@
             <translation>Root</translation>
         </message>
         <message>
+            <source>SHA-256</source>
+            <translation>SHA-256</translation>
+        </message>
+        <message>
             <source>SHA-256 of the foot</source>
             <translation>Fotens SHA-256</translation>
         </message>
         <message>
             <source>SHA-256 of the scan</source>
             <translation>Skanningens SHA-256</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>Skala</translation>
         </message>
         <message>
             <source>Scaled by the size that is known: the surface is {length_mm:.0f} mm long.</source>
@@ -1872,6 +1912,14 @@
             <translation>Databasen {file} saknas, men journalens filer bredvid den finns kvar; återställ journalen från en säkerhetskopia eller lägg tillbaka databasen.</translation>
         </message>
         <message>
+            <source>The delivery date {day} is more than two years ahead; check the year.</source>
+            <translation>Leveransdagen {day} ligger mer än två år fram; kontrollera året.</translation>
+        </message>
+        <message>
+            <source>The delivery date {day} is past; choose a day from {today} on.</source>
+            <translation>Leveransdagen {day} har passerat; välj en dag från och med {today}.</translation>
+        </message>
+        <message>
             <source>The depth image has no readings; capture it again.</source>
             <translation>Djupbilden har inga mätvärden; ta om den.</translation>
         </message>
@@ -2140,6 +2188,10 @@
             <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
         </message>
         <message>
+            <source>The order holds nothing; name at least one case.</source>
+            <translation>Beställningen är tom; ange minst ett fall.</translation>
+        </message>
+        <message>
             <source>The order {number} is {state} already; choose another state.</source>
             <translation>Beställningen {number} är redan {state}; välj ett annat läge.</translation>
         </message>
@@ -2258,6 +2310,10 @@
         <message>
             <source>The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; see that it is one whole foot.</source>
             <translation>Proportionerna är ovanliga för en fot: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {midfoot_mm:.0f} mm på mitten, {heel_mm:.0f} mm vid hälen; se efter att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The quantity is {quantity}, and must be 1 to {most}; correct it.</source>
+            <translation>Antalet är {quantity} och måste vara 1 till {most}; rätta det.</translation>
         </message>
         <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
@@ -2580,6 +2636,10 @@
             <translation>Bilderna ({kind}) är {width}×{height}, men sensorn ger {allowed}; använd dess bilder som de är, varken beskurna eller skalade.</translation>
         </message>
         <message>
+            <source>The {name} of the order has {count} characters, and the papers take at most {most}; shorten it.</source>
+            <translation>Beställningens fält {name} har {count} tecken, och papperen rymmer högst {most}; korta det.</translation>
+        </message>
+        <message>
             <source>The {pad} comes within {distance_mm:g} mm of the 1st head, which it leaves free; keep it at least {least_mm:g} mm away.</source>
             <translation>Avståndet ({pad}) till första metatarsalhuvudet, som ska vara fritt, är {distance_mm:g} mm; håll det minst {least_mm:g} mm bort.</translation>
         </message>
@@ -2880,6 +2940,10 @@
             <translation>Två filer i beställningen heter {name}; ge en av dem ett annat namn.</translation>
         </message>
         <message>
+            <source>Two patients of the order are called {pseudonym}; give one of them another pseudonym.</source>
+            <translation>Två patienter i beställningen heter {pseudonym}; ge en av dem en annan pseudonym.</translation>
+        </message>
+        <message>
             <source>Two points of the object have the same true position; correct the list.</source>
             <translation>Två punkter på föremålet har samma sanna läge; rätta listan.</translation>
         </message>
@@ -3004,6 +3068,10 @@
             <translation>Skriver arbetsordern</translation>
         </message>
         <message>
+            <source>Writing the order</source>
+            <translation>Skriver beställningen</translation>
+        </message>
+        <message>
             <source>Writing the prescription</source>
             <translation>Skriver ordinationen</translation>
         </message>
@@ -3124,6 +3192,10 @@
             <translation>alla anslutningar är upptagna</translation>
         </message>
         <message>
+            <source>along the axis of the foot</source>
+            <translation>längs fotens axel</translation>
+        </message>
+        <message>
             <source>already there</source>
             <translation>finns redan</translation>
         </message>
@@ -3210,6 +3282,10 @@
         <message>
             <source>backed up</source>
             <translation>säkerhetskopierad</translation>
+        </message>
+        <message>
+            <source>ball</source>
+            <translation>trampdyna</translation>
         </message>
         <message>
             <source>ball girth</source>
@@ -3720,6 +3796,14 @@
             <translation>frihandspelott</translation>
         </message>
         <message>
+            <source>from above</source>
+            <translation>ovanifrån</translation>
+        </message>
+        <message>
+            <source>from below</source>
+            <translation>underifrån</translation>
+        </message>
+        <message>
             <source>from the foot</source>
             <translation>från foten</translation>
         </message>
@@ -3910,6 +3994,10 @@
         <message>
             <source>intrinsic</source>
             <translation>intern</translation>
+        </message>
+        <message>
+            <source>is "{name}", but must be the plain name of a file, without folders</source>
+            <translation>är ”{name}” men måste vara ett filnamn utan mappar</translation>
         </message>
         <message>
             <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
@@ -4276,6 +4364,10 @@
             <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
         </message>
         <message>
+            <source>list the file {file} twice</source>
+            <translation>anger filen {file} två gånger</translation>
+        </message>
+        <message>
             <source>locked</source>
             <translation>låst</translation>
         </message>
@@ -4424,6 +4516,14 @@
             <translation>flyttad</translation>
         </message>
         <message>
+            <source>must be 64 digits and letters a to f</source>
+            <translation>måste vara 64 siffror och bokstäver a till f</translation>
+        </message>
+        <message>
+            <source>must be a day such as 2026-11-20, or null</source>
+            <translation>måste vara en dag som 2026-11-20, eller null</translation>
+        </message>
+        <message>
             <source>must be a list […]</source>
             <translation>måste vara en lista […]</translation>
         </message>
@@ -4472,6 +4572,10 @@
             <translation>måste ha min under max i x, y och z</translation>
         </message>
         <message>
+            <source>must hold at least one item</source>
+            <translation>måste ha minst en post</translation>
+        </message>
+        <message>
             <source>must hold at least one prescription</source>
             <translation>måste innehålla minst en ordination</translation>
         </message>
@@ -4488,8 +4592,16 @@
             <translation>måste ange minst en vy, och ingen två gånger</translation>
         </message>
         <message>
+            <source>must name left, right, or both, each once</source>
+            <translation>måste ange left, right eller båda, var och en en gång</translation>
+        </message>
+        <message>
             <source>name</source>
             <translation>namn</translation>
+        </message>
+        <message>
+            <source>name a foot that the item does not order</source>
+            <translation>anger en fot som posten inte beställer</translation>
         </message>
         <message>
             <source>name and birth date</source>
@@ -5620,6 +5732,10 @@
             <translation>{archive} är packat på ett ovanligt sätt; packa upp det, och packa det på nytt som ett vanligt zip-arkiv.</translation>
         </message>
         <message>
+            <source>{archive} unpacks to more than {limit_gb} GB, far more than an order has; do not unpack it, and ask the clinic for another one.</source>
+            <translation>{archive} packas upp till mer än {limit_gb} GB, långt mer än en beställning har; packa inte upp det, och be kliniken om ett nytt.</translation>
+        </message>
+        <message>
             <source>{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session has; do not use this file.</source>
             <translation>{archive} skulle packas upp till {size_gb:.1f} GB i {files} filer, mycket mer än en session har; använd inte denna fil.</translation>
         </message>
@@ -5784,6 +5900,10 @@
             <translation>{fault} ({reason})</translation>
         </message>
         <message>
+            <source>{file} cannot be added under this name, which the order has already or which not every system takes; give it another name.</source>
+            <translation>{file} kan inte läggas till under detta namn, som beställningen redan har eller som inte alla system tar emot; ge filen ett annat namn.</translation>
+        </message>
+        <message>
             <source>{file} does not say how many dots per inch it has; state them, or click two points whose distance is known.</source>
             <translation>{file} anger inte hur många punkter per tum den har; ange dem, eller klicka på två punkter vars avstånd är känt.</translation>
         </message>
@@ -5792,8 +5912,24 @@
             <translation>{file} anger inte {what}; ange det.</translation>
         </message>
         <message>
+            <source>{file} has been changed since the order was written; ask the clinic to send the order again.</source>
+            <translation>{file} har ändrats sedan beställningen skrevs; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} holds what {real} was; ask the clinic to send the order again.</source>
+            <translation>{file} innehåller det som {real} var; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
             <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
             <translation>{file} i {archive} är skadad; kopiera arkivet igen från källan.</translation>
+        </message>
+        <message>
+            <source>{file} is for the {side} foot, but holds what {real} was for the {real_side}: the sides are exchanged; do not make it, and ask the clinic to send the order again.</source>
+            <translation>{file} gäller sidan {side} men innehåller det som {real} var för sidan {real_side}: sidorna är förväxlade; tillverka inte, och be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} is given for the {side} foot, which its name or the order contradicts; correct one of them.</source>
+            <translation>{file} anges för sidan {side}, men namnet eller beställningen säger något annat; rätta ett av dem.</translation>
         </message>
         <message>
             <source>{file} is larger than {limit_mb} MB, far more than such a file has; do not use the archive {archive}.</source>
@@ -5808,12 +5944,28 @@
             <translation>{file} saknas, men manifest.json anger vyn {view}; återställ den från inspelningen.</translation>
         </message>
         <message>
+            <source>{file} is missing; ask the clinic to send the order again.</source>
+            <translation>{file} saknas; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} is named after the {named} foot, and {order} has it for the {side}; ask the clinic which is right.</source>
+            <translation>{file} har namn efter sidan {named}, och {order} har den för sidan {side}; fråga kliniken vilket som stämmer.</translation>
+        </message>
+        <message>
+            <source>{file} is not part of the order; leave it out, or ask the clinic about it.</source>
+            <translation>{file} hör inte till beställningen; utelämna den eller fråga kliniken om den.</translation>
+        </message>
+        <message>
             <source>{file} is not valid JSON ({reason}); restore the file.</source>
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
         </message>
         <message>
             <source>{file} is the map of a {side} foot, and the foot is a {foot_side} one; choose the other foot, or the other map.</source>
             <translation>{file} är en annan fots tryckbild ({side}) än den öppna foten ({foot_side}); välj den andra foten, eller den andra tryckbilden.</translation>
+        </message>
+        <message>
+            <source>{file} leads out of the folder of the order; do not unpack the archive, and ask the clinic for another one.</source>
+            <translation>{file} leder ut ur beställningens mapp; packa inte upp arkivet, och be kliniken om ett nytt.</translation>
         </message>
         <message>
             <source>{file} may only be read by you; ask for the right to write to it.</source>
@@ -6340,6 +6492,10 @@
             <translation>{path} innehåller ingen {file}, så det är inget fall; välj en .insole-fil.</translation>
         </message>
         <message>
+            <source>{path} holds no {file}, so that it is no order; choose the folder or zip archive of an order.</source>
+            <translation>{path} har ingen {file} och är därför ingen beställning; välj en beställnings mapp eller zip-arkiv.</translation>
+        </message>
+        <message>
             <source>{path} holds only triangles without area; export it again.</source>
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
         </message>
@@ -6354,6 +6510,10 @@
         <message>
             <source>{path} holds {count_a} points of a and {count_b} of b; pick each point on both.</source>
             <translation>{path} innehåller {count_a} punkter av a och {count_b} av b; välj varje punkt på båda.</translation>
+        </message>
+        <message>
+            <source>{path} holds {count} files, far more than an order has; choose another place.</source>
+            <translation>{path} har {count} filer, långt fler än en beställning har; välj en annan plats.</translation>
         </message>
         <message>
             <source>{path} holds {count} scans ({names} …), and one foot or both are expected; open the one that is meant.</source>
@@ -6690,6 +6850,10 @@
         <message>
             <source>{problem}; the depth may be wrong by several millimetres.</source>
             <translation>{problem}; djupet kan vara fel med flera millimeter.</translation>
+        </message>
+        <message>
+            <source>{pseudonym} orders the {side} foot, and no file is there to make it from; ask the clinic for it.</source>
+            <translation>{pseudonym} beställer sidan {side}, och ingen fil finns att tillverka den från; be kliniken om den.</translation>
         </message>
         <message>
             <source>{region} {percent:.0f} %</source>
