@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import math
 import re
@@ -15,13 +16,14 @@ import numpy.typing as npt
 import pytest
 import scipy
 
-from insole_core.errors import DesignError, InputError
+from insole_core.errors import DesignError, InputError, OutputError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.milling.gcode import gcode, origin_mm
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import MillingPlan, plan_milling, turned_over
 from insole_core.resources import resource_path
+from insole_core.workflows.mill import write_program
 from tests.insole_core.milling.removal import Removal, Tool
 
 FloatArray = npt.NDArray[np.float64]
@@ -313,3 +315,18 @@ def test_a_machine_file_that_is_wrong_names_the_key(tmp_path, keys, value, sente
     with pytest.raises(InputError, match=sentence) as raised:
         read_machine(path)
     assert str(path) in str(raised.value)
+
+
+def test_a_full_disk_leaves_the_earlier_program(tmp_path, monkeypatch):
+    def full(*_arguments, **_options):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    plan = plan_milling([solid()], BLOCK_MM, machine())
+    path = tmp_path / "piece.nc"
+    path.write_text("(earlier)")
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(OutputError, match="disk is full"):
+        write_program(plan, path, "A-1")
+    monkeypatch.undo()
+    assert path.read_text() == "(earlier)"
+    assert list(tmp_path.iterdir()) == [path]
