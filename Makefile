@@ -8,11 +8,13 @@ PYTEST := MALLOC_ARENA_MAX=1 $(BIN)/python -m pytest
 OFFSCREEN := QT_QPA_PLATFORM=offscreen $(PYTEST) -n auto --dist worksteal
 READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system
+# What is compiled is kept, whatever the environment says: compiling all tests takes longer than any test.
+unexport PYTHONDONTWRITEBYTECODE
 
 SITE   := resources/manual
 PAGES  := $(wildcard docs/*.py docs/manual/*.md docs/manual/*/* docs/formats/*) CHANGELOG.md
 
-.PHONY: demo test test-fast lint manual bench package clean
+.PHONY: demo test test-fast lint types style manual bench package clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -36,15 +38,20 @@ demo: $(READY) manual ## open the application on a recorded session; without a s
 
 test: $(READY) ## all tests: the window's offscreen, then those that look at real pixels, under Xvfb
 	$(OFFSCREEN) -m "not display"
-	QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" env $(PYTEST) -m display tests/insole_studio
+	QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" env $(PYTEST) -m display $$(grep -rl mark.display tests --include='*.py')
 
 test-fast: $(READY) ## the tests to run while working: all but those that take long
 	$(OFFSCREEN) -m "not display and not slow"
 
-lint: $(READY) manual ## style, types, architecture, the links of the manual
+lint: $(READY) ## style, types, architecture, the links of the manual
+	$(MAKE) --jobs=2 --output-sync manual types style
+
+types: $(READY)
+	$(BIN)/mypy
+
+style: $(READY)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
 
 bench: $(READY) ## speed and accuracy, side by side with peers; results in benchmarks/results

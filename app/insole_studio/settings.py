@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import logging
+import shutil
+import tempfile
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Literal, get_type_hints
@@ -45,6 +47,7 @@ class Settings:
     linked_views: bool = True
     language: Language = "system"
     touch: bool = False
+    software_rendering: bool = False
     tour_seen: bool = False
     version_used: str = ""
     author: str = ""
@@ -97,6 +100,17 @@ def load_settings(path: Path, complain: Complain = log.warning) -> Settings:
     settings.recent = settings.recent[:RECENT_COUNT]
     settings.backup_hour = min(max(settings.backup_hour, 0), LAST_HOUR)
     return settings
+
+
+def peek_settings(path: Path) -> Settings:
+    """Read the settings without a word, and leave the file as it is, whatever is wrong with it."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / path.name
+        try:
+            shutil.copyfile(path, copy)
+        except OSError:
+            return Settings()
+        return load_settings(copy, lambda _sentence: None)
 
 
 def save_settings(settings: Settings, path: Path) -> None:

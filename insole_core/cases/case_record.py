@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
+from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
@@ -44,6 +45,11 @@ class Patient:
     visit: str = ""
     notes: str = ""
     pseudonym: str = ""
+
+    @property
+    def is_sample(self) -> bool:
+        """Whether this is the invented patient, who must be taken for nobody."""
+        return self.pseudonym == SAMPLE_PSEUDONYM
 
 
 @dataclass(frozen=True)

@@ -270,8 +270,8 @@ def _found(
         (_best(even, points, poses, side, normals, shows_pulps=shows_pulps) for side in Side),
         key=lambda one: one.dissimilarity,
     )
-    if normals is not None and shows_pulps:
-        nearest = _by_second_toe(even, nearest)
+    if normals is not None:
+        nearest = _by_second_toe(even, nearest, shows_pulps)
     if other.dissimilarity > CLEAR * nearest.dissimilarity:
         # The directions of ground and toes follow from the shape, whatever the side.
         poses = _as_it_lies(points, nearest.source2insole)
@@ -475,14 +475,14 @@ def _best(
     )
 
 
-def _by_second_toe(surface: EvenSurface, foot: FootCandidate) -> FootCandidate:
+def _by_second_toe(surface: EvenSurface, foot: FootCandidate, shows_pulps: bool) -> FootCandidate:
     """Look for the 2nd toe from either side of its usual place, so that chance does not decide."""
     if foot.second_toe_found or foot.covered < 1:
         return foot
     for yaw_deg in _TOE_YAWS_DEG:
         turned = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg), np.zeros(3))
         try:
-            other = level(surface, foot.side, turned @ foot.source2insole)
+            other = level(surface, foot.side, turned @ foot.source2insole, shows_pulps=shows_pulps)
         except InputError:
             return foot
         if other.second_toe_found:

@@ -35,7 +35,7 @@ _BALL_BAND = 0.68
 _BAND = 0.02
 _PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
 _BACK_FACING = 0.3
-_ROUNDS, _AT_REST_DEG = 40, 0.002
+_ROUNDS, _AT_REST_DEG, _NEARLY_AT_REST_DEG = 40, 0.002, 0.2
 _END_MM, _BLUNT = (6.0, 40.0), 0.7  # an end of the foot, and what is behind it; share of its width
 
 
@@ -102,14 +102,16 @@ def _settled(
 ) -> tuple[FloatArray, bool]:
     """Iterate the pose, and return whether it came to rest.
 
-    Where the 2nd toe hardly stands out, it is found in one pose and lost in the next one.
+    Where the 2nd toe hardly stands out, it is found in one pose and lost in the next one, and the
+    axis swings by degrees; a coarse surface lets it swing by hundredths.
     """
     for _ in range(_ROUNDS):
         step = _Marks(low, side, pose, covered, toes).frame()
         pose = step @ pose
-        if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
+        moved_deg = rotation_angle_deg(step[:3, :3])
+        if moved_deg < _AT_REST_DEG:
             return pose, True
-    return pose, False
+    return pose, moved_deg < _NEARLY_AT_REST_DEG
 
 
 def _low_part(surface: EvenSurface, source2rough: FloatArray) -> EvenSurface:

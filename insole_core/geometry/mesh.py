@@ -151,5 +151,10 @@ class TriangleMesh:
 
     @cached_property
     def _triangle_cross(self) -> FloatArray:
-        a, b, c = (self.vertices[self.triangles[:, corner]] for corner in range(3))
-        return np.cross(b - a, c - a)
+        # Coordinate by coordinate: several times as quick as with rows and `np.cross`.
+        a, b, c = self.triangles.T.astype(np.intp, order="C")
+        coordinates = np.ascontiguousarray(self.vertices.T)
+        u = [values.take(b) - values.take(a) for values in coordinates]
+        v = [values.take(c) - values.take(a) for values in coordinates]
+        pairs = ((1, 2), (2, 0), (0, 1))
+        return np.stack([u[i] * v[j] - u[j] * v[i] for i, j in pairs], axis=1)

@@ -31,9 +31,11 @@ class MeshTopology:
     def corners(self) -> _Matrix:
         """(n, m) with a 1 where a vertex is a corner of a triangle."""
         corner = self._triangles.ravel()
-        triangle = np.arange(len(corner)) // 3
+        first = np.arange(0, len(corner) + 1, 3, dtype=corner.dtype)
         shape = (self._count, len(self._triangles))
-        return scipy.sparse.csr_array((np.ones(len(corner)), (corner, triangle)), shape)
+        # By columns they are there already: nothing to sort.
+        by_triangle = scipy.sparse.csc_array((np.ones(len(corner)), corner, first), shape)
+        return scipy.sparse.csr_array(by_triangle)
 
     @cached_property
     def _sides(self) -> _Matrix:

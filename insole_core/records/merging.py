@@ -132,6 +132,8 @@ def merge_persons(context: RecordsContext, keep_id: str, merge_id: str) -> Merge
     with context.writing(Right.MERGE) as connection:
         found = {id_: locked_person(connection, id_) for id_ in sorted((keep_id, merge_id))}
         kept, merged = found[keep_id], found[merge_id]
+        if kept.is_sample or merged.is_sample:
+            raise RecordsError("The sample patient cannot be merged with anybody; remove it.")
         moved = {
             name: _move(connection, table, _ids(connection, table, merge_id), keep_id)
             for name, table in _MOVED.items()

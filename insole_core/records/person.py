@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from datetime import date
 from typing import Final
 
+from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.records.field_checks import (
     check_birth_date,
     check_day,
@@ -64,6 +65,11 @@ class Person:
     created_at: str = ""
     changed_at: str = ""
     revision: int = 0
+
+    @property
+    def is_sample(self) -> bool:
+        """Whether this is the invented patient to try the program with (`sample_patient`)."""
+        return self.pseudonym == SAMPLE_PSEUDONYM
 
     def checked(self, today: date) -> Person:
         """Return the person as it is stored.

@@ -21,6 +21,7 @@ from sqlalchemy import (
     update,
 )
 
+from insole_core.cases.sample import SAMPLE_KEEPS_NAME, SAMPLE_PSEUDONYM
 from insole_core.errors import Conflict, InputError
 from insole_core.records.context import RecordsContext
 from insole_core.records.merging import (
@@ -173,6 +174,13 @@ class Persons:
             (stored,) = add_persons(self._context, connection, [person])
             return stored
 
+    def sample(self) -> Person | None:
+        """Return the sample patient; None where it was removed."""
+        with self._context.reading() as connection:
+            query = select(persons.c.id).where(persons.c.pseudonym == SAMPLE_PSEUDONYM)
+            found = connection.execute(query).scalar()
+            return None if found is None else person_of(connection, found)
+
     def change(self, person: Person, revision: int) -> Person:
         """Store the changed fields of a person; return them as they are stored.
 
@@ -201,6 +209,8 @@ class Persons:
                 )
             if not changed:
                 return stored
+            if stored.is_sample and not {"name", "pseudonym"}.isdisjoint(changed):
+                raise InputError(SAMPLE_KEEPS_NAME)
             if "pseudonym" in changed:
                 _check_free(connection, person)
             values = {name: getattr(person, name) for name in changed}

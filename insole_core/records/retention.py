@@ -29,12 +29,14 @@ from sqlalchemy import (
     update,
 )
 
+from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.errors import RecordsError
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.clinic import setting_of
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
+from insole_core.records.person import new_pseudonym
 from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require
 from insole_core.records.schema import (
@@ -69,6 +71,8 @@ class ErasureReason(StrEnum):
 
     REQUEST = "request"
     RETENTION_OVER = "retention over"
+    SAMPLE = "sample"
+    """The invented patient, of whom the law keeps nothing."""
 
 
 @dataclass(frozen=True)
@@ -165,6 +169,11 @@ def _erasable(connection: Connection, person_id: str) -> Erasable:
     )
 
 
+def _is_sample(connection: Connection, person_id: str) -> bool:
+    pseudonym = select(persons.c.pseudonym).where(persons.c.id == person_id)
+    return connection.execute(pseudonym).scalar() == SAMPLE_PSEUDONYM
+
+
 def _count(connection: Connection, table: Table, person_id: str) -> int:
     query = select(func.count()).select_from(table).where(table.c.person_id == person_id)
     return int(connection.execute(query).scalar_one())
@@ -176,8 +185,13 @@ def retention_years(connection: Connection) -> int:
 
 
 def kept_until(connection: Connection, person_id: str) -> date:
-    """Return until when a person's record is kept: some years after the last entry."""
+    """Return until when a person's record is kept: some years after the last entry.
+
+    The sample patient's record need not be kept after that day.
+    """
     last = max(_last_days(connection, person_id))
+    if _is_sample(connection, person_id):
+        return last
     return _years_later(last, retention_years(connection))
 
 
@@ -206,6 +220,8 @@ def over_retention(context: RecordsContext, today: date, limit: int = 100) -> li
         for person_id in candidates.all():
             if len(found) == limit:
                 break
+            if _is_sample(connection, person_id):
+                continue
             if _has_entries(connection, person_id) and kept_until(connection, person_id) <= today:
                 found.append(person_id)
         return found
@@ -243,8 +259,12 @@ def erase_in(
     """Do the same in a transaction of the caller, who has the right to it."""
     _lock(connection, person_id)
     until = kept_until(connection, person_id)
+    is_sample = _is_sample(connection, person_id)
+    if is_sample:  # so that it can come back
+        row = update(persons).where(persons.c.id == person_id)
+        connection.execute(row.values(pseudonym=new_pseudonym()))
     erase_identity(connection, person_id)
-    if until > today:
+    if until > today and not is_sample:
         erasure = Erasure(person_id, until)
         captured = _unused_captures(connection, person_id)
     else:

@@ -14,6 +14,7 @@ import numpy as np
 
 from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
+from insole_core.export.shop_order import OrderTerms
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
 from insole_core.export.transaction import Transaction
@@ -88,6 +89,11 @@ class ExportJob:
         Of blocking rules.
     ascii_stl
         Whether STL is written as text.
+    terms
+        Quantity, colour and so on, for the job sheet.
+    ordered
+        All parts of the order, also those of other files, which the drawing shows together;
+        empty for `parts` alone.
     """
 
     parts: tuple[Part, ...]
@@ -99,6 +105,8 @@ class ExportJob:
     block: Block | None = None
     override: Override | None = None
     ascii_stl: bool = False
+    terms: OrderTerms = field(default_factory=OrderTerms)
+    ordered: tuple[Part, ...] = ()
 
     @property
     def is_nested(self) -> bool:
@@ -343,10 +351,13 @@ def _make(job: ExportJob, part: Part) -> dict[str, str]:
     facts = {
         "material": job.materials.get(part.side) or "–",
         "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
+        **{name: text for name, text in job.terms.facts.items() if name != "remarks"},
         **make_facts(part.insole.design),
     }
     if part.insole.design.shell is None or part.order.kind == "positive":
         facts["draft of the walls"] = f"{plain_number(part.order.options.draft_deg)}°"
+    if job.terms.remarks:
+        facts["remarks"] = job.terms.remarks
     if job.block is not None:
         size = " × ".join(map(plain_number, job.block.size_mm))
         facts["stock"] = f"{job.block.name}, {size} mm"

@@ -65,6 +65,8 @@ UNUSED = (
     "matplotlib/mpl-data/fonts/ttf/STIX*.ttf",
     "PySide6/*plugins/tls/*",
     "PySide6/*Qt6Network*",
+    # SciPy for programs in Cython
+    "scipy/special/cython_special*",
     "setuptools*",
     "trimesh*",
 )

@@ -50,7 +50,7 @@ Root: HKA; Subkey: "Software\Classes\.insole"; ValueType: string; ValueData: "In
 Root: HKA; Subkey: "Software\Classes\.insole"; ValueType: string; ValueName: "Content Type"; ValueData: "application/x-insole-studio-case"
 Root: HKA; Subkey: "Software\Classes\InsoleStudio.Case"; ValueType: string; ValueData: "Insole case"; Flags: uninsdeletekey
 Root: HKA; Subkey: "Software\Classes\InsoleStudio.Case\DefaultIcon"; ValueType: string; ValueData: "{app}\{#AppName}.exe,0"
-Root: HKA; Subkey: "Software\Classes\InsoleStudio.Case\shell\open\command"; ValueType: string; ValueData: """{app}\{#AppName}.exe"" ""%1"""
+Root: HKA; Subkey: "Software\Classes\InsoleStudio.Case\shell\open\command"; ValueType: string; ValueData: """{app}\{#AppName}.exe"" open ""%1"""
 Root: HKA; Subkey: "Software\Microsoft\Windows\CurrentVersion\App Paths\{#Command}.exe"; ValueType: string; ValueData: "{app}\{#Command}.exe"; Flags: uninsdeletekey
 
 [Tasks]

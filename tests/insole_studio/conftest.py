@@ -101,6 +101,10 @@ class CannedQuestions:
         self.asked.append(f"discard {name}")
         return self.unsaved is Answer.DISCARD
 
+    def may_remove_sample(self) -> bool:
+        self.asked.append("remove sample")
+        return self.unsaved is Answer.DISCARD
+
     def folder_to_open(self, _title: str, _kept: Kept) -> Path | None:
         return self.path
 

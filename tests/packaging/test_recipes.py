@@ -3,6 +3,7 @@
 import configparser
 import plistlib
 import re
+import shlex
 import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
@@ -12,6 +13,8 @@ import pytest
 from build import FORMATS
 from bundle import deb, product
 from bundle.trim import is_needed
+from insole_studio.cli import window
+from insole_studio.cli.main import command_parser
 
 LINUX = product.PACKAGING / "linux"
 WINDOWS = product.PACKAGING / "windows"
@@ -72,6 +75,15 @@ def test_all_open_the_same_case_files(installer, menu_entry, application):
     assert application["CFBundleDocumentTypes"][0]["LSItemContentTypes"] == [
         exported["UTTypeIdentifier"]
     ]
+
+
+def test_a_double_click_opens_the_case(installer, menu_entry):
+    (windows,) = re.findall(r'open\\command"; .*ValueData: "(.*)"$', installer, re.MULTILINE)
+    for command, place in ((menu_entry["Exec"], "%f"), (windows.replace('""', '"'), "%1")):
+        arguments = shlex.split(command)[1:]
+        parsed = command_parser().parse_args([{place: "a b.insole"}.get(a, a) for a in arguments])
+        assert parsed.command is window
+        assert parsed.path == Path("a b.insole")
 
 
 def test_linux_and_windows_give_access_to_the_same_sensors():

@@ -1,9 +1,9 @@
-"""What holds for every widget of the application, whoever made it: foreign text, typed text, F1."""
+"""What holds for the whole application: foreign text, typed text, F1, files to open."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QKeyEvent
+from PySide6.QtGui import QFileOpenEvent, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from insole_studio.widgets.typed_text import commit_typed_text
@@ -34,13 +34,17 @@ class ApplicationEvents(QObject):
 
     help_requested = Signal(QWidget)
     """With the widget that had the focus."""
+    file_requested = Signal(str)
+    """With the file that macOS asks to open, for that is how it passes on a double click."""
 
     def __init__(self, application: QApplication) -> None:
         super().__init__(application)
         application.installEventFilter(self)
+        for widget in application.allWidgets():  # those that were made before
+            _show_as_it_is(widget)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Look at an event on its way; F1 alone is withheld."""
+        """Look at an event on its way; F1 and files to open are withheld."""
         kind = event.type()
         if kind == QEvent.Type.Polish:
             _show_as_it_is(watched)
@@ -48,6 +52,9 @@ class ApplicationEvents(QObject):
             commit_typed_text()
         elif isinstance(event, QKeyEvent) and _asks_for_help(event, watched):
             self.help_requested.emit(watched)
+            return True
+        elif isinstance(event, QFileOpenEvent) and event.file():
+            self.file_requested.emit(event.file())
             return True
         return False
 

@@ -29,6 +29,7 @@ from insole_studio.app.key_reference import key_sections
 from insole_studio.app.main_controller import MainController
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.preload import Preload
+from insole_studio.app.software_rendering import can_draw, prepare_software_rendering
 from insole_studio.app.status_bar import StatusBar
 from insole_studio.app.theme import apply_theme
 from insole_studio.app.window_feature import WindowFeature
@@ -58,6 +59,8 @@ from insole_studio.widgets.typed_text import commit_typed_text
 
 DEFAULT_SIZE = (1366, 768)
 SIGNAL_POLL_MS = 200
+CANNOT_DRAW = 3
+"""Exit code of a program without 3-D views, which was left or started anew."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +148,6 @@ def build_application(
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
-    events = ApplicationEvents(application)  # before any label could be polished without it
     case, jobs = Case(), Jobs()
     # Once all that listens has let go of the case before.
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
@@ -175,9 +177,8 @@ def build_application(
     main = WindowFeature(
         window,
         Appearance(services, window, stage),
-        HelpActions(services, window, stage, key_sections),
+        HelpActions(services, window, features, key_sections),
     )
-    events.help_requested.connect(main.help.show_manual_about)
     controller = MainController(services, features, main, autosave)
     if not _show_settings(main, settings, dark):
         complaints.append(
@@ -186,6 +187,8 @@ def build_application(
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
     maintenance = RecordMaintenance(clinic, window)
+    events = ApplicationEvents(application)  # last: making a window sends thousands of events
+    events.help_requested.connect(main.help.show_manual_about)
     return Application(
         services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )
@@ -204,6 +207,7 @@ def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> bool:
     window.check_action("contours", True)
     window.check_action("dark", dark)
     window.check_action("touch", settings.touch)
+    window.check_action("software_rendering", settings.software_rendering)
     window.check_action(f"language_{settings.language}", True)
     main.appearance.set_touch(settings.touch)
     window.resize(*DEFAULT_SIZE)
@@ -235,11 +239,14 @@ def run_application(
     int
         The exit code.
     """
-    qt = qt_application()
-    qt.setQuitOnLastWindowClosed(False)  # the controller decides: saving may take a moment
     if user_paths is None:
         user_paths = UserPaths.of_user()
         user_paths.make_private()
+    is_software = prepare_software_rendering(user_paths)
+    qt = qt_application()
+    qt.setQuitOnLastWindowClosed(False)  # the controller decides: saving may take a moment
+    if not can_draw(qt, user_paths, is_software=is_software):
+        return CANNOT_DRAW
     app = build_application(qt, user_paths, emulate)
     opener = app.features.case_files.opener
     crashes = CrashReports(user_paths.crashes_folder)
@@ -256,7 +263,9 @@ def run_application(
     QTimer.singleShot(0, app.window, app.services.clinic.open)
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
-    app.main.help.begin_tour_with_first_case()
+    app.features.records.sample.add_at_first_start()
+    app.main.help.offer_tour()
+    app.events.file_requested.connect(lambda name: opener.open_path(Path(name), None))
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
     _quit_on_signals(qt)

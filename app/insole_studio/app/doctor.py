@@ -168,8 +168,8 @@ class Doctor:
             yield Message("granted to whoever sits at this computer"), ""
         else:
             advice = Message(
-                "Copy packaging/linux/70-kinect-v1.rules to /etc/udev/rules.d, or install the "
-                "package, then unplug the sensors and plug them in again."
+                "Install the package, or copy 70-kinect-v1.rules, which comes with the program, to "
+                "/etc/udev/rules.d; then unplug the sensors and plug them in again."
             )
             yield Message("not set up"), advice
 

@@ -106,6 +106,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             SEPARATOR,
             "dark",
             "touch",
+            "software_rendering",
             "language_system",
             "language_en",
             "language_sv",
@@ -183,7 +184,20 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Help"),
-        ("manual", "tour", "keys", "news", SEPARATOR, "doctor", SEPARATOR, "licences", "about"),
+        (
+            "manual",
+            "tour",
+            "keys",
+            "news",
+            SEPARATOR,
+            "sample_patient",
+            "remove_sample",
+            SEPARATOR,
+            "doctor",
+            SEPARATOR,
+            "licences",
+            "about",
+        ),
     ),
 )
 

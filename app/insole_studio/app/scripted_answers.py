@@ -109,6 +109,10 @@ class AnsweredQuestions(Questions):
         """Return whether recovered work may be discarded: if unsaved work is."""
         return self.answers.unsaved is Answer.DISCARD
 
+    def may_remove_sample(self) -> bool:
+        """Return whether the sample patient may be removed: if unsaved work may be."""
+        return self.answers.unsaved is Answer.DISCARD
+
     def folder_to_open(self, _title: str, _kept: Kept) -> Path | None:
         """Return the path."""
         return self.answers.path

@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Try all steps, a line each, and end with 0 or 1."""
-    from insole_studio.app.recorded_session import has_screen
+    from insole_studio.app.screen import has_screen
 
     if not has_screen():
         os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")

@@ -6,6 +6,8 @@ changed. Nothing is needed from tests, sources or the network, so that a bundle 
 
 from __future__ import annotations
 
+import faulthandler
+import os
 import sys
 import time
 import traceback
@@ -14,6 +16,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from threading import Timer
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
@@ -60,6 +63,7 @@ RESOURCES = (
     "matching_error",
 )
 FRAMES = 3
+MOST_STEP_S = 300.0
 PAD_MM = (0.0, 140.0)
 MOST_DIFFERENCE_MM = 0.1
 """Between an insole and its exported file, on average; its numbers are single precision."""
@@ -109,15 +113,22 @@ class SelfTest:
         A recorded session to play; None simulates one.
     tell
         Called with each result as soon as it is there.
+    most_step_s
+        A step that takes longer hangs: it is told, and ends the process with 1.
     """
 
     def __init__(
-        self, folder: Path, session: Path | None, tell: Callable[[StepResult], None]
+        self,
+        folder: Path,
+        session: Path | None,
+        tell: Callable[[StepResult], None],
+        most_step_s: float = MOST_STEP_S,
     ) -> None:
         self._folder = folder
         self._recorded = session or folder / "recorded.zip"
         self._is_simulated = session is None
         self._tell = tell
+        self._most_step_s = most_step_s
         self._captured = folder / "captured"
         self._window: ScriptedWindow | None = None
         self._stl: Path | None = None
@@ -172,7 +183,8 @@ class SelfTest:
         started_s = time.perf_counter()
         problem = trace = ""
         try:
-            step()
+            with self._within_limit(name):
+                step()
             self._raise_what_the_window_told()
         except InsoleError as error:
             problem = str(error)
@@ -182,6 +194,23 @@ class SelfTest:
             problem = f"an error in the program itself ({error!r}); please report it"
             trace = "".join(traceback.format_exception(error))
         return StepResult(name, time.perf_counter() - started_s, problem, trace)
+
+    @contextmanager
+    def _within_limit(self, name: str) -> Iterator[None]:
+        """End the process where a step hangs: no other thread can stop it."""
+        limit = Timer(self._most_step_s, self._give_up, [name])
+        limit.daemon = True
+        limit.start()
+        try:
+            yield
+        finally:
+            limit.cancel()
+
+    def _give_up(self, name: str) -> None:
+        problem = f"it did not end within {self._most_step_s:.0f} s"
+        self._tell(StepResult(name, self._most_step_s, problem))
+        faulthandler.dump_traceback()
+        os._exit(1)
 
     @contextmanager
     def _catching_faults(self) -> Iterator[None]:

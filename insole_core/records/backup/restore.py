@@ -41,6 +41,7 @@ from insole_core.records.database import Database
 from insole_core.records.migrate import check_schema, migrate, schema_of
 from insole_core.records.place import RecordsPlace
 from insole_core.records.retention import ErasureReason, erase_in
+from insole_core.records.sample_patient import holds_only_sample
 from insole_core.records.schema import audit, contents, persons
 
 log = logging.getLogger(__name__)
@@ -281,6 +282,8 @@ def _inner_path(file: SavedFile) -> PurePosixPath:
 def _check_empty(place: RecordsPlace, manifest: Manifest) -> None:
     """Refuse to replace a record, unless nothing was ever entered: that of a new machine.
 
+    A local one may hold the sample patient, which comes with the first start.
+
     Raises
     ------
     PlaceTaken
@@ -288,6 +291,8 @@ def _check_empty(place: RecordsPlace, manifest: Manifest) -> None:
     try:
         with _opened(place) as database, database.reading() as connection:
             if schema_of(connection) is None or head_of(connection)[0] == 0:
+                return
+            if place.is_local and holds_only_sample(connection):
                 return
             comparison = _compared(connection, place, manifest)
     except (InsoleError, SQLAlchemyError) as error:

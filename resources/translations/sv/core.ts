@@ -488,10 +488,6 @@
             <translation>Fortsätter ytan till kanterna</translation>
         </message>
         <message>
-            <source>Copy packaging/linux/70-kinect-v1.rules to /etc/udev/rules.d, or install the package, then unplug the sensors and plug them in again.</source>
-            <translation>Kopiera packaging/linux/70-kinect-v1.rules till /etc/udev/rules.d, eller installera paketet; dra sedan ut sensorerna och anslut dem igen.</translation>
-        </message>
-        <message>
             <source>Copying {name}</source>
             <translation>{name} kopieras</translation>
         </message>
@@ -922,6 +918,10 @@
         <message>
             <source>Install the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly.</source>
             <translation>Installera grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), som ritar långsamt.</translation>
+        </message>
+        <message>
+            <source>Install the package, or copy 70-kinect-v1.rules, which comes with the program, to /etc/udev/rules.d; then unplug the sensors and plug them in again.</source>
+            <translation>Installera paketet, eller kopiera 70-kinect-v1.rules, som följer med programmet, till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>It has no date of a visit; open it and choose one.</source>
@@ -2288,6 +2288,14 @@
             <translation>Samma person står på rad {line}.</translation>
         </message>
         <message>
+            <source>The sample patient cannot be merged with anybody; remove it.</source>
+            <translation>Provpatienten kan inte slås ihop med någon; ta bort den.</translation>
+        </message>
+        <message>
+            <source>The sample patient keeps its name and pseudonym, so that nobody takes it for a real patient.</source>
+            <translation>Provpatienten behåller sitt namn och sin pseudonym, så att ingen tar den för en verklig patient.</translation>
+        </message>
+        <message>
             <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
@@ -2302,6 +2310,10 @@
         <message>
             <source>The scan {path} is not there any more, or cannot be read; the case holds its own copy of the foot, so the work can go on.</source>
             <translation>Skanningen {path} finns inte längre, eller kan inte läsas; fallet har en egen kopia av foten, så arbetet kan fortsätta.</translation>
+        </message>
+        <message>
+            <source>The screen {screen} does not answer; start Insole Studio at the desktop of the computer, as the user who is signed in there.</source>
+            <translation>Skärmen {screen} svarar inte; starta Insole Studio vid datorns skrivbord, som den användare som är inloggad där.</translation>
         </message>
         <message>
             <source>The sensors of the views {first} and {second} stood in the same place ({apart_mm:.0f} mm apart); see that no view was recorded under two names.</source>
@@ -2402,6 +2414,10 @@
         <message>
             <source>The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to {most_mm:g} mm long; check its unit, and that it is a whole foot.</source>
             <translation>Ytan skulle vara en fot på {length_mm:.0f} mm, och fötter är {least_mm:g} till {most_mm:g} mm långa; kontrollera enheten, och att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The system lacks the library {name}; install Insole Studio by its package, which brings all that it needs, or ask whoever looks after this computer for that library.</source>
+            <translation>Systemet saknar biblioteket {name}; installera Insole Studio med dess paket, som har med allt det behöver, eller be den som sköter datorn om biblioteket.</translation>
         </message>
         <message>
             <source>The table has {count} columns, and {mapped} are chosen; choose the columns anew.</source>
@@ -2654,6 +2670,10 @@
         <message>
             <source>There is no order {number} in the record; check the number.</source>
             <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
+            <source>There is no screen to open a window on; start Insole Studio at the desktop of the computer. What works without one says insole-studio --help.</source>
+            <translation>Det finns ingen skärm att öppna ett fönster på; starta Insole Studio vid datorns skrivbord. Vad som fungerar utan säger insole-studio --help.</translation>
         </message>
         <message>
             <source>There is no step {number}; choose one from 1 to {count}.</source>
@@ -2922,6 +2942,10 @@
         <message>
             <source>Width</source>
             <translation>Bredd</translation>
+        </message>
+        <message>
+            <source>Windows cannot load a library of {name}; run the installer of Insole Studio again, and install the updates of Windows.</source>
+            <translation>Windows kan inte läsa in ett bibliotek till {name}; kör Insole Studios installationsprogram igen och installera uppdateringarna av Windows.</translation>
         </message>
         <message>
             <source>Writing the file</source>

@@ -68,6 +68,14 @@
             <translation>En administratör sköter konton, säkerhetskopior och loggen och ser inga patienter; den som behandlar patienter loggar in med ett eget konto.</translation>
         </message>
         <message>
+            <source>An invented patient to try the program with; comes back if it was removed</source>
+            <translation>En påhittad patient att prova programmet med; kommer tillbaka om den tagits bort</translation>
+        </message>
+        <message>
+            <source>Anna Example (sample patient)</source>
+            <translation>Anna Exempel (provpatient)</translation>
+        </message>
+        <message>
             <source>Another scan</source>
             <translation>En annan skanning</translation>
         </message>
@@ -228,12 +236,20 @@
             <translation>I produktion</translation>
         </message>
         <message>
+            <source>Invented, to try the program with: nothing here concerns a real person.</source>
+            <translation>Påhittad, för att prova programmet: inget här gäller en verklig person.</translation>
+        </message>
+        <message>
             <source>Keep</source>
             <translation>Behåll</translation>
         </message>
         <message>
             <source>Keep both as variants</source>
             <translation>Behåll båda som varianter</translation>
+        </message>
+        <message>
+            <source>Keep the sample patient</source>
+            <translation>Behåll provpatienten</translation>
         </message>
         <message>
             <source>Keep theirs</source>
@@ -424,8 +440,24 @@
             <translation>Påminn mig om en vecka</translation>
         </message>
         <message>
+            <source>Remove the invented patient and all that was tried on it</source>
+            <translation>Ta bort den påhittade patienten och allt som provats på den</translation>
+        </message>
+        <message>
+            <source>Remove the sample patient…</source>
+            <translation>Ta bort provpatienten…</translation>
+        </message>
+        <message>
             <source>Returned</source>
             <translation>Returnerad</translation>
+        </message>
+        <message>
+            <source>Sample patient</source>
+            <translation>Provpatient</translation>
+        </message>
+        <message>
+            <source>Sample: an invented patient to try things on; nothing here is real.</source>
+            <translation>Prov: en påhittad patient att prova på; inget här är på riktigt.</translation>
         </message>
         <message>
             <source>Saved in the record</source>
@@ -518,6 +550,14 @@
         <message>
             <source>The patient agrees that these data are kept (today)</source>
             <translation>Patienten samtycker till att uppgifterna sparas (i dag)</translation>
+        </message>
+        <message>
+            <source>The sample patient and everything that was tried on it will be removed. Help ▸ Sample patient brings a new one back.</source>
+            <translation>Provpatienten och allt som provats på den tas bort. Hjälp ▸ Provpatient hämtar tillbaka en ny.</translation>
+        </message>
+        <message>
+            <source>The sample patient is removed; Help ▸ Sample patient brings it back.</source>
+            <translation>Provpatienten är borttagen; Hjälp ▸ Provpatient hämtar tillbaka den.</translation>
         </message>
         <message>
             <source>Their value</source>

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -104,3 +106,23 @@ def test_an_error_in_the_program_is_told_with_its_trace(
     assert failed.name == "open the window"
     assert "ZeroDivisionError" in failed.problem
     assert "in broken" in failed.trace
+
+
+HANGING = """
+import sys, time
+from pathlib import Path
+from insole_studio.cli.self_test_steps import SelfTest
+
+SelfTest._find_files = lambda _self: time.sleep(60)
+SelfTest(Path(sys.argv[1]), None, lambda one: print(one.line, flush=True), most_step_s=0.3).run()
+"""
+
+
+def test_a_step_that_hangs_is_named_and_ends_the_test(tmp_path: Path) -> None:
+    ended = subprocess.run(
+        [sys.executable, "-c", HANGING, str(tmp_path)], capture_output=True, text=True, check=False
+    )
+    assert ended.returncode == 1
+    assert ended.stdout.startswith("failed")
+    assert "find the program's files: it did not end within" in ended.stdout
+    assert "_find_files" in ended.stderr or "lambda" in ended.stderr  # where it hangs

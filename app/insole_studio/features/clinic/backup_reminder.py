@@ -27,7 +27,7 @@ class BackupFacts:
     last
         When any station has made one; None for never.
     has_patients
-        Whether there is anything to lose.
+        Whether there is anything to lose; a sample patient is not.
     """
 
     last: datetime | None
@@ -36,14 +36,12 @@ class BackupFacts:
 
 def read_facts(records: Records) -> BackupFacts:
     """Return what the record knows of its backups; anybody may know it."""
-    from sqlalchemy import select
-
     from insole_core.records.backup.back_up import last_backup_at
-    from insole_core.records.schema import persons
+    from insole_core.records.sample_patient import has_patients
 
     with records.context.database.reading() as connection:
-        some = connection.execute(select(persons.c.id).limit(1)).scalar()
-    return BackupFacts(last_backup_at(records.context), some is not None)
+        has_some = has_patients(connection)
+    return BackupFacts(last_backup_at(records.context), has_some)
 
 
 def reminder_text(facts: BackupFacts, day: BackupDay, now: datetime) -> str:

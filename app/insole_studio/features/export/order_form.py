@@ -142,8 +142,9 @@ class OrderForm(QWidget):
             for name, block in self._blocks.items():
                 self.block.addItem(_text(block), name)
 
-    def show_order_number(self, number: str) -> None:
-        """Show what the order is called while there is no pseudonym."""
+    def show_order_number(self, number: str, *, is_sample: bool) -> None:
+        """Show what the order is called without a pseudonym; a sample is always called one."""
+        self.pseudonym.setReadOnly(is_sample)
         self.pseudonym.setPlaceholderText(number)
         self.pseudonym.setToolTip(
             tr("What the shop knows the patient by; without one, the order number {number}").format(

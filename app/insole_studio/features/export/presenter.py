@@ -367,7 +367,7 @@ class ExportPresenter:
         """Begin an order for the open case: nothing of the patient before is kept."""
         record = self._case.record
         self._number = new_order_number(date.today())
-        self._panel.show_order_number(self._number)
+        self._panel.show_order_number(self._number, is_sample=record.patient.is_sample)
         self._reason = ""
         self._choice = replace(
             self._choice,

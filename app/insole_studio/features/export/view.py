@@ -106,9 +106,9 @@ class ExportView(QWidget):
         """Offer blocks."""
         self.form.show_blocks(blocks)
 
-    def show_order_number(self, number: str) -> None:
-        """Show what the order is called while there is no pseudonym."""
-        self.form.show_order_number(number)
+    def show_order_number(self, number: str, *, is_sample: bool) -> None:
+        """Show what the order is called without a pseudonym; a sample is always called one."""
+        self.form.show_order_number(number, is_sample=is_sample)
 
     def show_cutter(self, diameter_mm: float) -> None:
         """Show the diameter of the cutter."""

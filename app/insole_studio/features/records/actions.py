@@ -83,6 +83,18 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda records, _on: records.ask_follow_up(),
     ),
     ActionRecord(
+        "sample_patient",
+        lambda: tr("Sample patient"),
+        lambda: tr("An invented patient to try the program with; comes back if it was removed"),
+        lambda records, _on: records.sample.show(),
+    ),
+    ActionRecord(
+        "remove_sample",
+        lambda: tr("Remove the sample patient…"),
+        lambda: tr("Remove the invented patient and all that was tried on it"),
+        lambda records, _on: records.sample.ask_to_remove(),
+    ),
+    ActionRecord(
         "add_to_record",
         lambda: tr("Add to the record…"),
         lambda: tr("Make a visit of the open case; its file stays as it is"),

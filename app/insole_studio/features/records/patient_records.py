@@ -49,6 +49,7 @@ from insole_studio.features.records.same_prescription import (
     SamePrescription,
     last_prescriptions,
 )
+from insole_studio.features.records.sample_patient import SamplePatient
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
 from insole_studio.features.records.visit_captures import VisitCaptures
@@ -98,6 +99,7 @@ class PatientRecords(QObject):
         self.captures = VisitCaptures(services)
         self._presence = VisitPresence(services)
         self.order_actions = OrderActions(services)
+        self.sample = SamplePatient(services, leave_case, self.show_person, self.show_start)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
         self._transfer: RecordTransfer | None = None

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
     QFormLayout,
+    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -82,9 +83,18 @@ class PersonPage(QWidget):
         self._none = QLabel(tr("No visit yet. Begin with “New visit”."))
         self._none.setObjectName("quiet")
         self._buttons: dict[str, QPushButton] = {}
+        self._is_sample, self._is_editable = False, True
+        self._sample = QFrame()
+        self._sample.setObjectName("notice")
         self._compare = QPushButton(tr("Compare two visits…"))
         self._compare.clicked.connect(self._request_compare)
         self._lay_out()
+
+    def show_sample(self, is_sample: bool) -> None:
+        """Say that this is the sample patient, which keeps its name, and offer to remove it."""
+        self._sample.setVisible(is_sample)
+        self._is_sample = is_sample
+        self._fields["name"].setReadOnly(is_sample or not self._is_editable)
 
     def show_person(self, name: str, pseudonym: str, values: Mapping[str, str]) -> None:
         """Show the fields; text being typed stays until it is entered or forgotten."""
@@ -137,8 +147,9 @@ class PersonPage(QWidget):
 
     def show_editable(self, editable: bool) -> None:
         """Show whether fields can be changed and visits added."""
-        for field in self._fields.values():
-            field.setReadOnly(not editable)
+        self._is_editable = editable
+        for key, field in self._fields.items():
+            field.setReadOnly(not editable or (key == "name" and self._is_sample))
         self._notes.setReadOnly(not editable)
         self._kind.setEnabled(editable)
         for key in ("new_visit", "new_visit_same", "follow_up"):
@@ -195,7 +206,19 @@ class PersonPage(QWidget):
         layout.setContentsMargins(24, 16, 24, 16)
         layout.setSpacing(16)
         layout.addLayout(top)
+        layout.addWidget(self._sample)
         layout.addLayout(lower, 1)
+        self._lay_out_sample()
+
+    def _lay_out_sample(self) -> None:
+        row = QHBoxLayout(self._sample)
+        row.setContentsMargins(8, 2, 4, 2)
+        row.addWidget(
+            ElidedLabel(tr("Sample: an invented patient to try things on; nothing here is real.")),
+            1,
+        )
+        row.addWidget(self._button("remove_sample", tr("Remove the sample patient…")))
+        self._sample.hide()
 
     def _new_card(self, row: VisitRow) -> VisitCard:
         card = VisitCard(row)

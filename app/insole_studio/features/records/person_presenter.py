@@ -221,6 +221,7 @@ class PersonPresenter:
 
     def _show_fields(self) -> None:
         if (person := self.person) is not None:
+            self._page.show_sample(person.is_sample)
             self._page.show_person(person.name, person.pseudonym, _fields_of(person))
 
 

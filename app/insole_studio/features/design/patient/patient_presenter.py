@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 from insole_core.cases.case_record import Annotations, CaseRecord
 from insole_core.cases.days import DAY_FIELDS, read_day
+from insole_core.cases.sample import SAMPLE_KEEPS_NAME
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -88,6 +89,9 @@ class PatientPresenter:
     def edit_field(self, key: str, text: str) -> None:
         """Set a field of the patient; a date that is none is refused, and the old one stays."""
         patient, value = self._case.record.patient, text.strip()
+        if key == "name" and patient.is_sample and value != patient.name:
+            self._refuse(key, InputError(SAMPLE_KEEPS_NAME))
+            return
         if key in DAY_FIELDS and value != getattr(patient, key):
             try:
                 value = read_day(key, value, date.today())

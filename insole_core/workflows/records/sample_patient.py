@@ -1,0 +1,43 @@
+"""Adding the sample patient, with the case that comes with the product."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import date
+
+from insole_core.cases.case_file import read_case
+from insole_core.cases.case_record import Patient
+from insole_core.cases.sample import SAMPLE_PSEUDONYM
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.resources import resource_path
+from insole_core.workflows.records.keep_case import add_case
+
+EXAMPLE = "example/example.insole"
+
+
+def ensure_sample(records: Records, name: str, notes: str) -> Person:
+    """Return the sample patient; add it with a visit where it is not in the record.
+
+    Parameters
+    ----------
+    name, notes
+        In the language of the user; the name says that it is a sample.
+
+    Raises
+    ------
+    RecordsError, OutputError
+        When it cannot be stored; then what was stored of it is removed by `remove_sample`.
+    """
+    known = records.persons.sample()
+    if known is not None:
+        return known
+    case = read_case(resource_path(EXAMPLE))
+    patient = case.patient
+    added = records.persons.add(
+        Person(name, date.fromisoformat(patient.born), notes=notes, pseudonym=SAMPLE_PSEUDONYM)
+    )
+    day = min(date.fromisoformat(patient.visit), date.today())
+    visited = Patient(visit=day.isoformat(), notes=patient.notes)
+    add_case(records, replace(case, patient=visited), added.id)
+    return added
