@@ -14,7 +14,6 @@ from insole_core.insole.prescription.item_name import key_of
 from insole_core.milling.gcode import gcode
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import MillingPlan, plan_milling
-from insole_core.milling.tool_path import Motion
 from insole_core.progress import SILENT, Progress
 from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportJob
@@ -129,19 +128,3 @@ def write_program(plan: MillingPlan, path: Path, job: str, progress: Progress = 
         When the place cannot be written; a file that was there before is untouched.
     """
     write_text(gcode(plan, job, progress), path)
-
-
-def plan_facts(plan: MillingPlan) -> list[str]:
-    """Return what is told before a program is used, a line each."""
-    lines = [
-        f"{operation.side}, {operation.name}, {operation.cutter.name}: "
-        f"{operation.lengths_mm(Motion.FEED) / 1000:.1f} m, "
-        f"{operation.minutes(plan.machine.rapid_mm_min):.0f} min"
-        for operation in plan.operations
-    ]
-    left = max(float(np.nanmax(each.height_mm)) for each in plan.left_over)
-    return [
-        *lines,
-        f"{plan.machine.name}: {plan.length_m:.0f} m of path, {plan.minutes:.0f} minutes without "
-        f"changes of cutters; at most {left:.2f} mm stay in hollows.",
-    ]

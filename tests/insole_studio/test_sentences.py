@@ -55,7 +55,7 @@ PAPERS = (
     "evaluation/report.py", "evaluation/report_html.py", "evaluation/wall_pictures.py",
     "export/obj.py", "export/paper.py", "export/ply.py", "export/stl.py", "export/three_mf.py",
     "insole/prescription/prescription_lines.py", "records/fhir.py", "records/statement.py",
-    "simulate/simulation.py",
+    "milling/gcode.py", "simulate/simulation.py",
     "solids/export_job.py",
 )  # fmt: skip
 """Files that write reports, papers and meshes, in English; what they refuse is said in Swedish."""

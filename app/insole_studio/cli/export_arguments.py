@@ -17,6 +17,7 @@ from insole_studio.cli.path_arguments import OutputPath
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
     from insole_core.milling.machine import Machine
+    from insole_core.milling.plan import MillingPlan
     from insole_core.solids.checks import Override
     from insole_core.solids.export_job import ExportJob, ExportPaths
     from insole_core.solids.export_rules import ExportRules
@@ -171,17 +172,34 @@ def _mill(
     job: ExportJob, block: Block, arguments: argparse.Namespace, path: Path, progress: Progress
 ) -> None:
     """Write the program, and print how long it takes and what stays in hollows."""
-    from insole_core.workflows.mill import plan_facts, plan_job, write_program
+    from insole_core.workflows.mill import plan_job, write_program
 
     plan = plan_job(
         job, block, _machine(arguments),
         both_sides=arguments.both_sides, progress=progress.part(0.0, 0.7),
     )  # fmt: skip
-    for line in plan_facts(plan):
+    for line in _facts(plan):
         print(line, file=sys.stderr)
     for note in plan.notes:
         print(f"Warning: {note}", file=sys.stderr)
     write_program(plan, path, job.identification["pseudonym"], progress.part(0.7, 1.0))
+
+
+def _facts(plan: MillingPlan) -> list[str]:
+    """Return what is told before a program is used, a line each."""
+    from insole_core.milling.tool_path import Motion
+
+    lines = [
+        f"{operation.side}, {operation.name}, {operation.cutter.name}: "
+        f"{operation.lengths_mm(Motion.FEED) / 1000:.1f} m, "
+        f"{operation.minutes(plan.machine.rapid_mm_min):.0f} min"
+        for operation in plan.operations
+    ]
+    return [
+        *lines,
+        f"{plan.machine.name}: {plan.length_m:.0f} m of path, {plan.minutes:.0f} minutes without "
+        f"changes of cutters; at most {plan.most_left_mm:.2f} mm stay in hollows.",
+    ]
 
 
 def _material(insole: Insole, arguments: argparse.Namespace) -> str:

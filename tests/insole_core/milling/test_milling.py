@@ -88,6 +88,13 @@ def seen_from_above(mesh: TriangleMesh, removal: Removal) -> tuple[FloatArray, F
     return heights.reshape(shape), cosine.reshape(shape)
 
 
+def least_near(mesh: TriangleMesh, removal: Removal, by_mm: float) -> FloatArray:
+    """Return the least height within a distance of each pixel along x and y; NaN at the rim."""
+    shifts = by_mm * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
+    moved = [TriangleMesh(mesh.vertices + shift, mesh.triangles) for shift in shifts]
+    return np.asarray(np.min([seen_from_above(each, removal)[0] for each in moved], axis=0))
+
+
 def cusp_mm(cosine: FloatArray, how: Machine) -> FloatArray:
     """Return the height of the ridges that a ball leaves between its lines on a slope."""
     radius = how.finishing.cutter.radius_mm
@@ -98,7 +105,7 @@ def cusp_mm(cosine: FloatArray, how: Machine) -> FloatArray:
 def check_side(mesh: TriangleMesh, left: FloatArray, removal: Removal, how: Machine) -> None:
     asked, cosine = seen_from_above(mesh, removal)
     normal = (left - asked) * cosine
-    assert np.nanmin(normal) > -GOUGE_MM
+    assert np.nanmin(left - least_near(mesh, removal, GOUGE_MM)) > -GOUGE_MM
     within = scipy.ndimage.binary_erosion(np.isfinite(asked), iterations=4)
     assert (normal - cusp_mm(cosine, how))[within].max() < SURPLUS_MM
 
