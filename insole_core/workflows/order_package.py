@@ -138,7 +138,7 @@ def _written(
     written: list[OrderItem] = []
     for item in items:
         _check_item(item, begun.number, today, written)
-        progress.step(0.0, f"Writing {item.choice.pseudonym}")
+        progress.step(0.0, "Writing the order")
         written.append(_write_item(item, folder, shop))
     if not written:
         raise UsageError("The order holds nothing; name at least one case.")

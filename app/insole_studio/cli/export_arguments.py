@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli import print_arguments
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
@@ -64,6 +65,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="LinuxCNC (default), GRBL, Mach3, one of the clinic's, or a machine file (.json)",
     )  # fmt: skip
     mill.add_argument("--both-sides", action="store_true", help="turn the block, on two dowels")
+    print_arguments.add_arguments(parser)
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
     papers.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
@@ -104,6 +106,7 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
         raise UsageError(f"--layers needs a .3mf file, and --out is {arguments.out}; change one.")
     if arguments.gcode is not None:
         _check_milling(arguments)
+    print_arguments.check(arguments)
     return open_places(places(arguments))
 
 
@@ -162,6 +165,7 @@ def deliver(
         block=block if len(insoles) > 1 else None,
         override=_override(arguments),
         ascii_stl=arguments.ascii,
+        printing=print_arguments.printing(parts, arguments),
     )
     export_job.run_export_job(job, places(arguments), beside, progress.part(0.8, 0.9))
     if beside.program is not None and block is not None:

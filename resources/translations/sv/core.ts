@@ -296,6 +296,10 @@
             <translation>Valfritt nummer</translation>
         </message>
         <message>
+            <source>Approved by</source>
+            <translation>Godkänd av</translation>
+        </message>
+        <message>
             <source>Arch fill</source>
             <translation>Valvfyllnad</translation>
         </message>
@@ -472,6 +476,10 @@
             <translation>Sluter {kind}</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Färg</translation>
+        </message>
+        <message>
             <source>Colour on depth, after a constant shift</source>
             <translation>Färg på djup, efter en fast förskjutning</translation>
         </message>
@@ -482,6 +490,10 @@
         <message>
             <source>Colouring the surface</source>
             <translation>Färglägger ytan</translation>
+        </message>
+        <message>
+            <source>Comparing the files</source>
+            <translation>Jämför filerna</translation>
         </message>
         <message>
             <source>Contact</source>
@@ -576,6 +588,10 @@
             <translation>Datum</translation>
         </message>
         <message>
+            <source>Delivery date</source>
+            <translation>Leveransdag</translation>
+        </message>
+        <message>
             <source>Designed by</source>
             <translation>Utformad av</translation>
         </message>
@@ -618,6 +634,10 @@
         <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
+        </message>
+        <message>
+            <source>Drawn by</source>
+            <translation>Ritad av</translation>
         </message>
         <message>
             <source>Drawn outline</source>
@@ -860,6 +880,10 @@
             <translation>Hallux rigidus</translation>
         </message>
         <message>
+            <source>Have an administrator copy {rule} to /etc/udev/rules.d, then unplug the sensors and plug them in again.</source>
+            <translation>Låt en administratör kopiera {rule} till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
+        </message>
+        <message>
             <source>Heel and ball of this foot lie in an impossible order, so no form of the library can be laid on it; choose a base from the foot, or scan again.</source>
             <translation>Fotens häl och trampdyna ligger i en omöjlig ordning, så ingen form ur biblioteket kan läggas på den; välj foten som bas eller skanna igen.</translation>
         </message>
@@ -930,10 +954,6 @@
         <message>
             <source>Install the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly.</source>
             <translation>Installera grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), som ritar långsamt.</translation>
-        </message>
-        <message>
-            <source>Install the package, or copy 70-kinect-v1.rules, which comes with the program, to /etc/udev/rules.d; then unplug the sensors and plug them in again.</source>
-            <translation>Installera paketet, eller kopiera 70-kinect-v1.rules, som följer med programmet, till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>It has no date of a visit; open it and choose one.</source>
@@ -1276,6 +1296,10 @@
             <translation>En vy utan referenssystem: tas som ett föremål på ett bord.</translation>
         </message>
         <message>
+            <source>Only a .3mf file holds zones and settings for a slicer, and {path} is none; change its suffix, or name no printer.</source>
+            <translation>Bara en .3mf-fil rymmer zoner och inställningar för ett skivningsprogram, och {path} är ingen; ändra ändelsen, eller ange ingen skrivare.</translation>
+        </message>
+        <message>
             <source>Only partly measured: {regions}; see the holes there before designing.</source>
             <translation>Bara delvis mätt: {regions}; se hålen där före design.</translation>
         </message>
@@ -1380,6 +1404,10 @@
             <translation>Kilning</translation>
         </message>
         <message>
+            <source>Posts, pads and corrections</source>
+            <translation>Stöd, pelotter och korrigeringar</translation>
+        </message>
+        <message>
             <source>Prescriber</source>
             <translation>Ordinatör</translation>
         </message>
@@ -1418,6 +1446,10 @@
         <message>
             <source>Put the sensor in its place for view {views}</source>
             <translation>Ställ sensorn på sin plats för vy {views}</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Antal</translation>
         </message>
         <message>
             <source>Read in {unit}: the surface is {length_mm:.0f} mm long.</source>
@@ -1520,6 +1552,10 @@
             <translation>Avlastning under femte tån</translation>
         </message>
         <message>
+            <source>Remarks</source>
+            <translation>Anmärkningar</translation>
+        </message>
+        <message>
             <source>Removed: {correction}</source>
             <translation>Borttaget: {correction}</translation>
         </message>
@@ -1560,6 +1596,10 @@
             <translation>Runt stycket har blocket {over:.1f} mm för lite för fräsen ”{cutter}”; ta ett större block eller en tunnare fräs för konturen.</translation>
         </message>
         <message>
+            <source>SHA-256</source>
+            <translation>SHA-256</translation>
+        </message>
+        <message>
             <source>SHA-256 of the foot</source>
             <translation>Fotens SHA-256</translation>
         </message>
@@ -1570,6 +1610,10 @@
         <message>
             <source>Sampling the surface</source>
             <translation>Läser av ytan</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>Skala</translation>
         </message>
         <message>
             <source>Scaled by the size that is known: the surface is {length_mm:.0f} mm long.</source>
@@ -1908,6 +1952,14 @@
             <translation>Databasen {file} saknas, men journalens filer bredvid den finns kvar; återställ journalen från en säkerhetskopia eller lägg tillbaka databasen.</translation>
         </message>
         <message>
+            <source>The delivery date {day} is more than two years ahead; check the year.</source>
+            <translation>Leveransdagen {day} ligger mer än två år fram; kontrollera året.</translation>
+        </message>
+        <message>
+            <source>The delivery date {day} is past; choose a day from {today} on.</source>
+            <translation>Leveransdagen {day} har passerat; välj en dag från och med {today}.</translation>
+        </message>
+        <message>
             <source>The depth image has no readings; capture it again.</source>
             <translation>Djupbilden har inga mätvärden; ta om den.</translation>
         </message>
@@ -2088,6 +2140,10 @@
             <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
+            <source>The insole does not reach the zone {zone}.</source>
+            <translation>Inlägget når inte till zonen {zone}.</translation>
+        </message>
+        <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
             <translation>Inlägget är {height_mm:.0f} mm högt och får kanske inte plats i en sko; upp till {usual_mm:g} mm är vanligt.</translation>
         </message>
@@ -2174,6 +2230,10 @@
         <message>
             <source>The order has a file {name} already; give this one another name.</source>
             <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
+        </message>
+        <message>
+            <source>The order holds nothing; name at least one case.</source>
+            <translation>Beställningen är tom; ange minst ett fall.</translation>
         </message>
         <message>
             <source>The order {number} is {state} already; choose another state.</source>
@@ -2284,6 +2344,10 @@
             <translation>Ordinationen för {side} fot är inte vad som signerades; jämför med en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>The pressure under the {side} foot lies nowhere {zone}; change the limits or leave the zone out.</source>
+            <translation>Trycket under foten ({side}) ligger ingenstans i zonen {zone}; ändra gränserna eller utelämna zonen.</translation>
+        </message>
+        <message>
             <source>The processor draws, which is slow: install the driver of the graphics card.</source>
             <translation>Processorn ritar, vilket går långsamt: installera grafikkortets drivrutin.</translation>
         </message>
@@ -2298,6 +2362,10 @@
         <message>
             <source>The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; see that it is one whole foot.</source>
             <translation>Proportionerna är ovanliga för en fot: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {midfoot_mm:.0f} mm på mitten, {heel_mm:.0f} mm vid hälen; se efter att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The quantity is {quantity}, and must be 1 to {most}; correct it.</source>
+            <translation>Antalet är {quantity} och måste vara 1 till {most}; rätta det.</translation>
         </message>
         <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
@@ -2588,6 +2656,26 @@
             <translation>Uppvärmningen behöver tre tidpunkter med mätvärden; spela in i 15 minuter.</translation>
         </message>
         <message>
+            <source>The zone {zone} does not lie on the {side} insole; leave it out.</source>
+            <translation>Zonen {zone} ligger inte på inlägget ({side}); utelämna den.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} is a layer that the design does not have; give the layer a thickness or leave the zone out.</source>
+            <translation>Zonen {zone} är ett lager som designen inte har; ge lagret en tjocklek eller utelämna zonen.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} is thinner than two walls ({least:g} mm), so no infill finds room in it; make it larger or leave it out.</source>
+            <translation>Zonen {zone} är tunnare än två väggar ({least:g} mm), så ingen fyllning får plats i den; gör den större eller utelämna den.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} needs a map of pressures under the {side} foot; lay one under it, or leave the zone out.</source>
+            <translation>Zonen {zone} behöver en tryckkarta under foten ({side}); lägg in en, eller utelämna zonen.</translation>
+        </message>
+        <message>
+            <source>The zones {first} and {second} overlap; there, {second} is obeyed.</source>
+            <translation>Zonerna {first} och {second} överlappar; där gäller {second}.</translation>
+        </message>
+        <message>
             <source>The {count} frames show different scenes (they differ by {difference_raw:.0f} raw units); record one still wall without moving the sensor.</source>
             <translation>De {count} bilderna visar olika motiv (de skiljer {difference_raw:.0f} råenheter); spela in en stilla vägg utan att röra sensorn.</translation>
         </message>
@@ -2598,6 +2686,10 @@
         <message>
             <source>The {kind} pictures are {width}×{height}, but the sensor gives {allowed}; use its pictures as they are, neither cut nor scaled.</source>
             <translation>Bilderna ({kind}) är {width}×{height}, men sensorn ger {allowed}; använd dess bilder som de är, varken beskurna eller skalade.</translation>
+        </message>
+        <message>
+            <source>The {name} of the order has {count} characters, and the papers take at most {most}; shorten it.</source>
+            <translation>Beställningens fält {name} har {count} tecken, och papperen rymmer högst {most}; korta det.</translation>
         </message>
         <message>
             <source>The {pad} comes within {distance_mm:g} mm of the 1st head, which it leaves free; keep it at least {least_mm:g} mm away.</source>
@@ -2626,6 +2718,14 @@
         <message>
             <source>The {side} foot was changed while the map was being aligned to it, so the map was not laid; lay it again.</source>
             <translation>Foten ({side}) ändrades medan bilden passades in under den, så bilden lades inte dit; lägg den igen.</translation>
+        </message>
+        <message>
+            <source>The {side} insole has no pad {zone}; its pads are: {names}.</source>
+            <translation>Inlägget ({side}) har ingen pelott {zone}; de som finns är: {names}.</translation>
+        </message>
+        <message>
+            <source>The {side} insole has no pad, so there is no zone {zone}; leave it out.</source>
+            <translation>Inlägget ({side}) har ingen pelott, så zonen {zone} finns inte; utelämna den.</translation>
         </message>
         <message>
             <source>The {what} cannot be right: {reason}</source>
@@ -2896,6 +2996,10 @@
             <translation>Två filer i beställningen heter {name}; ge en av dem ett annat namn.</translation>
         </message>
         <message>
+            <source>Two patients of the order are called {pseudonym}; give one of them another pseudonym.</source>
+            <translation>Två patienter i beställningen heter {pseudonym}; ge en av dem en annan pseudonym.</translation>
+        </message>
+        <message>
             <source>Two points of the object have the same true position; correct the list.</source>
             <translation>Två punkter på föremålet har samma sanna läge; rätta listan.</translation>
         </message>
@@ -3020,6 +3124,10 @@
             <translation>Skriver arbetsordern</translation>
         </message>
         <message>
+            <source>Writing the order</source>
+            <translation>Skriver beställningen</translation>
+        </message>
+        <message>
             <source>Writing the prescription</source>
             <translation>Skriver ordinationen</translation>
         </message>
@@ -3042,6 +3150,10 @@
         <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
             <translation>Du är inte inloggad; logga först in med ditt konto i registret.</translation>
+        </message>
+        <message>
+            <source>Zones of other density are for insoles only; choose the insole as the piece, or no printer.</source>
+            <translation>Zoner med annan täthet finns bara för inlägg; välj inlägget som stycke, eller ingen skrivare.</translation>
         </message>
         <message>
             <source>a device or a pipe of that name is there; choose another name</source>
@@ -3140,6 +3252,10 @@
             <translation>alla anslutningar är upptagna</translation>
         </message>
         <message>
+            <source>along the axis of the foot</source>
+            <translation>längs fotens axel</translation>
+        </message>
+        <message>
             <source>already there</source>
             <translation>finns redan</translation>
         </message>
@@ -3226,6 +3342,10 @@
         <message>
             <source>backed up</source>
             <translation>säkerhetskopierad</translation>
+        </message>
+        <message>
+            <source>ball</source>
+            <translation>trampdyna</translation>
         </message>
         <message>
             <source>ball girth</source>
@@ -3740,6 +3860,14 @@
             <translation>frihandspelott</translation>
         </message>
         <message>
+            <source>from above</source>
+            <translation>ovanifrån</translation>
+        </message>
+        <message>
+            <source>from below</source>
+            <translation>underifrån</translation>
+        </message>
+        <message>
             <source>from the foot</source>
             <translation>från foten</translation>
         </message>
@@ -3884,6 +4012,10 @@
             <translation>innehåller inget material; lägg till ett</translation>
         </message>
         <message>
+            <source>holds no preset; add one</source>
+            <translation>har ingen förinställning; lägg till en</translation>
+        </message>
+        <message>
             <source>holds no pressure</source>
             <translation>innehåller inget tryck</translation>
         </message>
@@ -3936,6 +4068,10 @@
             <translation>intern</translation>
         </message>
         <message>
+            <source>is "{name}", but must be the plain name of a file, without folders</source>
+            <translation>är ”{name}” men måste vara ett filnamn utan mappar</translation>
+        </message>
+        <message>
             <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
             <translation>är ”{text}”, men måste vara ett datum som 2026-11-20T10:00:00Z</translation>
         </message>
@@ -3978,6 +4114,10 @@
         <message>
             <source>is no key of findings; check its spelling or leave it out</source>
             <translation>är ingen nyckel i en fil med fynd; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
+            <source>is no key that is known here; check its spelling or leave it out</source>
+            <translation>är ingen känd nyckel här; kontrollera stavningen eller utelämna den</translation>
         </message>
         <message>
             <source>is no picture</source>
@@ -4308,6 +4448,10 @@
             <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
         </message>
         <message>
+            <source>list the file {file} twice</source>
+            <translation>anger filen {file} två gånger</translation>
+        </message>
+        <message>
             <source>locked</source>
             <translation>låst</translation>
         </message>
@@ -4456,6 +4600,14 @@
             <translation>flyttad</translation>
         </message>
         <message>
+            <source>must be 64 digits and letters a to f</source>
+            <translation>måste vara 64 siffror och bokstäver a till f</translation>
+        </message>
+        <message>
+            <source>must be a day such as 2026-11-20, or null</source>
+            <translation>måste vara en dag som 2026-11-20, eller null</translation>
+        </message>
+        <message>
             <source>must be a list […]</source>
             <translation>måste vara en lista […]</translation>
         </message>
@@ -4480,6 +4632,10 @@
             <translation>måste vara över 0 och högst 100</translation>
         </message>
         <message>
+            <source>must be above from_kpa</source>
+            <translation>måste vara större än from_kpa</translation>
+        </message>
+        <message>
             <source>must be an object {…}</source>
             <translation>måste vara ett objekt {…}</translation>
         </message>
@@ -4500,6 +4656,10 @@
             <translation>måste ha min under max i x, y och z</translation>
         </message>
         <message>
+            <source>must hold at least one item</source>
+            <translation>måste ha minst en post</translation>
+        </message>
+        <message>
             <source>must hold at least one prescription</source>
             <translation>måste innehålla minst en ordination</translation>
         </message>
@@ -4516,8 +4676,16 @@
             <translation>måste ange minst en vy, och ingen två gånger</translation>
         </message>
         <message>
+            <source>must name left, right, or both, each once</source>
+            <translation>måste ange left, right eller båda, var och en en gång</translation>
+        </message>
+        <message>
             <source>name</source>
             <translation>namn</translation>
+        </message>
+        <message>
+            <source>name a foot that the item does not order</source>
+            <translation>anger en fot som posten inte beställer</translation>
         </message>
         <message>
             <source>name and birth date</source>
@@ -4552,6 +4720,10 @@
             <translation>anger ett material två gånger; behåll ett av dem</translation>
         </message>
         <message>
+            <source>names one preset twice; keep one of them</source>
+            <translation>nämner en förinställning två gånger; behåll en av dem</translation>
+        </message>
+        <message>
             <source>names the same marker id twice</source>
             <translation>anger samma markör-id två gånger</translation>
         </message>
@@ -4562,6 +4734,10 @@
         <message>
             <source>names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _</source>
             <translation>anger {name!r}, men en vy har 1 till 32 av tecknen a-z, 0-9 och _</translation>
+        </message>
+        <message>
+            <source>names {name} twice; keep one of them</source>
+            <translation>nämner {name} två gånger; behåll en av dem</translation>
         </message>
         <message>
             <source>narrow</source>
@@ -5644,6 +5820,10 @@
             <translation>{archive} är packat på ett ovanligt sätt; packa upp det, och packa det på nytt som ett vanligt zip-arkiv.</translation>
         </message>
         <message>
+            <source>{archive} unpacks to more than {limit_gb} GB, far more than an order has; do not unpack it, and ask the clinic for another one.</source>
+            <translation>{archive} packas upp till mer än {limit_gb} GB, långt mer än en beställning har; packa inte upp det, och be kliniken om ett nytt.</translation>
+        </message>
+        <message>
             <source>{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session has; do not use this file.</source>
             <translation>{archive} skulle packas upp till {size_gb:.1f} GB i {files} filer, mycket mer än en session har; använd inte denna fil.</translation>
         </message>
@@ -5808,6 +5988,10 @@
             <translation>{fault} ({reason})</translation>
         </message>
         <message>
+            <source>{file} cannot be added under this name, which the order has already or which not every system takes; give it another name.</source>
+            <translation>{file} kan inte läggas till under detta namn, som beställningen redan har eller som inte alla system tar emot; ge filen ett annat namn.</translation>
+        </message>
+        <message>
             <source>{file} does not say how many dots per inch it has; state them, or click two points whose distance is known.</source>
             <translation>{file} anger inte hur många punkter per tum den har; ange dem, eller klicka på två punkter vars avstånd är känt.</translation>
         </message>
@@ -5816,8 +6000,24 @@
             <translation>{file} anger inte {what}; ange det.</translation>
         </message>
         <message>
+            <source>{file} has been changed since the order was written; ask the clinic to send the order again.</source>
+            <translation>{file} har ändrats sedan beställningen skrevs; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} holds what {real} was; ask the clinic to send the order again.</source>
+            <translation>{file} innehåller det som {real} var; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
             <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
             <translation>{file} i {archive} är skadad; kopiera arkivet igen från källan.</translation>
+        </message>
+        <message>
+            <source>{file} is for the {side} foot, but holds what {real} was for the {real_side}: the sides are exchanged; do not make it, and ask the clinic to send the order again.</source>
+            <translation>{file} gäller sidan {side} men innehåller det som {real} var för sidan {real_side}: sidorna är förväxlade; tillverka inte, och be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} is given for the {side} foot, which its name or the order contradicts; correct one of them.</source>
+            <translation>{file} anges för sidan {side}, men namnet eller beställningen säger något annat; rätta ett av dem.</translation>
         </message>
         <message>
             <source>{file} is larger than {limit_mb} MB, far more than such a file has; do not use the archive {archive}.</source>
@@ -5832,12 +6032,28 @@
             <translation>{file} saknas, men manifest.json anger vyn {view}; återställ den från inspelningen.</translation>
         </message>
         <message>
+            <source>{file} is missing; ask the clinic to send the order again.</source>
+            <translation>{file} saknas; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} is named after the {named} foot, and {order} has it for the {side}; ask the clinic which is right.</source>
+            <translation>{file} har namn efter sidan {named}, och {order} har den för sidan {side}; fråga kliniken vilket som stämmer.</translation>
+        </message>
+        <message>
+            <source>{file} is not part of the order; leave it out, or ask the clinic about it.</source>
+            <translation>{file} hör inte till beställningen; utelämna den eller fråga kliniken om den.</translation>
+        </message>
+        <message>
             <source>{file} is not valid JSON ({reason}); restore the file.</source>
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
         </message>
         <message>
             <source>{file} is the map of a {side} foot, and the foot is a {foot_side} one; choose the other foot, or the other map.</source>
             <translation>{file} är en annan fots tryckbild ({side}) än den öppna foten ({foot_side}); välj den andra foten, eller den andra tryckbilden.</translation>
+        </message>
+        <message>
+            <source>{file} leads out of the folder of the order; do not unpack the archive, and ask the clinic for another one.</source>
+            <translation>{file} leder ut ur beställningens mapp; packa inte upp arkivet, och be kliniken om ett nytt.</translation>
         </message>
         <message>
             <source>{file} may only be read by you; ask for the right to write to it.</source>
@@ -6368,6 +6584,10 @@
             <translation>{path} innehåller ingen {file}, så det är inget fall; välj en .insole-fil.</translation>
         </message>
         <message>
+            <source>{path} holds no {file}, so that it is no order; choose the folder or zip archive of an order.</source>
+            <translation>{path} har ingen {file} och är därför ingen beställning; välj en beställnings mapp eller zip-arkiv.</translation>
+        </message>
+        <message>
             <source>{path} holds only triangles without area; export it again.</source>
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
         </message>
@@ -6382,6 +6602,10 @@
         <message>
             <source>{path} holds {count_a} points of a and {count_b} of b; pick each point on both.</source>
             <translation>{path} innehåller {count_a} punkter av a och {count_b} av b; välj varje punkt på båda.</translation>
+        </message>
+        <message>
+            <source>{path} holds {count} files, far more than an order has; choose another place.</source>
+            <translation>{path} har {count} filer, långt fler än en beställning har; välj en annan plats.</translation>
         </message>
         <message>
             <source>{path} holds {count} scans ({names} …), and one foot or both are expected; open the one that is meant.</source>
@@ -6708,6 +6932,10 @@
             <translation>{place} har skapats av ett nyare Insole Studio (tabeller {found}; det här programmet känner dem till och med {newest}); installera den nyaste versionen.</translation>
         </message>
         <message>
+            <source>{printer} has no pattern {pattern}; choose another pattern, such as gyroid, or another printer.</source>
+            <translation>{printer} har inget mönster {pattern}; välj ett annat mönster, till exempel gyroid, eller en annan skrivare.</translation>
+        </message>
+        <message>
             <source>{problem} Kept so far: {views}.</source>
             <translation>{problem} Sparat hittills: {views}.</translation>
         </message>
@@ -6718,6 +6946,10 @@
         <message>
             <source>{problem}; the depth may be wrong by several millimetres.</source>
             <translation>{problem}; djupet kan vara fel med flera millimeter.</translation>
+        </message>
+        <message>
+            <source>{pseudonym} orders the {side} foot, and no file is there to make it from; ask the clinic for it.</source>
+            <translation>{pseudonym} beställer sidan {side}, och ingen fil finns att tillverka den från; be kliniken om den.</translation>
         </message>
         <message>
             <source>{region} {percent:.0f} %</source>

@@ -13,12 +13,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from read_pdf import text_of_pdf
 
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.errors import InputError, OutputError
 from insole_core.export.order_verification import verify_order
 from insole_core.export.shop_order import MOST_PAIRS, OrderTerms
+from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
@@ -77,6 +79,21 @@ def unpacked(written: Path, tmp_path: Path) -> Path:
     with zipfile.ZipFile(written) as archive:
         archive.extractall(folder)
     return folder
+
+
+def test_the_drawing_shows_both_feet_with_the_order_and_the_dimensions_of_the_solid(
+    unpacked: Path, parts: tuple[Part, ...]
+) -> None:
+    text = text_of_pdf(unpacked / "P-17-left-job-sheet.pdf")
+    for shown in ("left, from above", "right, from below", "left, medial", "right, lateral"):
+        assert shown in text
+    for part in parts:
+        width, length, height = part.solid.bounds_mm[1] - part.solid.bounds_mm[0]
+        assert {f"{size:.1f}" for size in (width, length, height)} <= set(text.split())
+    for shown in ("y=27", "Nora 2 mm", "2026-12-01", "soft heel", "P-17-left.stl"):
+        assert shown in text
+    digest = sha256_of(unpacked / "P-17-left.stl")
+    assert digest[:16] in text.split()
 
 
 def problems_of(path: Path) -> str:

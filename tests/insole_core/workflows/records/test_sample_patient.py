@@ -43,7 +43,7 @@ def records(tmp_path: Path) -> Iterator[Records]:
 
 @pytest.fixture
 def sample(records: Records) -> Person:
-    return ensure_sample(records, NAME, "Invented.")
+    return ensure_sample(records, NAME, "Invented.", "Pain.")
 
 
 def flags(records: Records) -> tuple[bool, bool]:
@@ -52,11 +52,12 @@ def flags(records: Records) -> tuple[bool, bool]:
 
 
 def test_it_is_one_person_with_a_foot_to_work_on(records: Records, sample: Person) -> None:
-    assert ensure_sample(records, "another", "") == records.persons.get(sample.id)
+    assert ensure_sample(records, "another", "", "") == records.persons.get(sample.id)
     (visit,) = records.visits.of_person(sample.id)
     case = records.visits.open_case(visit.id).record
     assert case.patient.is_sample
     assert case.patient.name == NAME
+    assert visit.findings == "Pain."
     assert case.of_side(Side.RIGHT) is not None
 
 
@@ -95,7 +96,7 @@ def test_it_goes_with_all_of_it_and_comes_back(records: Records, sample: Person)
     assert flags(records)[0] is False
     assert not is_untouched(records.context)  # so that it does not come back by itself
     assert verify_record(records.context).is_sound
-    again = ensure_sample(records, NAME, "")
+    again = ensure_sample(records, NAME, "", "")
     assert again.id != sample.id
     assert again.pseudonym == SAMPLE_PSEUDONYM
     assert verify_record(records.context).is_sound
