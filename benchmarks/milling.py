@@ -1,4 +1,4 @@
-"""Random designs milled: independent removal of material, LinuxCNC's interpreter, and time."""
+"""Random designs milled: by an independent removal of material, LinuxCNC's interpreter, time."""
 
 from __future__ import annotations
 
