@@ -76,6 +76,11 @@ class MillingPlan:
         return total_minutes(self.operations, self.machine.rapid_mm_min)
 
     @property
+    def most_left_mm(self) -> float:
+        """Greatest height of the material that stays in a hollow."""
+        return max(float(np.nanmax(left.height_mm)) for left in self.left_over)
+
+    @property
     def length_m(self) -> float:
         """Length of the path at feed, plunging included."""
         kinds = (Motion.FEED, Motion.PLUNGE)

@@ -66,12 +66,15 @@ class ExportPaths:
         Outcome of the checks, JSON.
     job_sheet, prescription
         PDF.
+    program
+        Of a router, from `workflows.mill`.
     """
 
     solid: Path
     checks: Path | None = None
     job_sheet: Path | None = None
     prescription: Path | None = None
+    program: Path | None = None
 
 
 @dataclass(frozen=True, eq=False)

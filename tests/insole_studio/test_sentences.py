@@ -56,7 +56,7 @@ PAPERS = (
     "export/obj.py", "export/paper.py", "export/ply.py", "export/slicer_3mf.py", "export/stl.py",
     "export/three_mf.py",
     "insole/prescription/prescription_lines.py", "records/fhir.py", "records/statement.py",
-    "simulate/simulation.py",
+    "milling/gcode.py", "simulate/simulation.py",
     "solids/export_job.py",
 )  # fmt: skip
 """Files that write reports, papers and meshes, in English; what they refuse is said in Swedish."""

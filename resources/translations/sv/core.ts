@@ -116,6 +116,10 @@
             <translation>En pelott eller en stav; studier är oense om var en pelott verkar bäst.</translation>
         </message>
         <message>
+            <source>A dowel hole of {hole:g} mm cannot be bored with the cutter "{cutter}"; choose a thicker dowel.</source>
+            <translation>Ett styrpinnshål på {hole:g} mm kan inte borras med fräsen ”{cutter}”; välj en tjockare styrpinne.</translation>
+        </message>
+        <message>
             <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
             <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
         </message>
@@ -568,6 +572,10 @@
             <translation>Urtag</translation>
         </message>
         <message>
+            <source>Cutting round the piece</source>
+            <translation>Fräser runt stycket</translation>
+        </message>
+        <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
         </message>
@@ -762,6 +770,10 @@
         <message>
             <source>Finishing rim and toe zone</source>
             <translation>Färdigställer rand och tåzon</translation>
+        </message>
+        <message>
+            <source>Finishing the surface</source>
+            <translation>Finfräser ytan</translation>
         </message>
         <message>
             <source>Fitting both cameras to {count} boards</source>
@@ -1078,6 +1090,10 @@
         <message>
             <source>Looking for earlier designs</source>
             <translation>Söker tidigare designer</translation>
+        </message>
+        <message>
+            <source>Looking for material that stays</source>
+            <translation>Söker material som blir kvar</translation>
         </message>
         <message>
             <source>Looking for the board in {picture}</source>
@@ -1572,6 +1588,14 @@
             <translation>Root</translation>
         </message>
         <message>
+            <source>Roughing, level {level} of {levels}</source>
+            <translation>Grovfräser, nivå {level} av {levels}</translation>
+        </message>
+        <message>
+            <source>Round the piece there is {over:.1f} mm too little of the block for the cutter "{cutter}"; take a larger block, or a thinner cutter for the contour.</source>
+            <translation>Runt stycket har blocket {over:.1f} mm för lite för fräsen ”{cutter}”; ta ett större block eller en tunnare fräs för konturen.</translation>
+        </message>
+        <message>
             <source>SHA-256</source>
             <translation>SHA-256</translation>
         </message>
@@ -1582,6 +1606,10 @@
         <message>
             <source>SHA-256 of the scan</source>
             <translation>Skanningens SHA-256</translation>
+        </message>
+        <message>
+            <source>Sampling the surface</source>
+            <translation>Läser av ytan</translation>
         </message>
         <message>
             <source>Scale</source>
@@ -1788,6 +1816,10 @@
             <translation>Födelsedatumet {born} är inte personnumrets, {of_number}; rätta ett av dem.</translation>
         </message>
         <message>
+            <source>The block is {there:g} mm high, and the piece needs {need:.1f} mm in it; take a higher block.</source>
+            <translation>Blocket är {there:g} mm högt, och stycket behöver {need:.1f} mm; ta ett högre block.</translation>
+        </message>
+        <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
             <translation>Brädet syns för båda kamerorna i {count} bildpar, men {least} behövs; ta infraröda bilder och färgbilder av samma lägen.</translation>
         </message>
@@ -1892,6 +1924,14 @@
             <translation>Korrektionen mättes på sensor {owner}, inte på {serial}</translation>
         </message>
         <message>
+            <source>The cutter "{cutter}" is too thick for a hollow of the {side} at x = {x:.0f} mm, y = {y:.0f} mm of the block: {left:.1f} mm stay there; take a thinner one.</source>
+            <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side} vid x = {x:.0f} mm, y = {y:.0f} mm i blocket: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
+        </message>
+        <message>
+            <source>The cutter "{cutter}" reaches {reach:g} mm, and must go {depth:.1f} mm deep; take a lower block or a longer cutter.</source>
+            <translation>Fräsen ”{cutter}” når {reach:g} mm och måste gå {depth:.1f} mm djupt; ta ett lägre block eller en längre fräs.</translation>
+        </message>
+        <message>
             <source>The data of this person were erased; nothing can be added to them.</source>
             <translation>Den här personens uppgifter har raderats; inget kan läggas till.</translation>
         </message>
@@ -1938,6 +1978,10 @@
         <message>
             <source>The distortion of the depth was not corrected yet, which turns the cameras by a degree or two; calibrate the distortion first.</source>
             <translation>Djupets förvrängning är inte korrigerad ännu, vilket vrider kamerorna en grad eller två; kalibrera förvrängningen först.</translation>
+        </message>
+        <message>
+            <source>The dowel at x = {x:.0f} mm, y = {y:.0f} mm of the block has no room beside the piece; take a longer block, or set it nearer to the end.</source>
+            <translation>Styrpinnen vid x = {x:.0f} mm, y = {y:.0f} mm i blocket får inte plats bredvid stycket; ta ett längre block eller sätt den närmare änden.</translation>
         </message>
         <message>
             <source>The drawn outline of the insole crosses itself; move its points apart.</source>
@@ -2196,6 +2240,10 @@
             <translation>Beställningen {number} är redan {state}; välj ett annat läge.</translation>
         </message>
         <message>
+            <source>The origin of {machine} lies outside the block: {place:g} mm along {axis}, and the block has {size:g} mm; correct its offset in the machine file.</source>
+            <translation>Nollpunkten för {machine} ligger utanför blocket: {place:g} mm längs {axis}, och blocket har {size:g} mm; rätta dess förskjutning i maskinfilen.</translation>
+        </message>
+        <message>
             <source>The outline encloses only {area_mm2:.0f} mm², which leaves no insole; draw it round the foot.</source>
             <translation>Konturen omsluter bara {area_mm2:.0f} mm², vilket inte ger något inlägg; rita den runt foten.</translation>
         </message>
@@ -2250,6 +2298,10 @@
         <message>
             <source>The pictures differ in size: {sizes}; use pictures of one camera in one mode.</source>
             <translation>Bilderna är olika stora: {sizes}; använd bilder från en kamera i ett läge.</translation>
+        </message>
+        <message>
+            <source>The piece does not lie within the block; take a larger block.</source>
+            <translation>Stycket ligger inte inom blocket; ta ett större block.</translation>
         </message>
         <message>
             <source>The place of the depth camera is known within {known_mm:.1f} mm only; for {good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).</source>
@@ -2764,6 +2816,10 @@
             <translation>Det finns inget slags personnummer {kind}; välj ett.</translation>
         </message>
         <message>
+            <source>There is no machine {name}; there are {known}. Choose one, or name a machine file.</source>
+            <translation>Det finns ingen maskin {name}; det finns {known}. Välj en av dem, eller ange en maskinfil.</translation>
+        </message>
+        <message>
             <source>There is no marker dictionary {dictionary}; the printed board of this program uses DICT_5X5_250.</source>
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
         </message>
@@ -3074,6 +3130,10 @@
         <message>
             <source>Writing the prescription</source>
             <translation>Skriver ordinationen</translation>
+        </message>
+        <message>
+            <source>Writing the program</source>
+            <translation>Skriver programmet</translation>
         </message>
         <message>
             <source>Writing the summary</source>
@@ -3764,6 +3824,10 @@
             <translation>fotlängden, avrundad uppåt till 5 mm</translation>
         </message>
         <message>
+            <source>foot side</source>
+            <translation>fotsidan</translation>
+        </message>
+        <message>
             <source>forefoot</source>
             <translation>framfot</translation>
         </message>
@@ -3842,6 +3906,14 @@
         <message>
             <source>has not the same number of sensors in each row</source>
             <translation>har inte lika många sensorer i varje rad</translation>
+        </message>
+        <message>
+            <source>has the word "{word}", which no controller knows; correct the line "{line}"</source>
+            <translation>har ordet ”{word}”, som ingen styrning känner till; rätta raden ”{line}”</translation>
+        </message>
+        <message>
+            <source>has two cutters of one number; number them differently</source>
+            <translation>har två fräsar med samma nummer; ge dem olika nummer</translation>
         </message>
         <message>
             <source>has two feet of the same side</source>
@@ -4004,6 +4076,10 @@
             <translation>är ”{text}”, men måste vara ett datum som 2026-11-20T10:00:00Z</translation>
         </message>
         <message>
+            <source>is 0, so that the cutter would stand still; put in the real value</source>
+            <translation>är 0, så att fräsen skulle stå stilla; ange det verkliga värdet</translation>
+        </message>
+        <message>
             <source>is empty, but a reference system has at least 4 markers</source>
             <translation>är tomt, men ett referenssystem har minst 4 markörer</translation>
         </message>
@@ -4054,6 +4130,14 @@
         <message>
             <source>is no view of this session</source>
             <translation>är ingen vy i denna session</translation>
+        </message>
+        <message>
+            <source>is {number}, a {is_shape} one, and must be a {shape} one; choose another</source>
+            <translation>är {number}, av formen {is_shape}, och måste vara av formen {shape}; välj en annan</translation>
+        </message>
+        <message>
+            <source>is {number}, and no cutter has that number; add it</source>
+            <translation>är {number}, och ingen fräs har det numret; lägg till den</translation>
         </message>
         <message>
             <source>is {value!r}, but must be "{wanted}"</source>
@@ -5596,6 +5680,10 @@
             <translation>underskärning</translation>
         </message>
         <message>
+            <source>underside</source>
+            <translation>undersidan</translation>
+        </message>
+        <message>
             <source>unit</source>
             <translation>enhet</translation>
         </message>
@@ -6160,6 +6248,10 @@
             <translation>{list}[{number}]</translation>
         </message>
         <message>
+            <source>{machine} travels {there:g} mm along {axis}, and the block needs {need:g} mm; take a smaller block.</source>
+            <translation>{machine} går {there:g} mm längs {axis}, och blocket behöver {need:g} mm; ta ett mindre block.</translation>
+        </message>
+        <message>
             <source>{maker}, {maker address}, states: this device is intended for the exclusive use of the patient identified above. It was made to the prescription set out here, which {prescriber} made out. It conforms to the general safety and performance requirements of Annex I; requirements that are not fully met, if any, are listed with the reasons: none. This statement and the documentation of the device are kept available to the competent authorities for at least ten years after the device was placed on the market.</source>
             <translation>{maker}, {maker address}, försäkrar: denna produkt är uteslutande avsedd för den patient som identifieras ovan. Den har tillverkats efter den ordination som återges här och som {prescriber} har utfärdat. Den uppfyller de allmänna kraven på säkerhet och prestanda i bilaga I; krav som eventuellt inte är helt uppfyllda anges med skälen: inga. Denna försäkran och produktens dokumentation hålls tillgängliga för de behöriga myndigheterna i minst tio år efter att produkten släpptes ut på marknaden.</translation>
         </message>
@@ -6582,6 +6674,10 @@
         <message>
             <source>{path} is no UTF-8 text; hand in a design as JSON.</source>
             <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
+        </message>
+        <message>
+            <source>{path} is no name of a program; choose {suffixes}.</source>
+            <translation>{path} är inget namn på ett program; välj {suffixes}.</translation>
         </message>
         <message>
             <source>{path} is no name of a report; let it end in {suffixes}.</source>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import math
 import re
@@ -15,13 +16,14 @@ import numpy.typing as npt
 import pytest
 import scipy
 
-from insole_core.errors import DesignError, InputError
+from insole_core.errors import DesignError, InputError, OutputError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.milling.gcode import gcode, origin_mm
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import MillingPlan, plan_milling, turned_over
 from insole_core.resources import resource_path
+from insole_core.workflows.mill import write_program
 from tests.insole_core.milling.removal import Removal, Tool
 
 FloatArray = npt.NDArray[np.float64]
@@ -86,6 +88,13 @@ def seen_from_above(mesh: TriangleMesh, removal: Removal) -> tuple[FloatArray, F
     return heights.reshape(shape), cosine.reshape(shape)
 
 
+def least_near(mesh: TriangleMesh, removal: Removal, by_mm: float) -> FloatArray:
+    """Return the least height within a distance of each pixel along x and y; NaN at the rim."""
+    shifts = by_mm * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
+    moved = [TriangleMesh(mesh.vertices + shift, mesh.triangles) for shift in shifts]
+    return np.asarray(np.min([seen_from_above(each, removal)[0] for each in moved], axis=0))
+
+
 def cusp_mm(cosine: FloatArray, how: Machine) -> FloatArray:
     """Return the height of the ridges that a ball leaves between its lines on a slope."""
     radius = how.finishing.cutter.radius_mm
@@ -96,7 +105,7 @@ def cusp_mm(cosine: FloatArray, how: Machine) -> FloatArray:
 def check_side(mesh: TriangleMesh, left: FloatArray, removal: Removal, how: Machine) -> None:
     asked, cosine = seen_from_above(mesh, removal)
     normal = (left - asked) * cosine
-    assert np.nanmin(normal) > -GOUGE_MM
+    assert np.nanmin(left - least_near(mesh, removal, GOUGE_MM)) > -GOUGE_MM
     within = scipy.ndimage.binary_erosion(np.isfinite(asked), iterations=4)
     assert (normal - cusp_mm(cosine, how))[within].max() < SURPLUS_MM
 
@@ -313,3 +322,18 @@ def test_a_machine_file_that_is_wrong_names_the_key(tmp_path, keys, value, sente
     with pytest.raises(InputError, match=sentence) as raised:
         read_machine(path)
     assert str(path) in str(raised.value)
+
+
+def test_a_full_disk_leaves_the_earlier_program(tmp_path, monkeypatch):
+    def full(*_arguments, **_options):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    plan = plan_milling([solid()], BLOCK_MM, machine())
+    path = tmp_path / "piece.nc"
+    path.write_text("(earlier)")
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(OutputError, match="disk is full"):
+        write_program(plan, path, "A-1")
+    monkeypatch.undo()
+    assert path.read_text() == "(earlier)"
+    assert list(tmp_path.iterdir()) == [path]
