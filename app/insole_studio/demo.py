@@ -14,7 +14,8 @@ import sys
 from pathlib import Path
 
 from insole_core.resources import resource_path
-from insole_studio.app.recorded_session import has_screen, record_simulated
+from insole_studio.app.recorded_session import record_simulated
+from insole_studio.app.screen import has_screen
 
 OUTPUT = Path("demo-output")
 SESSION = OUTPUT / "session.zip"

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import logging
+import shutil
+import tempfile
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Literal, get_type_hints
 
 from insole_core.export.atomic import make_output_folder, replacing_file
-from insole_core.forgiving_json import Complain, remembered
+from insole_core.forgiving_json import Complain, entries_of_others, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
 log = logging.getLogger(__name__)
@@ -45,6 +47,7 @@ class Settings:
     linked_views: bool = True
     language: Language = "system"
     touch: bool = False
+    software_rendering: bool = False
     tour_seen: bool = False
     version_used: str = ""
     author: str = ""
@@ -99,8 +102,19 @@ def load_settings(path: Path, complain: Complain = log.warning) -> Settings:
     return settings
 
 
+def peek_settings(path: Path) -> Settings:
+    """Read the settings without a word, and leave the file as it is, whatever is wrong with it."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / path.name
+        try:
+            shutil.copyfile(path, copy)
+        except OSError:
+            return Settings()
+        return load_settings(copy, lambda _sentence: None)
+
+
 def save_settings(settings: Settings, path: Path) -> None:
-    """Write the settings.
+    """Write the settings; those of another version that shares the file stay in it.
 
     Raises
     ------
@@ -108,5 +122,7 @@ def save_settings(settings: Settings, path: Path) -> None:
         When the file cannot be written.
     """
     make_output_folder(path.parent)
+    own = asdict(settings)
+    everything = entries_of_others(path, own) | own
     with replacing_file(path) as beside:
-        beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")
+        beside.write_text(json.dumps(everything, indent=1), encoding="utf-8")

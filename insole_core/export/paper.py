@@ -9,7 +9,7 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -40,6 +40,7 @@ from reportlab.platypus import (
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.export.insole_drawing import DrawnInsole, SectionsPage, ViewsPage
 from insole_core.export.lettering import as_written, font_path, with_known_letters
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
@@ -56,6 +57,8 @@ BOLD = "DejaVuSans-Bold"
 _MARGIN = 16 * mm
 _PADDING = 6
 """Padding of a reportlab frame inside the margin, pt."""
+_DRAWING_MM = (173.0, 259.0)
+"""Of a page of the drawing, within the frame."""
 BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
 HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=15, spaceBefore=5, keepWithNext=1)
 NOTE = ParagraphStyle("note", parent=BODY, fontSize=8, leading=10, spaceBefore=4)
@@ -107,6 +110,10 @@ class JobSheet:
         Places of failed checks, in the frame of the file.
     is_nested
         Whether the frame of the file is that of a block.
+    drawn
+        The piece for the drawing; without it there is none.
+    title
+        Of the title block of the drawing, beside the file's hash.
     """
 
     identification: Facts
@@ -119,6 +126,8 @@ class JobSheet:
     height_map: HeightMap | None = None
     failed_mm: tuple[Place, ...] = ()
     is_nested: bool = False
+    drawn: DrawnInsole | None = None
+    title: Facts = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,11 +167,21 @@ class Nesting:
     parts: tuple[NestedPart, ...]
 
 
-def write_job_sheet(sheets: Sequence[JobSheet], path: Path, nesting: Nesting | None = None) -> None:
-    """Write the job sheets of the parts, each on a page of its own.
+def write_job_sheet(
+    sheets: Sequence[JobSheet],
+    path: Path,
+    nesting: Nesting | None = None,
+    pieces: Sequence[DrawnInsole] = (),
+    translate: Translate = str,
+) -> None:
+    """Write the drawing and the job sheets of the parts, each on a page of its own.
 
     Parameters
     ----------
+    pieces
+        All of the order, which the first page of the drawing shows from four sides.
+    translate
+        Into the language of the paper.
     nesting
         Drawn on a page before them.
 
@@ -173,19 +192,37 @@ def write_job_sheet(sheets: Sequence[JobSheet], path: Path, nesting: Nesting | N
     InputError
         When an exported file or the texts cannot be read.
     """
-    texts = paper_texts("job_sheet")
-    pages = [_sheet(sheet, texts) for sheet in sheets]
+    texts = paper_texts("job_sheet", translate)
+    pages = [_sheet(sheet, texts, translate) for sheet in sheets]
     if nesting is not None:
         pages.insert(0, _nesting_page(nesting, sheets[0], texts))
+    pages = [*_drawing(sheets, pieces, translate), *pages]
     story = [flowable for page in pages for flowable in (PageBreak(), *page)][1:]
     write_pages(story, path, texts["title"])
 
 
-def _sheet(sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
+def _drawing(
+    sheets: Sequence[JobSheet], pieces: Sequence[DrawnInsole], translate: Translate
+) -> list[list[Flowable]]:
+    """Return the pages of the drawing: views of all pieces, sections of each sheet's."""
+    _register_font()
+    words = paper_texts("words", translate)
+    pages: list[list[Flowable]] = []
+    for sheet in sheets:
+        title = {**sheet.title, "SHA-256": _digest_of(sheet.file)[:16], "file": sheet.file_name}
+        if pieces and not pages:
+            pages.append([ViewsPage(pieces, _DRAWING_MM, title, words)])
+        if sheet.drawn is not None:
+            pages.append([SectionsPage(sheet.drawn, _DRAWING_MM, title, words)])
+    return pages
+
+
+def _sheet(sheet: JobSheet, texts: dict[str, str], translate: Translate) -> list[Flowable]:
     story = [paragraph(texts["title"], TITLE)]
     for key in ("identification", "measures", "make"):
-        story += _facts(texts[key], getattr(sheet, key))
-    story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": _digest_of(sheet.file)})
+        story += _facts(texts[key], getattr(sheet, key), translate)
+    file = {"name": sheet.file_name, "SHA-256": _digest_of(sheet.file)}
+    story += _facts(texts["file"], file, translate)
     frame = texts["frame on page 1" if sheet.is_nested else "frame"]
     story += [*_list(texts["checks"], sheet.checks), paragraph(f"{frame} {texts['footer']}", NOTE)]
     return [*story, paragraph(texts["sections"], HEAD), _pictures(sheet)]

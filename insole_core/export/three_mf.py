@@ -7,7 +7,7 @@ object with a base material; its density is in a metadata group that other progr
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
@@ -76,19 +76,40 @@ def write_3mf(parts: Sequence[ThreeMfPart], path: Path, title: str = "Insole") -
         replacing_file(path) as beside,
         zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED, compresslevel=_FAST) as archive,
     ):
-        archive.writestr("[Content_Types].xml", _CONTENT_TYPES)
-        archive.writestr("_rels/.rels", _RELATIONS)
-        archive.writestr("3D/3dmodel.model", "".join(_model(parts, title)))
+        write_package(archive, _model(parts, title))
+
+
+def write_package(archive: zipfile.ZipFile, model: Iterable[str]) -> None:
+    """Write the model and what leads a reader to it."""
+    archive.writestr("[Content_Types].xml", _CONTENT_TYPES)
+    archive.writestr("_rels/.rels", _RELATIONS)
+    archive.writestr("3D/3dmodel.model", "".join(model))
+
+
+def model_head(
+    title: str, namespaces: Mapping[str, str], metadata: Mapping[str, str]
+) -> Iterable[str]:
+    """Yield the start of a model: unit, namespaces by prefix, and metadata by name."""
+    spaces = "".join(f' xmlns:{prefix}="{uri}"' for prefix, uri in namespaces.items())
+    yield (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        f'<model unit="millimeter" xml:lang="en-US" xmlns="{CORE}"{spaces}>\n'
+    )
+    for name, value in {"Title": title, "Application": "Insole Studio", **metadata}.items():
+        yield f'<metadata name="{name}">{escape(value)}</metadata>\n'
+
+
+def build_xml(items: Iterable[int]) -> Iterable[str]:
+    """Yield the end of a model: the objects that are made."""
+    yield "<build>\n"
+    for item in items:
+        yield f'<item objectid="{item}"/>\n'
+    yield "</build>\n</model>\n"
 
 
 def _model(parts: Sequence[ThreeMfPart], title: str) -> Iterable[str]:
-    yield (
-        '<?xml version="1.0" encoding="UTF-8"?>\n'
-        f'<model unit="millimeter" xml:lang="en-US" xmlns="{CORE}" xmlns:insole="{OWN}">\n'
-        f'<metadata name="Title">{escape(title)}</metadata>\n'
-        '<metadata name="Application">Insole Studio</metadata>\n<resources>\n'
-        '<basematerials id="1">\n'
-    )
+    yield from model_head(title, {"insole": OWN}, {})
+    yield '<resources>\n<basematerials id="1">\n'
     for part in parts:
         color = "".join(f"{channel:02X}" for channel in part.color)
         yield f'<base name={quoteattr(part.name)} displaycolor="#{color}"/>\n'
@@ -99,14 +120,13 @@ def _model(parts: Sequence[ThreeMfPart], title: str) -> Iterable[str]:
     for name in dict.fromkeys(part.assembly for part in parts if part.assembly):
         items.append(len(parts) + 2 + len(items))
         members = [n + 2 for n, part in enumerate(parts) if part.assembly == name]
-        yield from _assembly(name, items[-1], members)
-    yield "</resources>\n<build>\n"
-    for item in items:
-        yield f'<item objectid="{item}"/>\n'
-    yield "</build>\n</model>\n"
+        yield from assembly_xml(name, items[-1], members)
+    yield "</resources>\n"
+    yield from build_xml(items)
 
 
-def _assembly(name: str, number: int, members: Sequence[int]) -> Iterable[str]:
+def assembly_xml(name: str, number: int, members: Sequence[int]) -> Iterable[str]:
+    """Yield an object of that id made of other objects."""
     yield f'<object id="{number}" name={quoteattr(name)} type="model">\n<components>\n'
     for member in members:
         yield f'<component objectid="{member}"/>\n'
@@ -114,16 +134,29 @@ def _assembly(name: str, number: int, members: Sequence[int]) -> Iterable[str]:
 
 
 def _object(part: ThreeMfPart, number: int) -> Iterable[str]:
-    mesh = part.mesh
-    yield (
-        f'<object id="{number + 2}" name={quoteattr(part.name)} type="model"'
-        f' pid="1" pindex="{number}">\n'
-    )
+    density = ""
     if part.density_percent is not None:
-        yield (
+        density = (
             '<metadatagroup><metadata name="insole:density_percent" type="xs:decimal"'
             f' preserve="1">{part.density_percent:g}</metadata></metadatagroup>\n'
         )
+    material = f' pid="1" pindex="{number}"'
+    yield from object_xml(part.mesh, part.name, number + 2, density, material)
+
+
+def object_xml(
+    mesh: TriangleMesh, name: str, number: int, metadata: str = "", attributes: str = ""
+) -> Iterable[str]:
+    """Yield an object of that id with its mesh.
+
+    Parameters
+    ----------
+    metadata
+        A group of metadata as XML.
+    attributes
+        More attributes of the object as XML.
+    """
+    yield f'<object id="{number}" name={quoteattr(name)} type="model"{attributes}>\n{metadata}'
     yield "<mesh>\n<vertices>\n"
     coordinates = mesh.vertices.ravel().tolist()
     yield '<vertex x="%.5f" y="%.5f" z="%.5f"/>\n' * len(mesh.vertices) % tuple(coordinates)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from datetime import date
+from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,8 @@ import numpy as np
 
 from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
+from insole_core.export.shop_order import OrderTerms
+from insole_core.export.slicer_3mf import Printer, write_slicer_3mf
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
 from insole_core.export.transaction import Transaction
@@ -22,7 +25,13 @@ from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
-from insole_core.insole.prescription.prescription_lines import make_facts, plain_number
+from insole_core.insole.prescription.design import Correction
+from insole_core.insole.prescription.prescription_lines import (
+    correction_lines,
+    make_facts,
+    plain_number,
+)
+from insole_core.messages import Translate
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import (
     Finding,
@@ -34,9 +43,11 @@ from insole_core.solids.checks import (
 from insole_core.solids.order import Part, nest_parts
 from insole_core.solids.prescription_paper import NOBODY, Responsible, write_prescription_paper
 from insole_core.solids.shop import Block, Shop
+from insole_core.solids.zone_bodies import ZonedPart, placed_print
 
 # `paper` is imported by the functions that write one: it brings reportlab and matplotlib.
 if TYPE_CHECKING:
+    from insole_core.export.insole_drawing import DrawnInsole
     from insole_core.export.paper import JobSheet, Nesting
 
 MOST_LETTERS = 200
@@ -55,12 +66,23 @@ class ExportPaths:
         Outcome of the checks, JSON.
     job_sheet, prescription
         PDF.
+    program
+        Of a router, from `workflows.mill`.
     """
 
     solid: Path
     checks: Path | None = None
     job_sheet: Path | None = None
     prescription: Path | None = None
+    program: Path | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Printing:
+    """A print for a certain slicer, with the zones of each side."""
+
+    printer: Printer
+    zoned: Mapping[Side, ZonedPart]
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +107,15 @@ class ExportJob:
         Of blocking rules.
     ascii_stl
         Whether STL is written as text.
+    printing
+        Settings and zones in a 3MF for a slicer; None for a file without.
+    terms
+        Quantity, colour and so on, for the job sheet.
+    ordered
+        All parts of the order, also those of other files, which the drawing shows together;
+        empty for `parts` alone.
+    translate
+        Into the language of the job sheet.
     """
 
     parts: tuple[Part, ...]
@@ -96,6 +127,10 @@ class ExportJob:
     block: Block | None = None
     override: Override | None = None
     ascii_stl: bool = False
+    printing: Printing | None = None
+    terms: OrderTerms = field(default_factory=OrderTerms)
+    ordered: tuple[Part, ...] = ()
+    translate: Translate = str
 
     @property
     def is_nested(self) -> bool:
@@ -233,9 +268,7 @@ def run_export_job(
     placed = job.placed()
     records = [require_export(each.findings, job.override) for each in placed]
     progress.step(0.1, "Writing the file")
-    objects = [layer for each in placed for layer in each.objects(job.shop)]
-    label = job.identification.get("pseudonym", "")
-    write_solids(objects, beside.solid, ascii_stl=job.ascii_stl, label=label)
+    _write_solid(job, placed, beside.solid)
     if beside.checks is not None:
         text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
         write_text(text + "\n", beside.checks)
@@ -245,7 +278,8 @@ def run_export_job(
         progress.step(0.4, "Writing the job sheet")
         sheets = [_job_sheet(job, each, places, beside) for each in placed]
         nesting = _nesting(job.block, placed) if job.block and job.is_nested else None
-        write_job_sheet(sheets, beside.job_sheet, nesting)
+        pieces = tuple(_drawn(part, job.translate) for part in job.ordered or job.parts)
+        write_job_sheet(sheets, beside.job_sheet, nesting, pieces, job.translate)
     if beside.prescription is not None:
         progress.step(0.8, "Writing the prescription")
         write_prescription_paper(
@@ -255,6 +289,36 @@ def run_export_job(
             identification={**job.patient, **job.identification},
             material=" / ".join(dict.fromkeys(filter(None, job.materials.values()))),
             day=date.today(),
+        )
+
+
+def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> None:
+    label = job.identification.get("pseudonym", "")
+    if job.printing is None:
+        objects = [layer for each in placed for layer in each.objects(job.shop)]
+        write_solids(objects, path, ascii_stl=job.ascii_stl, label=label)
+        return
+    prints = [
+        placed_print(job.printing.zoned[each.part.side].printed, each.insole2file)
+        for each in placed
+    ]
+    title = " ".join(filter(None, ("Insole", label)))
+    write_slicer_3mf(prints, path, job.printing.printer, title)
+
+
+def require_3mf(path: Path) -> None:
+    """Check that a file for a slicer can hold settings and zones.
+
+    Raises
+    ------
+    UsageError
+        If its suffix is not .3mf.
+    """
+    if path.suffix.lower() != ".3mf":
+        raise UsageError(
+            "Only a .3mf file holds zones and settings for a slicer, and {path} is none; change "
+            "its suffix, or name no printer.",
+            path=path,
         )
 
 
@@ -297,7 +361,52 @@ def _job_sheet(
         height_map=placed.heights() if job.is_nested else upright,
         failed_mm=placed.failed_mm,
         is_nested=job.is_nested,
+        drawn=_drawn(part, job.translate),
+        title=_title(job, part),
     )
+
+
+def _title(job: ExportJob, part: Part) -> dict[str, str]:
+    """Return the title block of the drawing, without what the file tells."""
+    return {
+        "pseudonym": job.identification.get("pseudonym", "–"),
+        "side": " / ".join(str(each.side) for each in job.ordered or (part,)),
+        "kind": part.order.kind,
+        "material": job.materials.get(part.side) or "–",
+        "quantity": str(job.terms.quantity),
+        "colour": job.terms.colour or "–",
+        "cover": job.terms.cover or "–",
+        "delivery date": job.terms.facts.get("delivery date", "–"),
+        "date": date.today().isoformat(),
+        "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
+        "program": f"Insole Studio {version('insole-studio')}",
+    }
+
+
+def _drawn(part: Part, translate: Translate = str) -> DrawnInsole:
+    """Return a part for the drawing, standing on z = 0, with its posts and corrections numbered."""
+    from insole_core.export.insole_drawing import DrawnInsole, Element
+
+    design = part.insole.design
+    turn = -1.0 if part.order.kind == "positive" else 1.0
+    facts = make_facts(design)
+    posts = [f"{name}: {text}" for name, text in facts.items() if name.endswith(" post")]
+    corrections = zip(correction_lines(design), design.active, strict=True)
+    listed: list[tuple[str, tuple[float, float] | None]] = [(text, None) for text in posts]
+    listed += [(translate(line), _centre(of, turn)) for line, of in corrections]
+    solid = part.solid.transformed(standing(part.solid))
+    return DrawnInsole(
+        part.side,
+        solid,
+        survey_heights(solid),
+        tuple(Element(number, text, at) for number, (text, at) in enumerate(listed, 1)),
+    )
+
+
+def _centre(correction: Correction, turn: float) -> tuple[float, float] | None:
+    """Return the centre of a correction that has one, in the frame of the solid."""
+    centre = getattr(correction, "centre_mm", None)
+    return None if centre is None else (turn * centre[0], centre[1])
 
 
 def _nesting(block: Block, placed: tuple[PlacedPart, ...]) -> Nesting:
@@ -340,10 +449,13 @@ def _make(job: ExportJob, part: Part) -> dict[str, str]:
     facts = {
         "material": job.materials.get(part.side) or "–",
         "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
+        **{name: text for name, text in job.terms.facts.items() if name != "remarks"},
         **make_facts(part.insole.design),
     }
     if part.insole.design.shell is None or part.order.kind == "positive":
         facts["draft of the walls"] = f"{plain_number(part.order.options.draft_deg)}°"
+    if job.terms.remarks:
+        facts["remarks"] = job.terms.remarks
     if job.block is not None:
         size = " × ".join(map(plain_number, job.block.size_mm))
         facts["stock"] = f"{job.block.name}, {size} mm"

@@ -52,7 +52,7 @@ def layer_parts(
             cuts.append((layer, depth))  # type: ignore[arg-type]
     bodies: list[tuple[LayerName, manifold3d.Manifold]] = []
     for layer, depth in cuts:
-        below = to_manifold(_everything_below(insole.contact, depth))
+        below = to_manifold(everything_below(insole.contact, depth))
         bodies.append((layer, rest - below))
         rest ^= below
     bodies.append(("base", rest))
@@ -64,7 +64,7 @@ def layer_parts(
     )  # fmt: skip
 
 
-def _everything_below(contact: HeightField, depth_mm: float) -> TriangleMesh:
+def everything_below(contact: HeightField, depth_mm: float) -> TriangleMesh:
     """Return a block that reaches beside and below any insole of this contact surface."""
     heights = parallel_below(contact, depth_mm)
     beside = int(np.ceil(_BESIDE_MM / contact.step_mm))

@@ -17,7 +17,7 @@ from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.make_order import OrderChoice
 
 log = logging.getLogger(__name__)
-_FORGOTTEN = ("both", "pseudonym", "text", "block", "own_materials")
+_FORGOTTEN = ("both", "pseudonym", "text", "block", "own_materials", "terms")
 _LIMITS = {
     "draft_deg": (-15.0, 30.0),
     "chamfer_mm": (0.0, 10.0),

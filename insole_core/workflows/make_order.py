@@ -12,6 +12,7 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
 from insole_core.errors import InputError
+from insole_core.export.shop_order import OrderTerms
 from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
@@ -62,6 +63,8 @@ class OrderChoice:
         None for parts that stay where they were designed.
     job_sheet, prescription, checks
         Which papers are written.
+    terms
+        Quantity, colour and so on, for the shop.
     """
 
     kind: Kind = "insole"
@@ -82,6 +85,7 @@ class OrderChoice:
     job_sheet: bool = True
     prescription: bool = False
     checks: bool = False
+    terms: OrderTerms = field(default_factory=OrderTerms)
 
     def makes_alike(self, other: OrderChoice) -> bool:
         """Return whether both give the same solids; papers and formats do not matter."""
@@ -92,7 +96,7 @@ class OrderChoice:
         relief = self.relief
         return replace(
             self, suffix="", ascii_stl=False, layered=False, material="", own_materials={},
-            job_sheet=False, prescription=False, checks=False,
+            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(),
             pseudonym=self.pseudonym if relief else "", text=self.text if relief else "",
         )  # fmt: skip
 
@@ -233,6 +237,7 @@ def write_order(
                 patient=patient,
                 responsible=responsible,
                 override=override,
+                ordered=parts,
             )
             run_export_job(job, place, temporary, step)
     return tuple(place.solid for place in places)
@@ -252,6 +257,7 @@ def _export_job(
     patient: Patient,
     responsible: Responsible,
     override: Override | None,
+    ordered: Sequence[Part],
 ) -> ExportJob:
     """Return the job that writes the parts of one file with their papers."""
     return ExportJob(
@@ -264,6 +270,8 @@ def _export_job(
         block=choice.block if len(group) > 1 else None,
         override=override,
         ascii_stl=choice.ascii_stl,
+        terms=choice.terms,
+        ordered=tuple(ordered),
     )
 
 
@@ -297,6 +305,9 @@ def _require_nameless(
         "text on the bottom": choice.text,
         "name of the material": materials,
         "reason for the export": "" if override is None else override.reason,
+        "colour": choice.terms.colour,
+        "cover": choice.terms.cover,
+        "remarks": choice.terms.remarks,
     }
     require_nameless(patient, texts)
 

@@ -14,9 +14,10 @@ packages=(xvfb xauth admesh libegl1 libgl1 libgl1-mesa-dri libglx-mesa0 libxkbco
     libxcb-xkb1 libxrender1 libdbus-1-3 libfontconfig1 fonts-dejavu-core)
 "$python" -c 'import ensurepip, venv' 2>/dev/null || packages+=(python3-venv)
 
-# Independent witnesses of the tests of the Kinect driver and of the solids, and the database that stations share; where one
+# Independent witnesses of the tests of the Kinect driver, of the solids and of milling, and the database that stations share; where one
 # cannot be had, its tests are skipped by name.
-optional=(postgresql libusb-1.0-0 umockdev gir1.2-umockdev-1.0 python3-gi libfreenect-bin libfreenect0.5 prusa-slicer)
+optional=(postgresql libusb-1.0-0 umockdev gir1.2-umockdev-1.0 python3-gi libfreenect-bin libfreenect0.5 prusa-slicer
+    linuxcnc-uspace)
 
 is_missing() { ! dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +14,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 
@@ -36,3 +40,14 @@ def left_foot(left_mesh: TriangleMesh) -> Foot:
 @pytest.fixture(scope="session")
 def right_foot(right_mesh: TriangleMesh) -> Foot:
     return place_foot(right_mesh, Side.RIGHT, frame="reference")
+
+
+@pytest.fixture(scope="session")
+def real_foot(shared_data: Path) -> Callable[[str, Side], Foot]:
+    """Give the foot of a scan of the reference data, which is read and placed once."""
+
+    @cache
+    def placed(file: str, side: Side) -> Foot:
+        return place_foot(read_mesh(shared_data / "feet" / file).mesh, side, frame="unknown")
+
+    return placed

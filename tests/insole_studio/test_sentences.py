@@ -53,9 +53,10 @@ PAPERS = (
     "compare/comparison_paper.py", "compare/comparison_report.py",
     "evaluation/calibration_sections.py", "evaluation/evaluation_sections.py",
     "evaluation/report.py", "evaluation/report_html.py", "evaluation/wall_pictures.py",
-    "export/obj.py", "export/paper.py", "export/ply.py", "export/stl.py", "export/three_mf.py",
+    "export/obj.py", "export/paper.py", "export/ply.py", "export/slicer_3mf.py", "export/stl.py",
+    "export/three_mf.py",
     "insole/prescription/prescription_lines.py", "records/fhir.py", "records/statement.py",
-    "simulate/simulation.py",
+    "milling/gcode.py", "simulate/simulation.py",
     "solids/export_job.py",
 )  # fmt: skip
 """Files that write reports, papers and meshes, in English; what they refuse is said in Swedish."""

@@ -50,6 +50,16 @@ class Appearance(QObject):
         self._stage.set_touch(touch)
         self._services.save_settings()
 
+    def set_software_rendering(self, software: bool) -> None:
+        """Draw with the processor or the graphics card; it takes effect at the next start."""
+        self._settings.software_rendering = software
+        self._services.save_settings()
+        self._services.messages.say(
+            tr("The processor draws from the next start on.")
+            if software
+            else tr("The graphics card draws from the next start on.")
+        )
+
     def set_language(self, language: Language) -> None:
         """Set the language; it takes effect at the next start."""
         self._settings.language = language

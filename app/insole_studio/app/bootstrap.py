@@ -30,6 +30,7 @@ from insole_studio.app.key_reference import key_sections
 from insole_studio.app.main_controller import MainController
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.preload import Preload
+from insole_studio.app.software_rendering import can_draw, prepare_software_rendering
 from insole_studio.app.status_bar import StatusBar
 from insole_studio.app.theme import apply_theme
 from insole_studio.app.window_feature import WindowFeature
@@ -59,6 +60,8 @@ from insole_studio.widgets.typed_text import commit_typed_text
 
 DEFAULT_SIZE = (1366, 768)
 SIGNAL_POLL_MS = 200
+CANNOT_DRAW = 3
+"""Exit code of a program without 3-D views, which was left or started anew."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,7 +178,7 @@ def build_application(
     main = WindowFeature(
         window,
         Appearance(services, window, stage),
-        HelpActions(services, window, stage, key_sections),
+        HelpActions(services, window, features, key_sections),
     )
     controller = MainController(services, features, main, autosave)
     if not _show_settings(main, settings, dark):
@@ -205,6 +208,7 @@ def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> bool:
     window.check_action("contours", True)
     window.check_action("dark", dark)
     window.check_action("touch", settings.touch)
+    window.check_action("software_rendering", settings.software_rendering)
     window.check_action(f"language_{settings.language}", True)
     main.appearance.set_touch(settings.touch)
     window.resize(*DEFAULT_SIZE)
@@ -236,11 +240,14 @@ def run_application(
     int
         The exit code.
     """
-    qt = qt_application()
-    qt.setQuitOnLastWindowClosed(False)  # the controller decides: saving may take a moment
     if user_paths is None:
         user_paths = UserPaths.of_user()
         user_paths.make_private()
+    is_software = prepare_software_rendering(user_paths)
+    qt = qt_application()
+    qt.setQuitOnLastWindowClosed(False)  # the controller decides: saving may take a moment
+    if not can_draw(qt, user_paths, is_software=is_software):
+        return CANNOT_DRAW
     app = build_application(qt, user_paths, emulate)
     opener = app.features.case_files.opener
     crashes = CrashReports(user_paths.crashes_folder)
@@ -264,7 +271,7 @@ def run_application(
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
     app.features.records.sample.add_at_first_start()
-    app.main.help.begin_tour_with_first_case()
+    app.main.help.offer_tour()
     app.events.file_requested.connect(lambda name: opener.open_path(Path(name), None))
     if paths:
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))

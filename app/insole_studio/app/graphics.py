@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from typing import cast
 
-from PySide6.QtGui import QOffscreenSurface, QOpenGLContext
+from PySide6.QtGui import QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
 LEAST_OPENGL = (3, 2)
 """What VTK draws with."""
@@ -58,6 +59,11 @@ def examine_graphics(platform: str) -> Graphics | None:
     surface = QOffscreenSurface()
     surface.create()
     context = QOpenGLContext()
+    if sys.platform == "darwin":  # which else gives an old one, whatever it can do
+        core = QSurfaceFormat()
+        core.setVersion(*LEAST_OPENGL)
+        core.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+        context.setFormat(core)
     if not context.create() or not context.makeCurrent(surface):
         return Graphics(None)
     try:

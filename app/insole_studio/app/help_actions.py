@@ -6,14 +6,14 @@ from collections.abc import Callable, Iterable
 from html import escape
 from importlib.metadata import version
 
-from PySide6.QtCore import QObject, QTimer, QUrl
-from PySide6.QtGui import QDesktopServices
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from shiboken6 import isValid
 
 from insole_core.errors import InputError, InsoleError
 from insole_studio.acquisition.examined_sensors import examine_sensors
 from insole_studio.app.doctor_dialog import DoctorDialog
+from insole_studio.app.features import Features
 from insole_studio.app.licences import Licence, licence_text, licences
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.manual_pages import (
@@ -26,11 +26,13 @@ from insole_studio.app.manual_pages import (
 )
 from insole_studio.app.text_dialog import TextDialog
 from insole_studio.app.tour_stops import tour_stops
-from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.app_services import AppServices
+from insole_studio.services.other_programs import open_file
 from insole_studio.texts import language_code, tr
 from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour
+
+TOUR_NOTICE = "tour"
 
 
 class HelpActions(QObject):
@@ -40,14 +42,15 @@ class HelpActions(QObject):
         self,
         services: AppServices,
         window: MainWindow,
-        stage: DesignStage,
+        features: Features,
         keys: Callable[[], Iterable[tuple[str, list[Line]]]],
     ) -> None:
         super().__init__(window)
         self._services = services
         self._window = window
-        self._stage = stage
+        self._features = features
         self._keys = keys
+        self._tour: Tour | None = None
 
     def show_manual(self) -> None:
         """Open the manual at the page about what is in front."""
@@ -66,11 +69,11 @@ class HelpActions(QObject):
             return page_of_module(type(self._window.page).__module__) or FIRST_PAGE
         if self._services.case.foot is None:
             return FIRST_PAGE
-        return PAGE_OF_TOOL.get(self._stage.tool_controller.tool.key, "design")
+        return PAGE_OF_TOOL.get(self._features.design.stage.tool_controller.tool.key, "design")
 
     def _open_page(self, name: str) -> None:
         path = manual_page(name, language_code(self._services.settings.language))
-        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
+        if not open_file(path):
             raise InputError(
                 "No browser could be opened; open {path} in one to read the manual.", path=path
             )
@@ -92,22 +95,28 @@ class HelpActions(QObject):
             )
         settings.version_used = running
 
-    def begin_tour_with_first_case(self) -> None:
-        """Start the tour when the first case is opened, unless it was seen before."""
-        if not self._services.settings.tour_seen:
-            self._services.case.opened.connect(self._begin_first_tour)
+    def offer_tour(self) -> None:
+        """Offer the tour until it was taken once, or is not wanted."""
+        if self._services.settings.tour_seen:
+            return
+        self._services.notices.put(
+            TOUR_NOTICE,
+            tr("New here? The tour makes a whole insole of an example, from scan to file."),
+            (tr("Take the tour"), self.begin_tour),
+            (tr("Not now"), self._note_tour),
+            stays=True,
+        )
 
     def begin_tour(self) -> None:
-        """Start the tour of the panels in five steps, which a page of the record would hide."""
-        self._window.show_panels()
-        section_tool = self._window.tool_button("tool_section")
-        tour = Tour(tour_stops(self._stage, section_tool), self._window)
-        tour.ended.connect(self._end_tour)
-        tour.begin()
-
-    def _begin_first_tour(self) -> None:
-        self._services.case.opened.disconnect(self._begin_first_tour)
-        QTimer.singleShot(0, self, self.begin_tour)  # once the panels are laid out
+        """Begin the tour on the first page; one that is under way gets the focus instead."""
+        if self._tour is None:
+            self._services.notices.drop(TOUR_NOTICE)
+            self._features.records.show_start()
+            stops = tour_stops(self._features, self._window, self._services.case)
+            self._tour = Tour(stops, self._window)
+            self._tour.ended.connect(self._end_tour)
+            self._tour.begin()
+        self._tour.take_focus()
 
     def show_keys(self) -> None:
         """List all keyboard shortcuts."""
@@ -145,5 +154,9 @@ class HelpActions(QObject):
         )
 
     def _end_tour(self) -> None:
+        self._tour = None
+        self._note_tour()
+
+    def _note_tour(self) -> None:
         self._services.settings.tour_seen = True
         self._services.save_settings()

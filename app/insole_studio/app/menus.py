@@ -106,6 +106,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             SEPARATOR,
             "dark",
             "touch",
+            "software_rendering",
             "language_system",
             "language_en",
             "language_sv",

@@ -1,21 +1,12 @@
-"""A session to try the program on where no sensor is, and whether there is a screen for it."""
+"""A session to try the program on where no sensor is."""
 
 from __future__ import annotations
 
-import os
-import sys
 from pathlib import Path
 
 from insole_core.progress import SILENT, Progress
 
 SEED = 12
-
-
-def has_screen() -> bool:
-    """Return whether windows can be shown to somebody."""
-    if sys.platform in ("win32", "darwin"):
-        return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def record_simulated(path: Path, progress: Progress = SILENT) -> None:

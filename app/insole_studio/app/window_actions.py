@@ -56,6 +56,13 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
         lambda main, on: main.appearance.set_touch(on),
         checkable=True,
     ),
+    ActionRecord(
+        "software_rendering",
+        lambda: tr("Software rendering"),
+        lambda: tr("Draw with the processor, where the graphics card cannot; from the next start"),
+        lambda main, on: main.appearance.set_software_rendering(on),
+        checkable=True,
+    ),
     _language("system", lambda: tr("Language of the system")),
     _language("en", lambda: "English"),
     _language("sv", lambda: "Svenska"),
@@ -69,8 +76,9 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
     ActionRecord(
         "tour",
         lambda: tr("Take the tour"),
-        lambda: tr("The window in five steps"),
+        lambda: tr("From a scan to the written file, on the example; again, to reach its bubble"),
         lambda main, _on: main.help.begin_tour(),
+        shortcut="Ctrl+F1",
     ),
     ActionRecord(
         "keys",

@@ -37,7 +37,7 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
 
 
 def _graphics() -> Graphics | None:
-    from insole_studio.app.recorded_session import has_screen
+    from insole_studio.app.screen import has_screen
 
     if not has_screen():
         os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")

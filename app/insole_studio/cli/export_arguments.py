@@ -11,13 +11,16 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli import print_arguments
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
+    from insole_core.milling.machine import Machine
+    from insole_core.milling.plan import MillingPlan
     from insole_core.solids.checks import Override
-    from insole_core.solids.export_job import ExportPaths
+    from insole_core.solids.export_job import ExportJob, ExportPaths
     from insole_core.solids.export_rules import ExportRules
     from insole_core.solids.order import Order, Part
     from insole_core.solids.prescription_paper import Responsible
@@ -53,6 +56,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     shape.add_argument(
         "--cutter", type=number, metavar="MM", help="diameter of the ball-nose cutter"
     )
+    mill = parser.add_argument_group("mill")
+    mill.add_argument(
+        "--gcode", action=OutputPath, metavar="insole.nc", help="program of a router, for --block"
+    )
+    mill.add_argument(
+        "--machine", default="LinuxCNC", metavar="NAME",
+        help="LinuxCNC (default), GRBL, Mach3, one of the clinic's, or a machine file (.json)",
+    )  # fmt: skip
+    mill.add_argument("--both-sides", action="store_true", help="turn the block, on two dowels")
+    print_arguments.add_arguments(parser)
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
     papers.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
@@ -77,7 +90,11 @@ def places(arguments: argparse.Namespace) -> ExportPaths:
     from insole_core.solids.export_job import ExportPaths
 
     return ExportPaths(
-        arguments.out, arguments.checks, arguments.job_sheet, arguments.prescription_paper
+        arguments.out,
+        arguments.checks,
+        arguments.job_sheet,
+        arguments.prescription_paper,
+        arguments.gcode,
     )
 
 
@@ -87,7 +104,26 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
 
     if arguments.layers and arguments.out.suffix.lower() != ".3mf":
         raise UsageError(f"--layers needs a .3mf file, and --out is {arguments.out}; change one.")
+    if arguments.gcode is not None:
+        _check_milling(arguments)
+    print_arguments.check(arguments)
     return open_places(places(arguments))
+
+
+def _check_milling(arguments: argparse.Namespace) -> None:
+    from insole_core.workflows.mill import check_program_suffix
+
+    check_program_suffix(arguments.gcode)
+    if arguments.block is None:
+        raise UsageError("--gcode mills the insole from a block; name it with --block.")
+    _machine(arguments)
+
+
+def _machine(arguments: argparse.Namespace) -> Machine:
+    from insole_core.workflows.mill import find_machine
+    from insole_studio.user_paths import UserPaths
+
+    return find_machine(arguments.machine, UserPaths.of_user().settings_folder)
 
 
 def deliver(
@@ -120,21 +156,54 @@ def deliver(
         parts = checked_together(*parts, block.size_mm, policy)
     for sentence in dict.fromkeys(sentence for part in parts for sentence in _doubts(part)):
         print(f"Warning: {sentence}", file=sys.stderr)
-    export_job.run_export_job(
-        export_job.ExportJob(
-            parts,
-            shop,
-            identification={"pseudonym": _pseudonym(arguments)},
-            responsible=responsible,
-            materials={insole.design.side: _material(insole, arguments) for insole in insoles},
-            block=block if len(insoles) > 1 else None,
-            override=_override(arguments),
-            ascii_stl=arguments.ascii,
-        ),
-        places(arguments),
-        beside,
-        progress.part(0.8, 1.0),
+    job = export_job.ExportJob(
+        parts,
+        shop,
+        identification={"pseudonym": _pseudonym(arguments)},
+        responsible=responsible,
+        materials={insole.design.side: _material(insole, arguments) for insole in insoles},
+        block=block if len(insoles) > 1 else None,
+        override=_override(arguments),
+        ascii_stl=arguments.ascii,
+        printing=print_arguments.printing(parts, arguments),
     )
+    export_job.run_export_job(job, places(arguments), beside, progress.part(0.8, 0.9))
+    if beside.program is not None and block is not None:
+        _mill(job, block, arguments, beside.program, progress.part(0.9, 1.0))
+
+
+def _mill(
+    job: ExportJob, block: Block, arguments: argparse.Namespace, path: Path, progress: Progress
+) -> None:
+    """Write the program, and print how long it takes and what stays in hollows."""
+    from insole_core.workflows.mill import plan_job, write_program
+
+    plan = plan_job(
+        job, block, _machine(arguments),
+        both_sides=arguments.both_sides, progress=progress.part(0.0, 0.7),
+    )  # fmt: skip
+    for line in _facts(plan):
+        print(line, file=sys.stderr)
+    for note in plan.notes:
+        print(f"Warning: {note}", file=sys.stderr)
+    write_program(plan, path, job.identification["pseudonym"], progress.part(0.7, 1.0))
+
+
+def _facts(plan: MillingPlan) -> list[str]:
+    """Return what is told before a program is used, a line each."""
+    from insole_core.milling.tool_path import Motion
+
+    lines = [
+        f"{operation.side}, {operation.name}, {operation.cutter.name}: "
+        f"{operation.lengths_mm(Motion.FEED) / 1000:.1f} m, "
+        f"{operation.minutes(plan.machine.rapid_mm_min):.0f} min"
+        for operation in plan.operations
+    ]
+    return [
+        *lines,
+        f"{plan.machine.name}: {plan.length_m:.0f} m of path, {plan.minutes:.0f} minutes without "
+        f"changes of cutters; at most {plan.most_left_mm:.2f} mm stay in hollows.",
+    ]
 
 
 def _material(insole: Insole, arguments: argparse.Namespace) -> str:

@@ -35,10 +35,12 @@ from insole_studio.cli import (
     window,
 )
 from insole_studio.cli.argument_parser import Parser
+from insole_studio.cli.order import command as order
 from insole_studio.cli.path_arguments import check_paths
 from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, StopRequest
 from insole_studio.cli.subcommands import Command
+from insole_studio.missing_library import missing_library_error
 
 COMMANDS: tuple[Command, ...] = (
     window,
@@ -50,6 +52,7 @@ COMMANDS: tuple[Command, ...] = (
     reconstruct,
     inspect_scan,
     design,
+    order,
     devices,
     measure,
     pressure,
@@ -80,7 +83,7 @@ def run(arguments: list[str]) -> int:
     except OSError as error:
         return _report(error, _reason(error))
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
-        return _report(error, f"An error in the program itself ({error}); please report it")
+        return _report_unexpected(error)
     return 0
 
 
@@ -115,6 +118,14 @@ def _reason(error: OSError) -> str:
         f"{error.filename} cannot be used: {error.strerror}; check that it is there, and that you "
         "may read and write there, and if that does not help, report it"
     )
+
+
+def _report_unexpected(error: Exception) -> int:
+    lacking = missing_library_error(error) if isinstance(error, ImportError) else None
+    if lacking is not None:
+        print(lacking, file=sys.stderr)
+        return 1
+    return _report(error, f"An error in the program itself ({error}); please report it")
 
 
 def _report(error: Exception, request: str) -> int:

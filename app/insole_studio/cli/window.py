@@ -22,6 +22,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Open the window and return when it is closed."""
+    from insole_studio.app.screen import check_screen
+
+    check_screen()
     gc.disable()  # modules leave no garbage while they load; then the window collects by itself
     from insole_studio.app.bootstrap import run_application
 

@@ -1,66 +1,87 @@
-"""A short tour: a bubble that moves from widget to widget and explains each."""
+"""A tour: a bubble that points at what to do next, and goes on once the user has done it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QPoint, QPointF, QRect, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPolygonF
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from insole_studio.texts import tr
 
-WIDTH_PX = 320
+WIDTH_PX = 336
 GAP_PX = 12
 ARROW_PX = 10
+MARGIN_PX = 16
+LOOK_MS = 150
+"""How often the bubble looks at what the user has done, and where its widget is."""
+
+IsDone = Callable[[], bool]
 
 
 @dataclass(frozen=True, eq=False)
 class Stop:
-    """One stop of the tour."""
+    """One stop of the tour.
 
-    widget: QWidget
+    Parameters
+    ----------
+    target
+        Gives the widget to point at; None while there is none.
+    watch
+        Called as the stop begins; gives what tells whether the user has done it. Without it, the
+        user reads on.
+    """
+
     title: str
     text: str
+    target: Callable[[], QWidget | None]
+    watch: Callable[[], IsDone] | None = None
 
 
 class Tour(QFrame):
-    """The bubble of the tour; closed at the last stop, by Escape, or by its button.
+    """The bubble of the tour; ended after the last stop, by Escape, or by its button.
 
-    It is a window of its own: a native 3-D view would cover any widget of the same window.
+    It is a window of its own: a native 3-D view would cover any widget of the same window. It never
+    takes the focus by itself, and blocks nothing.
     """
 
     ended = Signal()
 
     def __init__(self, stops: Sequence[Stop], window: QWidget) -> None:
         super().__init__(window, Qt.WindowType.Tool | Qt.WindowType.FramelessWindowHint)
+        self.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         self.setObjectName("tour")
+        self.setWindowTitle(tr("Tour"))
         self.setFixedWidth(WIDTH_PX)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._stops = stops
         self._window = window
         self._number = 0
+        self._is_done: IsDone | None = None
         self._title, self._text, self._count = QLabel(), QLabel(), QLabel()
         self._title.setObjectName("heading")
         self._count.setObjectName("quiet")
         self._text.setWordWrap(True)
         self._next = QPushButton()
-        self._next.setDefault(True)
         self._next.clicked.connect(self.go_on)
-        skip = QPushButton(tr("End the tour"))
-        skip.clicked.connect(self.end)
+        leave = QPushButton(tr("End the tour"))
+        leave.clicked.connect(self.end)
         buttons = QHBoxLayout()
-        for widget in (self._count, skip, self._next):
+        for widget in (self._count, leave, self._next):
             buttons.addWidget(widget)
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 4, 16, 4)
+        layout.setContentsMargins(MARGIN_PX, 4, MARGIN_PX, 4)
         self._up, self._down = _Arrow(points_up=True), _Arrow(points_up=False)
         layout.addWidget(self._up)
         layout.addWidget(self._title)
         layout.addWidget(self._text)
         layout.addLayout(buttons)
         layout.addWidget(self._down)
+        self._timer = QTimer(self)
+        self._timer.setInterval(LOOK_MS)
+        self._timer.timeout.connect(self._look)
 
     @property
     def shown(self) -> Stop:
@@ -71,19 +92,25 @@ class Tour(QFrame):
         """Show the first stop."""
         self._show_stop()
         self.show()
+        self._timer.start()
+
+    def take_focus(self) -> None:
+        """Let the keys reach the bubble."""
         self.raise_()
+        self.activateWindow()
         self._next.setFocus()
 
     def go_on(self) -> None:
         """Show the next stop, or end after the last."""
-        self._number += 1
-        if self._number == len(self._stops):
+        if self._number + 1 == len(self._stops):
             self.end()
         else:
+            self._number += 1
             self._show_stop()
 
     def end(self) -> None:
         """Close and delete the tour."""
+        self._timer.stop()
         self.hide()
         self.ended.emit()
         self.deleteLater()
@@ -95,23 +122,46 @@ class Tour(QFrame):
         else:
             super().keyPressEvent(event)
 
+    def _look(self) -> None:
+        """Go on if the user has done it; else follow the widget, which may have moved."""
+        if self._is_done is not None and self._is_done():
+            self.go_on()
+        else:
+            self._point()
+
     def _show_stop(self) -> None:
         stop = self.shown
+        self._is_done = None if stop.watch is None else stop.watch()
         self._title.setText(stop.title)
         self._text.setText(stop.text)
         last = self._number == len(self._stops) - 1
-        self._next.setText(tr("Begin") if last else tr("Next"))
+        reads = stop.watch is None
+        self._next.setText(tr("Finish") if last else tr("Next") if reads else tr("Skip"))
         self._count.setText(f"{self._number + 1} / {len(self._stops)}")
-        self._point_at(stop.widget)
+        self.setAccessibleName(f"{stop.title}. {stop.text}")
+        self._point()
 
-    def _point_at(self, widget: QWidget) -> None:
-        """Stand below the widget or above it, within the window, with an arrow to it."""
+    def _point(self) -> None:
+        """Stand at the widget with an arrow to it; in a corner of the window without one."""
+        widget = self.shown.target()
+        if widget is None or not widget.isVisible():
+            self._stand_in_corner()
+        else:
+            self._stand_at(widget)
+
+    def _stand_in_corner(self) -> None:
+        self._show_arrows(up=False, down=False)
+        corner = self._window.mapToGlobal(self._window.rect().bottomRight())
+        self._go_to(corner.x() - WIDTH_PX - GAP_PX, corner.y() - self.height() - 3 * GAP_PX)
+
+    def _stand_at(self, widget: QWidget) -> None:
+        """Stand below the widget or above it, within its window."""
+        window = widget.window()
+        self._stay_above(window)
         there = QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size())
-        room = QRect(self._window.mapToGlobal(QPoint(0, 0)), self._window.size())
+        room = QRect(window.mapToGlobal(QPoint(0, 0)), window.size())
         room = room.adjusted(GAP_PX, GAP_PX, -GAP_PX, -GAP_PX)
-        self._up.show()
-        self._down.hide()
-        self.adjustSize()
+        self._show_arrows(up=True, down=False)
         height = self.height()
         left = min(max(there.center().x() - WIDTH_PX // 2, room.left()), room.right() - WIDTH_PX)
         if there.bottom() + height < room.bottom():
@@ -120,11 +170,28 @@ class Tour(QFrame):
             top, is_below = there.top() - height, False
         else:  # it fills the window: stand within its lower part
             top, is_below = there.bottom() - height - GAP_PX, True
-        self._up.setVisible(is_below)
-        self._down.setVisible(not is_below)
+        self._show_arrows(up=is_below, down=not is_below)
         for arrow in (self._up, self._down):
-            arrow.point_at(there.center().x() - left - 16)
-        self.move(left, top)
+            arrow.point_at(there.center().x() - left - MARGIN_PX)
+        self._go_to(left, top)
+
+    def _show_arrows(self, *, up: bool, down: bool) -> None:
+        if (self._up.isHidden(), self._down.isHidden()) != (not up, not down):
+            self._up.setVisible(up)
+            self._down.setVisible(down)
+        self.adjustSize()
+
+    def _go_to(self, left: int, top: int) -> None:
+        if self.pos() != QPoint(left, top):
+            self.move(left, top)
+
+    def _stay_above(self, window: QWidget) -> None:
+        """Stand above the window that is pointed at, without becoming a part of it."""
+        self.winId()  # creates what the window manager knows of it
+        own, other = self.windowHandle(), window.windowHandle()
+        if other is not None and own.transientParent() is not other:
+            own.setTransientParent(other)
+            self.raise_()
 
 
 class _Arrow(QWidget):
@@ -138,8 +205,9 @@ class _Arrow(QWidget):
 
     def point_at(self, x_px: int) -> None:
         """Set where the tip is, from the left."""
-        self._x = x_px
-        self.update()
+        if x_px != self._x:
+            self._x = x_px
+            self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the triangle."""

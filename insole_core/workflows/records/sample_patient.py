@@ -16,13 +16,13 @@ from insole_core.workflows.records.keep_case import add_case
 EXAMPLE = "example/example.insole"
 
 
-def ensure_sample(records: Records, name: str, notes: str) -> Person:
+def ensure_sample(records: Records, name: str, notes: str, findings: str) -> Person:
     """Return the sample patient; add it with a visit where it is not in the record.
 
     Parameters
     ----------
-    name, notes
-        In the language of the user; the name says that it is a sample.
+    name, notes, findings
+        Of patient and visit, in the language of the user; the name says that it is a sample.
 
     Raises
     ------
@@ -38,6 +38,6 @@ def ensure_sample(records: Records, name: str, notes: str) -> Person:
         Person(name, date.fromisoformat(patient.born), notes=notes, pseudonym=SAMPLE_PSEUDONYM)
     )
     day = min(date.fromisoformat(patient.visit), date.today())
-    visited = Patient(visit=day.isoformat(), notes=patient.notes)
+    visited = Patient(visit=day.isoformat(), notes=findings)
     add_case(records, replace(case, patient=visited), added.id)
     return added

@@ -116,6 +116,10 @@
             <translation>En pelott eller en stav; studier är oense om var en pelott verkar bäst.</translation>
         </message>
         <message>
+            <source>A dowel hole of {hole:g} mm cannot be bored with the cutter "{cutter}"; choose a thicker dowel.</source>
+            <translation>Ett styrpinnshål på {hole:g} mm kan inte borras med fräsen ”{cutter}”; välj en tjockare styrpinne.</translation>
+        </message>
+        <message>
             <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
             <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
         </message>
@@ -290,6 +294,10 @@
         <message>
             <source>Any number</source>
             <translation>Valfritt nummer</translation>
+        </message>
+        <message>
+            <source>Approved by</source>
+            <translation>Godkänd av</translation>
         </message>
         <message>
             <source>Arch fill</source>
@@ -468,6 +476,10 @@
             <translation>Sluter {kind}</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Färg</translation>
+        </message>
+        <message>
             <source>Colour on depth, after a constant shift</source>
             <translation>Färg på djup, efter en fast förskjutning</translation>
         </message>
@@ -478,6 +490,10 @@
         <message>
             <source>Colouring the surface</source>
             <translation>Färglägger ytan</translation>
+        </message>
+        <message>
+            <source>Comparing the files</source>
+            <translation>Jämför filerna</translation>
         </message>
         <message>
             <source>Contact</source>
@@ -556,6 +572,10 @@
             <translation>Urtag</translation>
         </message>
         <message>
+            <source>Cutting round the piece</source>
+            <translation>Fräser runt stycket</translation>
+        </message>
+        <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
         </message>
@@ -566,6 +586,10 @@
         <message>
             <source>Date</source>
             <translation>Datum</translation>
+        </message>
+        <message>
+            <source>Delivery date</source>
+            <translation>Leveransdag</translation>
         </message>
         <message>
             <source>Designed by</source>
@@ -610,6 +634,10 @@
         <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
+        </message>
+        <message>
+            <source>Drawn by</source>
+            <translation>Ritad av</translation>
         </message>
         <message>
             <source>Drawn outline</source>
@@ -744,6 +772,10 @@
             <translation>Färdigställer rand och tåzon</translation>
         </message>
         <message>
+            <source>Finishing the surface</source>
+            <translation>Finfräser ytan</translation>
+        </message>
+        <message>
             <source>Fitting both cameras to {count} boards</source>
             <translation>Passar båda kamerorna mot {count} bräden</translation>
         </message>
@@ -848,6 +880,10 @@
             <translation>Hallux rigidus</translation>
         </message>
         <message>
+            <source>Have an administrator copy {rule} to /etc/udev/rules.d, then unplug the sensors and plug them in again.</source>
+            <translation>Låt en administratör kopiera {rule} till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
+        </message>
+        <message>
             <source>Heel and ball of this foot lie in an impossible order, so no form of the library can be laid on it; choose a base from the foot, or scan again.</source>
             <translation>Fotens häl och trampdyna ligger i en omöjlig ordning, så ingen form ur biblioteket kan läggas på den; välj foten som bas eller skanna igen.</translation>
         </message>
@@ -918,10 +954,6 @@
         <message>
             <source>Install the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly.</source>
             <translation>Installera grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), som ritar långsamt.</translation>
-        </message>
-        <message>
-            <source>Install the package, or copy 70-kinect-v1.rules, which comes with the program, to /etc/udev/rules.d; then unplug the sensors and plug them in again.</source>
-            <translation>Installera paketet, eller kopiera 70-kinect-v1.rules, som följer med programmet, till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>It has no date of a visit; open it and choose one.</source>
@@ -1058,6 +1090,10 @@
         <message>
             <source>Looking for earlier designs</source>
             <translation>Söker tidigare designer</translation>
+        </message>
+        <message>
+            <source>Looking for material that stays</source>
+            <translation>Söker material som blir kvar</translation>
         </message>
         <message>
             <source>Looking for the board in {picture}</source>
@@ -1264,6 +1300,10 @@
             <translation>En vy utan referenssystem: tas som ett föremål på ett bord.</translation>
         </message>
         <message>
+            <source>Only a .3mf file holds zones and settings for a slicer, and {path} is none; change its suffix, or name no printer.</source>
+            <translation>Bara en .3mf-fil rymmer zoner och inställningar för ett skivningsprogram, och {path} är ingen; ändra ändelsen, eller ange ingen skrivare.</translation>
+        </message>
+        <message>
             <source>Only partly measured: {regions}; see the holes there before designing.</source>
             <translation>Bara delvis mätt: {regions}; se hålen där före design.</translation>
         </message>
@@ -1368,6 +1408,10 @@
             <translation>Kilning</translation>
         </message>
         <message>
+            <source>Posts, pads and corrections</source>
+            <translation>Stöd, pelotter och korrigeringar</translation>
+        </message>
+        <message>
             <source>Prescriber</source>
             <translation>Ordinatör</translation>
         </message>
@@ -1406,6 +1450,10 @@
         <message>
             <source>Put the sensor in its place for view {views}</source>
             <translation>Ställ sensorn på sin plats för vy {views}</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Antal</translation>
         </message>
         <message>
             <source>Read in {unit}: the surface is {length_mm:.0f} mm long.</source>
@@ -1508,6 +1556,10 @@
             <translation>Avlastning under femte tån</translation>
         </message>
         <message>
+            <source>Remarks</source>
+            <translation>Anmärkningar</translation>
+        </message>
+        <message>
             <source>Removed: {correction}</source>
             <translation>Borttaget: {correction}</translation>
         </message>
@@ -1540,12 +1592,32 @@
             <translation>Root</translation>
         </message>
         <message>
+            <source>Roughing, level {level} of {levels}</source>
+            <translation>Grovfräser, nivå {level} av {levels}</translation>
+        </message>
+        <message>
+            <source>Round the piece there is {over:.1f} mm too little of the block for the cutter "{cutter}"; take a larger block, or a thinner cutter for the contour.</source>
+            <translation>Runt stycket har blocket {over:.1f} mm för lite för fräsen ”{cutter}”; ta ett större block eller en tunnare fräs för konturen.</translation>
+        </message>
+        <message>
+            <source>SHA-256</source>
+            <translation>SHA-256</translation>
+        </message>
+        <message>
             <source>SHA-256 of the foot</source>
             <translation>Fotens SHA-256</translation>
         </message>
         <message>
             <source>SHA-256 of the scan</source>
             <translation>Skanningens SHA-256</translation>
+        </message>
+        <message>
+            <source>Sampling the surface</source>
+            <translation>Läser av ytan</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>Skala</translation>
         </message>
         <message>
             <source>Scaled by the size that is known: the surface is {length_mm:.0f} mm long.</source>
@@ -1748,6 +1820,10 @@
             <translation>Födelsedatumet {born} är inte personnumrets, {of_number}; rätta ett av dem.</translation>
         </message>
         <message>
+            <source>The block is {there:g} mm high, and the piece needs {need:.1f} mm in it; take a higher block.</source>
+            <translation>Blocket är {there:g} mm högt, och stycket behöver {need:.1f} mm; ta ett högre block.</translation>
+        </message>
+        <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
             <translation>Brädet syns för båda kamerorna i {count} bildpar, men {least} behövs; ta infraröda bilder och färgbilder av samma lägen.</translation>
         </message>
@@ -1852,6 +1928,14 @@
             <translation>Korrektionen mättes på sensor {owner}, inte på {serial}</translation>
         </message>
         <message>
+            <source>The cutter "{cutter}" is too thick for a hollow of the {side} at x = {x:.0f} mm, y = {y:.0f} mm of the block: {left:.1f} mm stay there; take a thinner one.</source>
+            <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side} vid x = {x:.0f} mm, y = {y:.0f} mm i blocket: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
+        </message>
+        <message>
+            <source>The cutter "{cutter}" reaches {reach:g} mm, and must go {depth:.1f} mm deep; take a lower block or a longer cutter.</source>
+            <translation>Fräsen ”{cutter}” når {reach:g} mm och måste gå {depth:.1f} mm djupt; ta ett lägre block eller en längre fräs.</translation>
+        </message>
+        <message>
             <source>The data of this person were erased; nothing can be added to them.</source>
             <translation>Den här personens uppgifter har raderats; inget kan läggas till.</translation>
         </message>
@@ -1872,6 +1956,14 @@
             <translation>Databasen {file} saknas, men journalens filer bredvid den finns kvar; återställ journalen från en säkerhetskopia eller lägg tillbaka databasen.</translation>
         </message>
         <message>
+            <source>The delivery date {day} is more than two years ahead; check the year.</source>
+            <translation>Leveransdagen {day} ligger mer än två år fram; kontrollera året.</translation>
+        </message>
+        <message>
+            <source>The delivery date {day} is past; choose a day from {today} on.</source>
+            <translation>Leveransdagen {day} har passerat; välj en dag från och med {today}.</translation>
+        </message>
+        <message>
             <source>The depth image has no readings; capture it again.</source>
             <translation>Djupbilden har inga mätvärden; ta om den.</translation>
         </message>
@@ -1890,6 +1982,10 @@
         <message>
             <source>The distortion of the depth was not corrected yet, which turns the cameras by a degree or two; calibrate the distortion first.</source>
             <translation>Djupets förvrängning är inte korrigerad ännu, vilket vrider kamerorna en grad eller två; kalibrera förvrängningen först.</translation>
+        </message>
+        <message>
+            <source>The dowel at x = {x:.0f} mm, y = {y:.0f} mm of the block has no room beside the piece; take a longer block, or set it nearer to the end.</source>
+            <translation>Styrpinnen vid x = {x:.0f} mm, y = {y:.0f} mm i blocket får inte plats bredvid stycket; ta ett längre block eller sätt den närmare änden.</translation>
         </message>
         <message>
             <source>The drawn outline of the insole crosses itself; move its points apart.</source>
@@ -2048,6 +2144,10 @@
             <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
+            <source>The insole does not reach the zone {zone}.</source>
+            <translation>Inlägget når inte till zonen {zone}.</translation>
+        </message>
+        <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
             <translation>Inlägget är {height_mm:.0f} mm högt och får kanske inte plats i en sko; upp till {usual_mm:g} mm är vanligt.</translation>
         </message>
@@ -2136,8 +2236,16 @@
             <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
         </message>
         <message>
+            <source>The order holds nothing; name at least one case.</source>
+            <translation>Beställningen är tom; ange minst ett fall.</translation>
+        </message>
+        <message>
             <source>The order {number} is {state} already; choose another state.</source>
             <translation>Beställningen {number} är redan {state}; välj ett annat läge.</translation>
+        </message>
+        <message>
+            <source>The origin of {machine} lies outside the block: {place:g} mm along {axis}, and the block has {size:g} mm; correct its offset in the machine file.</source>
+            <translation>Nollpunkten för {machine} ligger utanför blocket: {place:g} mm längs {axis}, och blocket har {size:g} mm; rätta dess förskjutning i maskinfilen.</translation>
         </message>
         <message>
             <source>The outline encloses only {area_mm2:.0f} mm², which leaves no insole; draw it round the foot.</source>
@@ -2196,6 +2304,10 @@
             <translation>Bilderna är olika stora: {sizes}; använd bilder från en kamera i ett läge.</translation>
         </message>
         <message>
+            <source>The piece does not lie within the block; take a larger block.</source>
+            <translation>Stycket ligger inte inom blocket; ta ett större block.</translation>
+        </message>
+        <message>
             <source>The place of the depth camera is known within {known_mm:.1f} mm only; for {good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).</source>
             <translation>Djupkamerans plats är bara känd inom {known_mm:.1f} mm; för {good_mm} mm, ta fler lägen med brädet vridet 40 till 55° ({sides}).</translation>
         </message>
@@ -2236,6 +2348,10 @@
             <translation>Ordinationen för {side} fot är inte vad som signerades; jämför med en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>The pressure under the {side} foot lies nowhere {zone}; change the limits or leave the zone out.</source>
+            <translation>Trycket under foten ({side}) ligger ingenstans i zonen {zone}; ändra gränserna eller utelämna zonen.</translation>
+        </message>
+        <message>
             <source>The processor draws, which is slow: install the driver of the graphics card.</source>
             <translation>Processorn ritar, vilket går långsamt: installera grafikkortets drivrutin.</translation>
         </message>
@@ -2250,6 +2366,10 @@
         <message>
             <source>The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; see that it is one whole foot.</source>
             <translation>Proportionerna är ovanliga för en fot: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {midfoot_mm:.0f} mm på mitten, {heel_mm:.0f} mm vid hälen; se efter att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The quantity is {quantity}, and must be 1 to {most}; correct it.</source>
+            <translation>Antalet är {quantity} och måste vara 1 till {most}; rätta det.</translation>
         </message>
         <message>
             <source>The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.</source>
@@ -2314,6 +2434,10 @@
         <message>
             <source>The scan {path} is not there any more, or cannot be read; the case holds its own copy of the foot, so the work can go on.</source>
             <translation>Skanningen {path} finns inte längre, eller kan inte läsas; fallet har en egen kopia av foten, så arbetet kan fortsätta.</translation>
+        </message>
+        <message>
+            <source>The screen {screen} does not answer; start Insole Studio at the desktop of the computer, as the user who is signed in there.</source>
+            <translation>Skärmen {screen} svarar inte; starta Insole Studio vid datorns skrivbord, som den användare som är inloggad där.</translation>
         </message>
         <message>
             <source>The sensors of the views {first} and {second} stood in the same place ({apart_mm:.0f} mm apart); see that no view was recorded under two names.</source>
@@ -2414,6 +2538,10 @@
         <message>
             <source>The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to {most_mm:g} mm long; check its unit, and that it is a whole foot.</source>
             <translation>Ytan skulle vara en fot på {length_mm:.0f} mm, och fötter är {least_mm:g} till {most_mm:g} mm långa; kontrollera enheten, och att det är en hel fot.</translation>
+        </message>
+        <message>
+            <source>The system lacks the library {name}; install Insole Studio by its package, which brings all that it needs, or ask whoever looks after this computer for that library.</source>
+            <translation>Systemet saknar biblioteket {name}; installera Insole Studio med dess paket, som har med allt det behöver, eller be den som sköter datorn om biblioteket.</translation>
         </message>
         <message>
             <source>The table has {count} columns, and {mapped} are chosen; choose the columns anew.</source>
@@ -2532,6 +2660,26 @@
             <translation>Uppvärmningen behöver tre tidpunkter med mätvärden; spela in i 15 minuter.</translation>
         </message>
         <message>
+            <source>The zone {zone} does not lie on the {side} insole; leave it out.</source>
+            <translation>Zonen {zone} ligger inte på inlägget ({side}); utelämna den.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} is a layer that the design does not have; give the layer a thickness or leave the zone out.</source>
+            <translation>Zonen {zone} är ett lager som designen inte har; ge lagret en tjocklek eller utelämna zonen.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} is thinner than two walls ({least:g} mm), so no infill finds room in it; make it larger or leave it out.</source>
+            <translation>Zonen {zone} är tunnare än två väggar ({least:g} mm), så ingen fyllning får plats i den; gör den större eller utelämna den.</translation>
+        </message>
+        <message>
+            <source>The zone {zone} needs a map of pressures under the {side} foot; lay one under it, or leave the zone out.</source>
+            <translation>Zonen {zone} behöver en tryckkarta under foten ({side}); lägg in en, eller utelämna zonen.</translation>
+        </message>
+        <message>
+            <source>The zones {first} and {second} overlap; there, {second} is obeyed.</source>
+            <translation>Zonerna {first} och {second} överlappar; där gäller {second}.</translation>
+        </message>
+        <message>
             <source>The {count} frames show different scenes (they differ by {difference_raw:.0f} raw units); record one still wall without moving the sensor.</source>
             <translation>De {count} bilderna visar olika motiv (de skiljer {difference_raw:.0f} råenheter); spela in en stilla vägg utan att röra sensorn.</translation>
         </message>
@@ -2542,6 +2690,10 @@
         <message>
             <source>The {kind} pictures are {width}×{height}, but the sensor gives {allowed}; use its pictures as they are, neither cut nor scaled.</source>
             <translation>Bilderna ({kind}) är {width}×{height}, men sensorn ger {allowed}; använd dess bilder som de är, varken beskurna eller skalade.</translation>
+        </message>
+        <message>
+            <source>The {name} of the order has {count} characters, and the papers take at most {most}; shorten it.</source>
+            <translation>Beställningens fält {name} har {count} tecken, och papperen rymmer högst {most}; korta det.</translation>
         </message>
         <message>
             <source>The {pad} comes within {distance_mm:g} mm of the 1st head, which it leaves free; keep it at least {least_mm:g} mm away.</source>
@@ -2570,6 +2722,14 @@
         <message>
             <source>The {side} foot was changed while the map was being aligned to it, so the map was not laid; lay it again.</source>
             <translation>Foten ({side}) ändrades medan bilden passades in under den, så bilden lades inte dit; lägg den igen.</translation>
+        </message>
+        <message>
+            <source>The {side} insole has no pad {zone}; its pads are: {names}.</source>
+            <translation>Inlägget ({side}) har ingen pelott {zone}; de som finns är: {names}.</translation>
+        </message>
+        <message>
+            <source>The {side} insole has no pad, so there is no zone {zone}; leave it out.</source>
+            <translation>Inlägget ({side}) har ingen pelott, så zonen {zone} finns inte; utelämna den.</translation>
         </message>
         <message>
             <source>The {what} cannot be right: {reason}</source>
@@ -2660,12 +2820,20 @@
             <translation>Det finns inget slags personnummer {kind}; välj ett.</translation>
         </message>
         <message>
+            <source>There is no machine {name}; there are {known}. Choose one, or name a machine file.</source>
+            <translation>Det finns ingen maskin {name}; det finns {known}. Välj en av dem, eller ange en maskinfil.</translation>
+        </message>
+        <message>
             <source>There is no marker dictionary {dictionary}; the printed board of this program uses DICT_5X5_250.</source>
             <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
         </message>
         <message>
             <source>There is no order {number} in the record; check the number.</source>
             <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+        </message>
+        <message>
+            <source>There is no screen to open a window on; start Insole Studio at the desktop of the computer. What works without one says insole-studio --help.</source>
+            <translation>Det finns ingen skärm att öppna ett fönster på; starta Insole Studio vid datorns skrivbord. Vad som fungerar utan säger insole-studio --help.</translation>
         </message>
         <message>
             <source>There is no step {number}; choose one from 1 to {count}.</source>
@@ -2832,6 +3000,10 @@
             <translation>Två filer i beställningen heter {name}; ge en av dem ett annat namn.</translation>
         </message>
         <message>
+            <source>Two patients of the order are called {pseudonym}; give one of them another pseudonym.</source>
+            <translation>Två patienter i beställningen heter {pseudonym}; ge en av dem en annan pseudonym.</translation>
+        </message>
+        <message>
             <source>Two points of the object have the same true position; correct the list.</source>
             <translation>Två punkter på föremålet har samma sanna läge; rätta listan.</translation>
         </message>
@@ -2936,6 +3108,10 @@
             <translation>Bredd</translation>
         </message>
         <message>
+            <source>Windows cannot load a library of {name}; run the installer of Insole Studio again, and install the updates of Windows.</source>
+            <translation>Windows kan inte läsa in ett bibliotek till {name}; kör Insole Studios installationsprogram igen och installera uppdateringarna av Windows.</translation>
+        </message>
+        <message>
             <source>Writing the file</source>
             <translation>Skriver filen</translation>
         </message>
@@ -2952,8 +3128,16 @@
             <translation>Skriver arbetsordern</translation>
         </message>
         <message>
+            <source>Writing the order</source>
+            <translation>Skriver beställningen</translation>
+        </message>
+        <message>
             <source>Writing the prescription</source>
             <translation>Skriver ordinationen</translation>
+        </message>
+        <message>
+            <source>Writing the program</source>
+            <translation>Skriver programmet</translation>
         </message>
         <message>
             <source>Writing the summary</source>
@@ -2970,6 +3154,10 @@
         <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
             <translation>Du är inte inloggad; logga först in med ditt konto i registret.</translation>
+        </message>
+        <message>
+            <source>Zones of other density are for insoles only; choose the insole as the piece, or no printer.</source>
+            <translation>Zoner med annan täthet finns bara för inlägg; välj inlägget som stycke, eller ingen skrivare.</translation>
         </message>
         <message>
             <source>a device or a pipe of that name is there; choose another name</source>
@@ -3068,6 +3256,10 @@
             <translation>alla anslutningar är upptagna</translation>
         </message>
         <message>
+            <source>along the axis of the foot</source>
+            <translation>längs fotens axel</translation>
+        </message>
+        <message>
             <source>already there</source>
             <translation>finns redan</translation>
         </message>
@@ -3154,6 +3346,10 @@
         <message>
             <source>backed up</source>
             <translation>säkerhetskopierad</translation>
+        </message>
+        <message>
+            <source>ball</source>
+            <translation>trampdyna</translation>
         </message>
         <message>
             <source>ball girth</source>
@@ -3632,6 +3828,10 @@
             <translation>fotlängden, avrundad uppåt till 5 mm</translation>
         </message>
         <message>
+            <source>foot side</source>
+            <translation>fotsidan</translation>
+        </message>
+        <message>
             <source>forefoot</source>
             <translation>framfot</translation>
         </message>
@@ -3662,6 +3862,14 @@
         <message>
             <source>free-hand pad</source>
             <translation>frihandspelott</translation>
+        </message>
+        <message>
+            <source>from above</source>
+            <translation>ovanifrån</translation>
+        </message>
+        <message>
+            <source>from below</source>
+            <translation>underifrån</translation>
         </message>
         <message>
             <source>from the foot</source>
@@ -3702,6 +3910,14 @@
         <message>
             <source>has not the same number of sensors in each row</source>
             <translation>har inte lika många sensorer i varje rad</translation>
+        </message>
+        <message>
+            <source>has the word "{word}", which no controller knows; correct the line "{line}"</source>
+            <translation>har ordet ”{word}”, som ingen styrning känner till; rätta raden ”{line}”</translation>
+        </message>
+        <message>
+            <source>has two cutters of one number; number them differently</source>
+            <translation>har två fräsar med samma nummer; ge dem olika nummer</translation>
         </message>
         <message>
             <source>has two feet of the same side</source>
@@ -3800,6 +4016,10 @@
             <translation>innehåller inget material; lägg till ett</translation>
         </message>
         <message>
+            <source>holds no preset; add one</source>
+            <translation>har ingen förinställning; lägg till en</translation>
+        </message>
+        <message>
             <source>holds no pressure</source>
             <translation>innehåller inget tryck</translation>
         </message>
@@ -3852,8 +4072,16 @@
             <translation>intern</translation>
         </message>
         <message>
+            <source>is "{name}", but must be the plain name of a file, without folders</source>
+            <translation>är ”{name}” men måste vara ett filnamn utan mappar</translation>
+        </message>
+        <message>
             <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
             <translation>är ”{text}”, men måste vara ett datum som 2026-11-20T10:00:00Z</translation>
+        </message>
+        <message>
+            <source>is 0, so that the cutter would stand still; put in the real value</source>
+            <translation>är 0, så att fräsen skulle stå stilla; ange det verkliga värdet</translation>
         </message>
         <message>
             <source>is empty, but a reference system has at least 4 markers</source>
@@ -3892,6 +4120,10 @@
             <translation>är ingen nyckel i en fil med fynd; kontrollera stavningen eller utelämna den</translation>
         </message>
         <message>
+            <source>is no key that is known here; check its spelling or leave it out</source>
+            <translation>är ingen känd nyckel här; kontrollera stavningen eller utelämna den</translation>
+        </message>
+        <message>
             <source>is no picture</source>
             <translation>är ingen bild</translation>
         </message>
@@ -3902,6 +4134,14 @@
         <message>
             <source>is no view of this session</source>
             <translation>är ingen vy i denna session</translation>
+        </message>
+        <message>
+            <source>is {number}, a {is_shape} one, and must be a {shape} one; choose another</source>
+            <translation>är {number}, av formen {is_shape}, och måste vara av formen {shape}; välj en annan</translation>
+        </message>
+        <message>
+            <source>is {number}, and no cutter has that number; add it</source>
+            <translation>är {number}, och ingen fräs har det numret; lägg till den</translation>
         </message>
         <message>
             <source>is {value!r}, but must be "{wanted}"</source>
@@ -4212,6 +4452,10 @@
             <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
         </message>
         <message>
+            <source>list the file {file} twice</source>
+            <translation>anger filen {file} två gånger</translation>
+        </message>
+        <message>
             <source>locked</source>
             <translation>låst</translation>
         </message>
@@ -4360,6 +4604,14 @@
             <translation>flyttad</translation>
         </message>
         <message>
+            <source>must be 64 digits and letters a to f</source>
+            <translation>måste vara 64 siffror och bokstäver a till f</translation>
+        </message>
+        <message>
+            <source>must be a day such as 2026-11-20, or null</source>
+            <translation>måste vara en dag som 2026-11-20, eller null</translation>
+        </message>
+        <message>
             <source>must be a list […]</source>
             <translation>måste vara en lista […]</translation>
         </message>
@@ -4384,6 +4636,10 @@
             <translation>måste vara över 0 och högst 100</translation>
         </message>
         <message>
+            <source>must be above from_kpa</source>
+            <translation>måste vara större än from_kpa</translation>
+        </message>
+        <message>
             <source>must be an object {…}</source>
             <translation>måste vara ett objekt {…}</translation>
         </message>
@@ -4404,6 +4660,10 @@
             <translation>måste ha min under max i x, y och z</translation>
         </message>
         <message>
+            <source>must hold at least one item</source>
+            <translation>måste ha minst en post</translation>
+        </message>
+        <message>
             <source>must hold at least one prescription</source>
             <translation>måste innehålla minst en ordination</translation>
         </message>
@@ -4420,8 +4680,16 @@
             <translation>måste ange minst en vy, och ingen två gånger</translation>
         </message>
         <message>
+            <source>must name left, right, or both, each once</source>
+            <translation>måste ange left, right eller båda, var och en en gång</translation>
+        </message>
+        <message>
             <source>name</source>
             <translation>namn</translation>
+        </message>
+        <message>
+            <source>name a foot that the item does not order</source>
+            <translation>anger en fot som posten inte beställer</translation>
         </message>
         <message>
             <source>name and birth date</source>
@@ -4456,6 +4724,10 @@
             <translation>anger ett material två gånger; behåll ett av dem</translation>
         </message>
         <message>
+            <source>names one preset twice; keep one of them</source>
+            <translation>nämner en förinställning två gånger; behåll en av dem</translation>
+        </message>
+        <message>
             <source>names the same marker id twice</source>
             <translation>anger samma markör-id två gånger</translation>
         </message>
@@ -4466,6 +4738,10 @@
         <message>
             <source>names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _</source>
             <translation>anger {name!r}, men en vy har 1 till 32 av tecknen a-z, 0-9 och _</translation>
+        </message>
+        <message>
+            <source>names {name} twice; keep one of them</source>
+            <translation>nämner {name} två gånger; behåll en av dem</translation>
         </message>
         <message>
             <source>narrow</source>
@@ -5408,6 +5684,10 @@
             <translation>underskärning</translation>
         </message>
         <message>
+            <source>underside</source>
+            <translation>undersidan</translation>
+        </message>
+        <message>
             <source>unit</source>
             <translation>enhet</translation>
         </message>
@@ -5542,6 +5822,10 @@
         <message>
             <source>{archive} is packed in an unusual way; unpack it, and pack it again as an ordinary zip archive.</source>
             <translation>{archive} är packat på ett ovanligt sätt; packa upp det, och packa det på nytt som ett vanligt zip-arkiv.</translation>
+        </message>
+        <message>
+            <source>{archive} unpacks to more than {limit_gb} GB, far more than an order has; do not unpack it, and ask the clinic for another one.</source>
+            <translation>{archive} packas upp till mer än {limit_gb} GB, långt mer än en beställning har; packa inte upp det, och be kliniken om ett nytt.</translation>
         </message>
         <message>
             <source>{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session has; do not use this file.</source>
@@ -5708,6 +5992,10 @@
             <translation>{fault} ({reason})</translation>
         </message>
         <message>
+            <source>{file} cannot be added under this name, which the order has already or which not every system takes; give it another name.</source>
+            <translation>{file} kan inte läggas till under detta namn, som beställningen redan har eller som inte alla system tar emot; ge filen ett annat namn.</translation>
+        </message>
+        <message>
             <source>{file} does not say how many dots per inch it has; state them, or click two points whose distance is known.</source>
             <translation>{file} anger inte hur många punkter per tum den har; ange dem, eller klicka på två punkter vars avstånd är känt.</translation>
         </message>
@@ -5716,8 +6004,24 @@
             <translation>{file} anger inte {what}; ange det.</translation>
         </message>
         <message>
+            <source>{file} has been changed since the order was written; ask the clinic to send the order again.</source>
+            <translation>{file} har ändrats sedan beställningen skrevs; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} holds what {real} was; ask the clinic to send the order again.</source>
+            <translation>{file} innehåller det som {real} var; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
             <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
             <translation>{file} i {archive} är skadad; kopiera arkivet igen från källan.</translation>
+        </message>
+        <message>
+            <source>{file} is for the {side} foot, but holds what {real} was for the {real_side}: the sides are exchanged; do not make it, and ask the clinic to send the order again.</source>
+            <translation>{file} gäller sidan {side} men innehåller det som {real} var för sidan {real_side}: sidorna är förväxlade; tillverka inte, och be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} is given for the {side} foot, which its name or the order contradicts; correct one of them.</source>
+            <translation>{file} anges för sidan {side}, men namnet eller beställningen säger något annat; rätta ett av dem.</translation>
         </message>
         <message>
             <source>{file} is larger than {limit_mb} MB, far more than such a file has; do not use the archive {archive}.</source>
@@ -5732,12 +6036,28 @@
             <translation>{file} saknas, men manifest.json anger vyn {view}; återställ den från inspelningen.</translation>
         </message>
         <message>
+            <source>{file} is missing; ask the clinic to send the order again.</source>
+            <translation>{file} saknas; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} is named after the {named} foot, and {order} has it for the {side}; ask the clinic which is right.</source>
+            <translation>{file} har namn efter sidan {named}, och {order} har den för sidan {side}; fråga kliniken vilket som stämmer.</translation>
+        </message>
+        <message>
+            <source>{file} is not part of the order; leave it out, or ask the clinic about it.</source>
+            <translation>{file} hör inte till beställningen; utelämna den eller fråga kliniken om den.</translation>
+        </message>
+        <message>
             <source>{file} is not valid JSON ({reason}); restore the file.</source>
             <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
         </message>
         <message>
             <source>{file} is the map of a {side} foot, and the foot is a {foot_side} one; choose the other foot, or the other map.</source>
             <translation>{file} är en annan fots tryckbild ({side}) än den öppna foten ({foot_side}); välj den andra foten, eller den andra tryckbilden.</translation>
+        </message>
+        <message>
+            <source>{file} leads out of the folder of the order; do not unpack the archive, and ask the clinic for another one.</source>
+            <translation>{file} leder ut ur beställningens mapp; packa inte upp arkivet, och be kliniken om ett nytt.</translation>
         </message>
         <message>
             <source>{file} may only be read by you; ask for the right to write to it.</source>
@@ -5930,6 +6250,10 @@
         <message>
             <source>{list}[{number}]</source>
             <translation>{list}[{number}]</translation>
+        </message>
+        <message>
+            <source>{machine} travels {there:g} mm along {axis}, and the block needs {need:g} mm; take a smaller block.</source>
+            <translation>{machine} går {there:g} mm längs {axis}, och blocket behöver {need:g} mm; ta ett mindre block.</translation>
         </message>
         <message>
             <source>{maker}, {maker address}, states: this device is intended for the exclusive use of the patient identified above. It was made to the prescription set out here, which {prescriber} made out. It conforms to the general safety and performance requirements of Annex I; requirements that are not fully met, if any, are listed with the reasons: none. This statement and the documentation of the device are kept available to the competent authorities for at least ten years after the device was placed on the market.</source>
@@ -6264,6 +6588,10 @@
             <translation>{path} innehåller ingen {file}, så det är inget fall; välj en .insole-fil.</translation>
         </message>
         <message>
+            <source>{path} holds no {file}, so that it is no order; choose the folder or zip archive of an order.</source>
+            <translation>{path} har ingen {file} och är därför ingen beställning; välj en beställnings mapp eller zip-arkiv.</translation>
+        </message>
+        <message>
             <source>{path} holds only triangles without area; export it again.</source>
             <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
         </message>
@@ -6278,6 +6606,10 @@
         <message>
             <source>{path} holds {count_a} points of a and {count_b} of b; pick each point on both.</source>
             <translation>{path} innehåller {count_a} punkter av a och {count_b} av b; välj varje punkt på båda.</translation>
+        </message>
+        <message>
+            <source>{path} holds {count} files, far more than an order has; choose another place.</source>
+            <translation>{path} har {count} filer, långt fler än en beställning har; välj en annan plats.</translation>
         </message>
         <message>
             <source>{path} holds {count} scans ({names} …), and one foot or both are expected; open the one that is meant.</source>
@@ -6346,6 +6678,10 @@
         <message>
             <source>{path} is no UTF-8 text; hand in a design as JSON.</source>
             <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
+        </message>
+        <message>
+            <source>{path} is no name of a program; choose {suffixes}.</source>
+            <translation>{path} är inget namn på ett program; välj {suffixes}.</translation>
         </message>
         <message>
             <source>{path} is no name of a report; let it end in {suffixes}.</source>
@@ -6600,6 +6936,10 @@
             <translation>{place} har skapats av ett nyare Insole Studio (tabeller {found}; det här programmet känner dem till och med {newest}); installera den nyaste versionen.</translation>
         </message>
         <message>
+            <source>{printer} has no pattern {pattern}; choose another pattern, such as gyroid, or another printer.</source>
+            <translation>{printer} har inget mönster {pattern}; välj ett annat mönster, till exempel gyroid, eller en annan skrivare.</translation>
+        </message>
+        <message>
             <source>{problem} Kept so far: {views}.</source>
             <translation>{problem} Sparat hittills: {views}.</translation>
         </message>
@@ -6610,6 +6950,10 @@
         <message>
             <source>{problem}; the depth may be wrong by several millimetres.</source>
             <translation>{problem}; djupet kan vara fel med flera millimeter.</translation>
+        </message>
+        <message>
+            <source>{pseudonym} orders the {side} foot, and no file is there to make it from; ask the clinic for it.</source>
+            <translation>{pseudonym} beställer sidan {side}, och ingen fil finns att tillverka den från; be kliniken om den.</translation>
         </message>
         <message>
             <source>{region} {percent:.0f} %</source>

@@ -208,6 +208,10 @@
             <translation>Fotlängd (mm)</translation>
         </message>
         <message>
+            <source>Forefoot pain when walking.</source>
+            <translation>Smärta i framfoten vid gång.</translation>
+        </message>
+        <message>
             <source>Found patients</source>
             <translation>Funna patienter</translation>
         </message>

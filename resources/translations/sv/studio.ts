@@ -64,8 +64,16 @@
             <translation>&gt; 0 höjer bakfotens mediala kant (varus), &lt; 0 den laterala</translation>
         </message>
         <message>
+            <source>A pelott</source>
+            <translation>En pelott</translation>
+        </message>
+        <message>
             <source>A plane to look at the foot against</source>
             <translation>Ett plan att betrakta foten mot</translation>
+        </message>
+        <message>
+            <source>A scan</source>
+            <translation>En skanning</translation>
         </message>
         <message>
             <source>A wedge in the heel cup, medial or lateral</source>
@@ -114,6 +122,10 @@
         <message>
             <source>Allowance on both sides of the ball</source>
             <translation>Tillägg på trampdynans båda sidor</translation>
+        </message>
+        <message>
+            <source>An insole begins with a scan: captured with the sensors, or imported from any scanner. Click on “Open the example”, whose scan is done.</source>
+            <translation>Ett inlägg börjar med en skanning: avbildad med sensorerna eller importerad från vilken skanner som helst. Klicka på ”Öppna exemplet”, vars skanning är gjord.</translation>
         </message>
         <message>
             <source>Angle</source>
@@ -292,6 +304,10 @@
             <translation>Välj snittverktyget och klicka på fotsulan.</translation>
         </message>
         <message>
+            <source>Choose “Section” to cut the insole anywhere and read its thickness.</source>
+            <translation>Välj ”Snitt” för att skära inlägget var som helst och läsa av tjockleken.</translation>
+        </message>
+        <message>
             <source>Click on the foot to place it.</source>
             <translation>Klicka på foten för att placera det.</translation>
         </message>
@@ -306,6 +322,10 @@
         <message>
             <source>Click on the sole to place: {name}</source>
             <translation>Klicka på fotsulan för att placera: {name}</translation>
+        </message>
+        <message>
+            <source>Click on the sole where it shall be. The example has one already: drag that one to another place.</source>
+            <translation>Klicka på fotsulan där den ska sitta. Exemplet har redan en: dra den till ett annat ställe.</translation>
         </message>
         <message>
             <source>Close</source>
@@ -376,10 +396,6 @@
             <translation>Snitta inlägget och mät dess tjocklek</translation>
         </message>
         <message>
-            <source>Cut the insole anywhere and read its thickness. Then export: Ctrl+E.</source>
-            <translation>Snitta inlägget var som helst och läs av tjockleken. Exportera sedan: Ctrl+E.</translation>
-        </message>
-        <message>
             <source>Cut the insole where the pointer is, and show the heights there</source>
             <translation>Snitta inlägget där pekaren är, och visa höjderna där</translation>
         </message>
@@ -444,6 +460,10 @@
             <translation>Gör det senast ångrade steget igen</translation>
         </message>
         <message>
+            <source>Done</source>
+            <translation>Klart</translation>
+        </message>
+        <message>
             <source>Dorsal</source>
             <translation>Dorsalt</translation>
         </message>
@@ -454,6 +474,10 @@
         <message>
             <source>Drag a handle to change the pelott, drag beside it to turn the view</source>
             <translation>Dra ett handtag för att ändra pelotten, dra bredvid för att vrida vyn</translation>
+        </message>
+        <message>
+            <source>Drag a landmark to where it belongs. The insole follows at once, and Ctrl+Z takes it back. Skip this if all of them are right.</source>
+            <translation>Dra ett landmärke dit det hör. Inlägget följer genast, och Ctrl+Z tar tillbaka det. Hoppa över detta om alla är rätt.</translation>
         </message>
         <message>
             <source>Drag a landmark to where it belongs; click on the skin to mark a further point</source>
@@ -558,6 +582,10 @@
         <message>
             <source>Draw the outline of a usual shoe of this size, with the height of its heel</source>
             <translation>Rita konturen av en vanlig sko i denna storlek, med klackens höjd</translation>
+        </message>
+        <message>
+            <source>Draw with the processor, where the graphics card cannot; from the next start</source>
+            <translation>Rita med processorn där grafikkortet inte kan; från nästa start</translation>
         </message>
         <message>
             <source>Drawn</source>
@@ -676,6 +704,10 @@
             <translation>Sök landmärkena på nytt</translation>
         </message>
         <message>
+            <source>Finish</source>
+            <translation>Klart</translation>
+        </message>
+        <message>
             <source>Finished height</source>
             <translation>Färdig höjd</translation>
         </message>
@@ -744,16 +776,16 @@
             <translation>Frihandspelott</translation>
         </message>
         <message>
+            <source>From a scan to the written file, on the example; again, to reach its bubble</source>
+            <translation>Från skanning till skriven fil, på exemplet; igen för att nå dess bubbla</translation>
+        </message>
+        <message>
             <source>From axis</source>
             <translation>Från axeln</translation>
         </message>
         <message>
             <source>From heel</source>
             <translation>Från hälen</translation>
-        </message>
-        <message>
-            <source>From patient to insole in five steps. Click on a step to go there.</source>
-            <translation>Från patient till inlägg i fem steg. Klicka på ett steg för att gå dit.</translation>
         </message>
         <message>
             <source>From the foot</source>
@@ -864,6 +896,10 @@
             <translation>Hålls</translation>
         </message>
         <message>
+            <source>Here is the scanned foot; the landmarks on its skin were found. Choose “Landmarks” to see and correct them.</source>
+            <translation>Här är den skannade foten; landmärkena på huden är hittade. Välj ”Landmärken” för att se och rätta dem.</translation>
+        </message>
+        <message>
             <source>Horseshoe</source>
             <translation>Hästsko</translation>
         </message>
@@ -934,10 +970,6 @@
         <message>
             <source>Intrinsic</source>
             <translation>Intern</translation>
-        </message>
-        <message>
-            <source>It follows at once. The same handles work here; keys 1 to 6 look from all sides.</source>
-            <translation>Det följer genast med. Samma handtag fungerar här; tangenterna 1 till 6 visar från alla håll.</translation>
         </message>
         <message>
             <source>It holds the pads and corrections of the insole that it was kept from; those of this design come on top.</source>
@@ -1148,6 +1180,10 @@
             <translation>Nytt fall</translation>
         </message>
         <message>
+            <source>New here? The tour makes a whole insole of an example, from scan to file.</source>
+            <translation>Ny här? Rundturen gör ett helt inlägg av ett exempel, från skanning till fil.</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>Nästa</translation>
         </message>
@@ -1164,6 +1200,10 @@
             <translation>Inga än. Välj pelottverktyget och klicka på fotsulan.</translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation>Inte nu</translation>
+        </message>
+        <message>
             <source>Not weight-bearing</source>
             <translation>Utan belastning</translation>
         </message>
@@ -1174,6 +1214,10 @@
         <message>
             <source>Nothing is lost: the case stays open, and is not saved yet.</source>
             <translation>Inget har gått förlorat: fallet är fortfarande öppet men inte sparat än.</translation>
+        </message>
+        <message>
+            <source>Now a pad behind the metatarsal heads. Choose the tool “Pelott”.</source>
+            <translation>Nu en pelott bakom metatarsalhuvudena. Välj verktyget ”Pelott”.</translation>
         </message>
         <message>
             <source>Of all that the program comes with</source>
@@ -1194,10 +1238,6 @@
         <message>
             <source>Open a copy</source>
             <translation>Öppna en kopia</translation>
-        </message>
-        <message>
-            <source>Open a scan here. Drag the landmarks to where they belong; click on the sole with the pelott tool to place a pad.</source>
-            <translation>Öppna en avbildning här. Dra landmärkena dit de hör hemma; klicka på fotsulan med pelottverktyget för att placera en pelott.</translation>
         </message>
         <message>
             <source>Open a session in a zip archive, or a foot from a .ply, .stl or .obj file</source>
@@ -1496,6 +1536,10 @@
             <translation>Ta bort referensplanet</translation>
         </message>
         <message>
+            <source>Renew the system, which brings the driver of the graphics card.</source>
+            <translation>Förnya systemet, som har med grafikkortets drivrutin.</translation>
+        </message>
+        <message>
             <source>Repeat the design of a case…</source>
             <translation>Upprepa ett falls design…</translation>
         </message>
@@ -1510,6 +1554,10 @@
         <message>
             <source>Report of an error</source>
             <translation>Rapport om ett fel</translation>
+        </message>
+        <message>
+            <source>Restart with software rendering</source>
+            <translation>Starta om med programvarurendering</translation>
         </message>
         <message>
             <source>Reverse Morton's extension</source>
@@ -1680,6 +1728,10 @@
             <translation>Skons storlek, som bestämmer längden</translation>
         </message>
         <message>
+            <source>Skip</source>
+            <translation>Hoppa över</translation>
+        </message>
+        <message>
             <source>Slope</source>
             <translation>Lutning</translation>
         </message>
@@ -1700,12 +1752,20 @@
             <translation>Jämna ut med penseln</translation>
         </message>
         <message>
+            <source>Software rendering</source>
+            <translation>Programvarurendering</translation>
+        </message>
+        <message>
             <source>Somebody holds the foot</source>
             <translation>Någon håller foten</translation>
         </message>
         <message>
             <source>Something unexpected happened; your work is kept. Please report it.</source>
             <translation>Något oväntat hände; ditt arbete finns kvar. Rapportera det gärna.</translation>
+        </message>
+        <message>
+            <source>Start all the same</source>
+            <translation>Starta ändå</translation>
         </message>
         <message>
             <source>Starting</source>
@@ -1776,8 +1836,36 @@
             <translation>Den konturen är för liten för en pelott; rita runt dess plats</translation>
         </message>
         <message>
+            <source>The 3-D views cannot be drawn: they need OpenGL {needed}, and this is {found}.</source>
+            <translation>3D-vyerna kan inte ritas: de behöver OpenGL {needed}, och det här är {found}.</translation>
+        </message>
+        <message>
+            <source>The 3-D views cannot be drawn: this computer has no OpenGL.</source>
+            <translation>3D-vyerna kan inte ritas: den här datorn har ingen OpenGL.</translation>
+        </message>
+        <message>
+            <source>The checks stand on the right, each with its number; a click shows the place. Click on “Export…” and say where to write the file.</source>
+            <translation>Kontrollerna står till höger, var och en med sitt tal; ett klick visar stället. Klicka på ”Exportera…” och säg var filen ska skrivas.</translation>
+        </message>
+        <message>
+            <source>The design</source>
+            <translation>Designen</translation>
+        </message>
+        <message>
+            <source>The file</source>
+            <translation>Filen</translation>
+        </message>
+        <message>
+            <source>The file is written: that was a whole insole. For a patient, begin with “New patient” on the first page (F3); F1 explains what is in front of you.</source>
+            <translation>Filen är skriven: det var ett helt inlägg. För en patient, börja med ”Ny patient” på första sidan (F3); F1 förklarar det du har framför dig.</translation>
+        </message>
+        <message>
             <source>The foot</source>
             <translation>Foten</translation>
+        </message>
+        <message>
+            <source>The graphics card draws from the next start on.</source>
+            <translation>Grafikkortet ritar från nästa start.</translation>
         </message>
         <message>
             <source>The insole</source>
@@ -1790,6 +1878,14 @@
         <message>
             <source>The insole is being built…</source>
             <translation>Inlägget byggs…</translation>
+        </message>
+        <message>
+            <source>The insole is designed. Click on “Check &amp; export” to check it for the shop.</source>
+            <translation>Inlägget är designat. Klicka på ”Kontrollera &amp; exportera” för att kontrollera det för verkstaden.</translation>
+        </message>
+        <message>
+            <source>The landmarks</source>
+            <translation>Landmärkena</translation>
         </message>
         <message>
             <source>The language of the window, from the next start on</source>
@@ -1808,8 +1904,20 @@
             <translation>Manualens sida om vad den här versionen kan</translation>
         </message>
         <message>
-            <source>The path</source>
-            <translation>Vägen</translation>
+            <source>The processor cannot draw them either: renew the driver of the graphics card.</source>
+            <translation>Processorn kan inte heller rita dem: förnya grafikkortets drivrutin.</translation>
+        </message>
+        <message>
+            <source>The processor draws from the next start on.</source>
+            <translation>Processorn ritar från nästa start.</translation>
+        </message>
+        <message>
+            <source>The program could not start itself; start it again.</source>
+            <translation>Programmet kunde inte starta sig självt; starta det igen.</translation>
+        </message>
+        <message>
+            <source>The program may end by itself as soon as it draws.</source>
+            <translation>Programmet kan avslutas av sig självt så snart det ritar.</translation>
         </message>
         <message>
             <source>The section</source>
@@ -1822,10 +1930,6 @@
         <message>
             <source>The sensor stands</source>
             <translation>Sensorn står</translation>
-        </message>
-        <message>
-            <source>The window in five steps</source>
-            <translation>Fönstret i fem steg</translation>
         </message>
         <message>
             <source>The window speaks this language from the next start on.</source>
@@ -1912,6 +2016,10 @@
             <translation>Pekläge</translation>
         </message>
         <message>
+            <source>Tour</source>
+            <translation>Rundtur</translation>
+        </message>
+        <message>
             <source>Turn</source>
             <translation>Vridning</translation>
         </message>
@@ -1980,8 +2088,8 @@
             <translation>Nyheter</translation>
         </message>
         <message>
-            <source>What is selected, in mm and degrees: type, scroll, or use the arrow keys.</source>
-            <translation>Det som är valt, i mm och grader: skriv, rulla, eller använd piltangenterna.</translation>
+            <source>What is selected, in mm and degrees. Give the pelott another height: type it, or turn the wheel over the field.</source>
+            <translation>Det valda, i mm och grader. Ge pelotten en annan höjd: skriv den, eller rulla med hjulet över fältet.</translation>
         </message>
         <message>
             <source>What the edge of the insole follows</source>
@@ -2014,6 +2122,10 @@
         <message>
             <source>Wireframe</source>
             <translation>Trådmodell</translation>
+        </message>
+        <message>
+            <source>With software rendering the processor draws them, more slowly. View ▸ Software rendering turns it off again once the graphics card has a newer driver.</source>
+            <translation>Med programvarurendering ritar processorn dem, långsammare. Visa ▸ Programvarurendering stänger av det igen när grafikkortet fått en nyare drivrutin.</translation>
         </message>
         <message>
             <source>Write the outline of the insole in true size as a PDF</source>

@@ -91,19 +91,21 @@ def test_triangles_of_a_simulated_foot_do_not_matter(
 @pytest.mark.parametrize("remesh", CLOSED)
 @pytest.mark.parametrize("side", list(Side))
 def test_triangles_of_a_real_foot_do_not_matter(
-    shared_data: Path, side: Side, remesh: Remesh
+    shared_data: Path, real_foot: Callable[[str, Side], Foot], side: Side, remesh: Remesh
 ) -> None:
-    mesh = read_mesh(shared_data / "feet" / "dupontgu" / f"{side}_foot.stl").mesh
-    foot = place_foot(mesh, side, frame="unknown")
-    check_same(foot, place_foot(remesh(mesh), side, frame="unknown"))
+    name = f"dupontgu/{side}_foot.stl"
+    mesh = read_mesh(shared_data / "feet" / name).mesh
+    check_same(real_foot(name, side), place_foot(remesh(mesh), side, frame="unknown"))
 
 
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize("remesh", OPEN)
-def test_triangles_of_a_real_plantar_scan_do_not_matter(shared_data: Path, remesh: Remesh) -> None:
+def test_triangles_of_a_real_plantar_scan_do_not_matter(
+    shared_data: Path, real_foot: Callable[[str, Side], Foot], remesh: Remesh
+) -> None:
     mesh = read_mesh(shared_data / "feet" / "plantar_scan.obj").mesh
-    foot = place_foot(mesh, Side.RIGHT, frame="unknown")
+    foot = real_foot("plantar_scan.obj", Side.RIGHT)
     check_same(foot, place_foot(remesh(mesh), Side.RIGHT, frame="unknown"))
 
 

@@ -105,10 +105,9 @@ def test_random_insoles_have_the_form_that_is_asked(seed: int):
     ],
 )
 @pytest.mark.parametrize("cup", [8.0, 14.0, 22.0])
-def test_real_feet_get_the_form_that_is_asked(shared_data: Path, name: str, side: Side, cup: float):
-    foot = open_scan(shared_data / "feet" / name, side).foot
+def test_real_feet_get_the_form_that_is_asked(real_foot, name: str, side: Side, cup: float):
     design = InsoleDesign(side, finish=Finish(rim=rim(cup, cup + 3)))
-    form = measured_form(foot, design)
+    form = measured_form(real_foot(name, side), design)
     assert missed(form) == [], form
 
 

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.ndimage import maximum_filter, minimum_filter
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.prescription.design import HeelCup, HeelLift, InsoleDesign, Posting
-from insole_core.scans.mesh_file import read_mesh
 
 DEPTHS = [0.0, 6.0, 12.0, 20.0, 30.0]
 CUP_END = 0.46
@@ -120,18 +117,5 @@ def test_rim_along_the_edge_has_the_depth(left_foot, depth):
         ("focus_template/template.obj", Side.LEFT),
     ],
 )
-def test_cup_of_a_real_foot_is_fair(real_feet, file: str, side: Side, depth: float):
-    assert_fair(cupped(real_feet(file, side), depth), depth)
-
-
-@pytest.fixture(scope="module")
-def real_feet(shared_data: Path):
-    placed: dict[str, Foot] = {}
-
-    def foot(file: str, side: Side) -> Foot:
-        if file not in placed:
-            mesh = read_mesh(shared_data / "feet" / file).mesh
-            placed[file] = place_foot(mesh, side, frame="unknown")
-        return placed[file]
-
-    return foot
+def test_cup_of_a_real_foot_is_fair(real_foot, file: str, side: Side, depth: float):
+    assert_fair(cupped(real_foot(file, side), depth), depth)

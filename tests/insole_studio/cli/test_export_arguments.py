@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -97,6 +98,11 @@ def test_blocking_rule_and_its_override(
         (["--pair", "{tmp}/none.ply"], 2, "name it with --block"),
         (["--block", "marble"], 2, 'the shop has "EVA single"'),
         (["--layers"], 2, "needs a .3mf file"),
+        (["--zones", "z.json"], 2, "name the program with --printer"),
+        (["--printer", "orca", "--zones", "z.json"], 2, "Only a .3mf file holds zones"),
+        (["--out", "{tmp}/i.3mf", "--printer", "orca"], 2, "needs either --zones or"),
+        (["--out", "{tmp}/i.3mf", "--printer", "cura", "--print-preset", "PLA"], 2, "choose one"),
+        (["--out", "{tmp}/i.3mf", "--printer", "cura", "--zones", "no.json"], 1, "cannot be"),
         (["--checks", "{tmp}/no/c.json"], 1, "its folder does not exist"),
     ],
 )
@@ -112,6 +118,20 @@ def test_failures_leave_nothing_behind(
     assert run([*call, "--out", str(tmp_path / "i.stl"), *words]) == code
     assert sentence in last_line(capsys)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_zones_for_a_printer(call: list[str], tmp_path: Path) -> None:
+    out, zones = tmp_path / "i.3mf", tmp_path / "zones.json"
+    content = {"format": "insole-zones", "version": 1, "preset": "PETG", "weight_kg": 120}
+    content["zones"] = [{"zone": "heel", "density_percent": 33}]
+    zones.write_text(json.dumps(content))
+    options = ["--printer", "prusaslicer", "--zones", str(zones)]
+    assert run([*call, "--out", str(out), *options]) == 0
+    with zipfile.ZipFile(out) as archive:
+        config = archive.read("Metadata/Slic3r_PE_model.config").decode()
+    assert re.findall(r'"name" value="(.+? %)"', config) == [
+        "arch 100 %", "forefoot 60 %", "heel 33 %",
+    ]  # fmt: skip
 
 
 def test_an_order_number_is_made_where_there_is_no_pseudonym(

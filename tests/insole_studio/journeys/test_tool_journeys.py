@@ -29,7 +29,6 @@ from insole_studio.features.design.tools.metatarsal_line import clearance
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.tour import Tour
 
 pytestmark = pytest.mark.slow
 
@@ -426,18 +425,6 @@ def test_the_outline_is_printed_in_true_size(
     assert b"/MediaBox [0 0 595" in content
 
 
-def test_the_tour_has_five_stops_and_is_not_shown_again(opened: Application) -> None:
-    act(opened, "tour")
-    tour = opened.window.findChild(Tour)
-    assert tour is not None
-    for _ in range(5):
-        assert tour.isVisible()
-        assert tour.shown.widget.isVisible()  # the section panel is hidden as yet
-        assert opened.window.geometry().contains(tour.geometry())
-        tour.go_on()
-    assert opened.settings.tour_seen
-
-
 def test_touch_mode_widens_what_can_be_grabbed(opened: Application, foot: SceneView) -> None:
     narrow = foot.grab_px
     act(opened, "touch")
@@ -512,17 +499,21 @@ def test_a_pad_of_the_library_lies_at_its_place_at_once(
     assert len(opened.case.history) == 2
 
 
-def test_touch_mode_makes_every_target_44_pixels(opened: Application, foot: SceneView) -> None:
+def test_touch_mode_makes_every_target_44_pixels(
+    opened: Application, foot: SceneView, qtbot: QtBot
+) -> None:
     act(opened, "tool_pelott")
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 120.0))
     act(opened, "touch")
     opened.case.select(None)  # the fields are laid out anew
-    QTest.qWait(50)
     panel = opened.stage.parameters
-    every = [*panel.findChildren(NumberField), *panel.findChildren(ComboBox)]
-    fields = [field for field in every if field.isVisible()]
-    assert fields
-    assert min(field.height() for field in fields) >= 44
+
+    def shown_fields() -> list[NumberField | ComboBox]:
+        every = [*panel.findChildren(NumberField), *panel.findChildren(ComboBox)]
+        return [field for field in every if field.isVisible()]
+
+    qtbot.waitUntil(lambda: min((field.height() for field in shown_fields()), default=0) >= 44)
+    fields = shown_fields()
     buttons = [
         button
         for button in opened.window.findChildren(QToolButton)

@@ -108,12 +108,13 @@ class SamplePatient(QObject):
 def _ensure() -> Callable[[Records], Person]:
     """Return what adds the sample, in the language of the window."""
     name = tr("Anna Example (sample patient)")
+    findings = tr("Forefoot pain when walking.")
     notes = tr("Invented, to try the program with: nothing here concerns a real person.")
 
     def ensure(records: Records) -> Person:
         from insole_core.workflows.records.sample_patient import ensure_sample
 
-        return ensure_sample(records, name, notes)
+        return ensure_sample(records, name, notes, findings)
 
     return ensure
 

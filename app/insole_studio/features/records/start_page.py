@@ -75,6 +75,11 @@ class StartPage(QWidget):
         self._of_record = QWidget()
         self._lay_out()
 
+    @property
+    def example(self) -> QPushButton:
+        """The button that opens the example."""
+        return self._files["device"]
+
     def show_found(self, title: str, rows: Sequence[TableRow], nothing: str) -> None:
         """Show the patients that were found, or the recent ones.
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from insole_core.cases.case_record import Patient
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.errors import InputError, RecordsError
 from insole_core.geometry.side import Side
@@ -25,6 +26,7 @@ from insole_core.records.sample_patient import (
     remove_sample,
 )
 from insole_core.records.verify import verify_record
+from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.records.sample_patient import ensure_sample
 
 NAME = "Anna Example (sample patient)"
@@ -41,7 +43,7 @@ def records(tmp_path: Path) -> Iterator[Records]:
 
 @pytest.fixture
 def sample(records: Records) -> Person:
-    return ensure_sample(records, NAME, "Invented.")
+    return ensure_sample(records, NAME, "Invented.", "Pain.")
 
 
 def flags(records: Records) -> tuple[bool, bool]:
@@ -50,11 +52,12 @@ def flags(records: Records) -> tuple[bool, bool]:
 
 
 def test_it_is_one_person_with_a_foot_to_work_on(records: Records, sample: Person) -> None:
-    assert ensure_sample(records, "another", "") == records.persons.get(sample.id)
+    assert ensure_sample(records, "another", "", "") == records.persons.get(sample.id)
     (visit,) = records.visits.of_person(sample.id)
     case = records.visits.open_case(visit.id).record
     assert case.patient.is_sample
     assert case.patient.name == NAME
+    assert visit.findings == "Pain."
     assert case.of_side(Side.RIGHT) is not None
 
 
@@ -68,6 +71,13 @@ def test_its_label_cannot_be_lost(records: Records, sample: Person) -> None:
     for kept, merged in ((sample, real), (real, sample)):
         with pytest.raises(RecordsError, match="cannot be merged"):
             records.persons.merge(kept.id, merged.id)
+
+
+def test_the_shop_may_read_that_it_is_a_sample() -> None:
+    texts = {"file name": "SAMPLE-insole-right"}
+    require_nameless(Patient(NAME, pseudonym=SAMPLE_PSEUDONYM), texts)
+    with pytest.raises(InputError):
+        require_nameless(Patient(NAME), texts)
 
 
 def test_it_is_nothing_to_back_up_and_nothing_to_keep(records: Records, sample: Person) -> None:
@@ -86,7 +96,7 @@ def test_it_goes_with_all_of_it_and_comes_back(records: Records, sample: Person)
     assert flags(records)[0] is False
     assert not is_untouched(records.context)  # so that it does not come back by itself
     assert verify_record(records.context).is_sound
-    again = ensure_sample(records, NAME, "")
+    again = ensure_sample(records, NAME, "", "")
     assert again.id != sample.id
     assert again.pseudonym == SAMPLE_PSEUDONYM
     assert verify_record(records.context).is_sound

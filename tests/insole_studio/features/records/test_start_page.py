@@ -171,16 +171,20 @@ def test_a_new_case_brings_the_panels_and_f3_the_patients_again(clinic: Applicat
     assert not clinic.stage.foot.isVisible()
 
 
-def test_the_tour_waits_for_the_first_case(clinic: Application, qtbot: QtBot) -> None:
-    clinic.main.help.begin_tour_with_first_case()
+def test_the_tour_is_offered_until_it_is_not_wanted(clinic: Application, qtbot: QtBot) -> None:
+    def offers() -> list[QPushButton]:
+        buttons = clinic.stage.notices.findChildren(QPushButton)
+        return [button for button in buttons if button.isVisible()]
+
+    clinic.main.help.offer_tour()
+    qtbot.waitUntil(lambda: len(offers()) == 2)
     assert clinic.window.findChildren(Tour) == []
-    clinic.controller.run_action("new_case", False)
-    qtbot.waitUntil(lambda: len(clinic.window.findChildren(Tour)) == 1)
-    clinic.controller.run_action("patients", False)
-    clinic.controller.run_action("tour", False)
-    assert clinic.window.page is None
-    for tour in clinic.window.findChildren(Tour):
-        tour.end()
+    take, not_now = offers()
+    assert take.text() == "Take the tour"
+    QTest.mouseClick(not_now, Qt.MouseButton.LeftButton)
+    assert clinic.settings.tour_seen
+    clinic.main.help.offer_tour()
+    assert offers() == []
 
 
 @pytest.mark.parametrize("action", ["open_example", "calibrate", "restore_record"])

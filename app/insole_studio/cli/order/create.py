@@ -1,0 +1,156 @@
+"""``insole-studio order create``: write an order from case files."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from datetime import date, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import UsageError
+from insole_core.export.shop_order import OrderTerms
+from insole_core.geometry.side import Side
+from insole_core.progress import SILENT, Progress
+from insole_studio.cli.argument_parser import whole
+from insole_studio.cli.path_arguments import OutputPath
+
+if TYPE_CHECKING:
+    from insole_core.solids.shop import Shop
+    from insole_core.workflows.make_order import OrderChoice
+    from insole_core.workflows.order_package import PackedItem
+
+NAME = "create"
+HELP = "write solids, job sheets and order.json of one or more cases into a folder or zip archive"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments."""
+    parser.add_argument("cases", type=Path, nargs="+", metavar="CASE.insole")
+    parser.add_argument(
+        "--out", action=OutputPath, required=True, metavar="FOLDER|ORDER.zip",
+        help="a new or empty folder, an earlier order, or a .zip file",
+    )  # fmt: skip
+    parser.add_argument(
+        "--side", choices=["left", "right", "both"], default="both",
+        help="which feet (default: all that a case has)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--kind", choices=["insole", "block", "positive"], default="insole",
+        help="the insole (default), the contact surface in a block, or the foot as a mould",
+    )  # fmt: skip
+    parser.add_argument("--format", choices=["stl", "3mf", "obj", "ply"], default="stl")
+    parser.add_argument(
+        "--triangles", type=whole, default=40_000, metavar="N", help="at most (default: 40000)"
+    )
+    terms = parser.add_argument_group("what is ordered")
+    terms.add_argument("--quantity", type=whole, default=1, metavar="N", help="of each pair")
+    terms.add_argument("--material", default="", metavar="TEXT")
+    terms.add_argument("--colour", default="", metavar="TEXT")
+    terms.add_argument("--cover", default="", metavar="TEXT", help="what is glued on top")
+    terms.add_argument("--remarks", default="", metavar="TEXT")
+    terms.add_argument("--deliver-on", type=_day, metavar="2026-11-20")
+    terms.add_argument("--number", metavar="TEXT", help="of the order (default: a new one)")
+    terms.add_argument(
+        "--add", action="append", default=[], type=_added, metavar="SIDE=FILE",
+        help="a file made elsewhere, such as G-code, of a single case; left, right or both",
+    )  # fmt: skip
+    parser.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
+    parser.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Read the cases, make the parts and write the order."""
+    from insole_core.solids.order_number import new_order_number
+    from insole_core.solids.shop import read_shop
+    from insole_core.workflows.order_package import write_package
+
+    if arguments.add and len(arguments.cases) > 1:
+        raise UsageError("--add belongs to one case, and several are named; write an order each.")
+    now = datetime.now().astimezone()
+    terms = _terms(arguments)
+    terms.check(now.date())
+    number = arguments.number or new_order_number(now.date())
+    shop = read_shop(arguments.shop)
+    items = _items(arguments, terms, shop, progress)
+    order = write_package(items, arguments.out, number=number, shop=shop, now=now, progress=SILENT)
+    count = len(order.files)
+    progress.step(1.0, f"Done: order {number} with {count} files in {arguments.out}")
+
+
+def _terms(arguments: argparse.Namespace) -> OrderTerms:
+    return OrderTerms(
+        arguments.quantity,
+        arguments.colour.strip(),
+        arguments.cover.strip(),
+        arguments.remarks.strip(),
+        arguments.deliver_on,
+    )
+
+
+def _items(
+    arguments: argparse.Namespace, terms: OrderTerms, shop: Shop, progress: Progress
+) -> Iterator[PackedItem]:
+    """Make the parts of one case after the other."""
+    from insole_core.cases.case_file import read_case
+    from insole_core.solids.export_rules import read_rules
+    from insole_core.workflows.make_order import make_parts
+    from insole_core.workflows.order_package import PackedItem
+
+    rules = read_rules(arguments.rules)
+    steps = progress.part(0.0, 0.95).parts(len(arguments.cases))
+    for path, step in zip(arguments.cases, steps, strict=True):
+        record = read_case(path)
+        if arguments.side != "both":
+            side = Side(arguments.side)
+            if side not in {foot.side for foot in record.feet}:
+                raise UsageError(f"{path} has no {side} foot, which --side asks for; change one.")
+            record = record.at(side)
+        elif not record.feet:
+            raise UsageError(f"{path} has no foot; add one in the window first.")
+        choice = _choice(arguments, terms, record.patient.pseudonym)
+        parts = make_parts(record, choice, rules, step)
+        for sentence in dict.fromkeys(
+            f.sentence for p in parts for f in p.findings if not f.passed
+        ):
+            print(f"Warning: {path.name}: {sentence}", file=sys.stderr)
+        added = {
+            file: tuple(part.side for part in parts) if side is None else (side,)
+            for side, file in arguments.add
+        }
+        yield PackedItem(parts, choice, record.patient, added)
+
+
+def _choice(arguments: argparse.Namespace, terms: OrderTerms, pseudonym: str) -> OrderChoice:
+    from insole_core.solids.order_number import new_order_number
+    from insole_core.workflows.make_order import OrderChoice
+
+    return OrderChoice(
+        kind=arguments.kind,
+        both=arguments.side == "both",
+        suffix=f".{arguments.format}",
+        most_triangles=arguments.triangles,
+        pseudonym=pseudonym or new_order_number(date.today()),
+        material=arguments.material.strip(),
+        terms=terms,
+    )
+
+
+def _day(text: str) -> date:
+    try:
+        return date.fromisoformat(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f'"{text}" is no day of the calendar; write it as 2026-11-20'
+        ) from None
+
+
+def _added(text: str) -> tuple[Side | None, Path]:
+    """Return the side, None for both, and the file of ``--add``."""
+    word, equals, name = text.partition("=")
+    if not equals or not name or word not in ("left", "right", "both"):
+        raise argparse.ArgumentTypeError(
+            f'"{text}" does not name a foot and a file; write it as left=insole.nc'
+        )
+    return (None if word == "both" else Side(word)), Path(name)

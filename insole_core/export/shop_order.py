@@ -1,0 +1,314 @@
+"""`order.json`: what a shop is to make, in which number, and the files it makes it from."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import date
+from pathlib import Path
+from typing import Any, Final, Literal, TypeAlias, get_args
+
+from insole_core.errors import InputError
+from insole_core.export.atomic import write_text
+from insole_core.geometry.side import Side
+from insole_core.json_object import JsonObject
+
+FORMAT: Final = "insole-order"
+VERSION: Final = 1
+ORDER_FILE: Final = "order.json"
+MOST_PAIRS: Final = 1000
+"""Of one item; more is a slip of the finger."""
+_MOST_LETTERS: Final = 200
+_MOST_REMARKS: Final = 2000
+_MOST_DAYS: Final = 730
+_FORBIDDEN_IN_NAMES: Final = re.compile(r'[\x00-\x1f<>:"|?*/\\]')
+_DIGEST: Final = re.compile(r"[0-9a-f]{64}")
+
+FileRole: TypeAlias = Literal["solid", "gcode", "job_sheet", "checks", "other"]
+FILE_ROLES: Final[tuple[FileRole, ...]] = get_args(FileRole)
+MADE_FROM: Final[tuple[FileRole, ...]] = ("solid", "gcode")
+"""Roles of the files that a machine makes an insole from: each ordered side needs one."""
+
+
+@dataclass(frozen=True)
+class OrderTerms:
+    """How the shop is to make and deliver what is ordered.
+
+    Parameters
+    ----------
+    quantity
+        Of the pair, or of the one foot that is ordered.
+    colour, cover
+        Of the material, and what is glued on top; empty for the shop's usual.
+    deliver_on
+        None where the clinic names no date.
+    """
+
+    quantity: int = 1
+    colour: str = ""
+    cover: str = ""
+    remarks: str = ""
+    deliver_on: date | None = None
+
+    def check(self, today: date) -> None:
+        """Check that a shop could do as the terms say.
+
+        Raises
+        ------
+        InputError
+            Naming the term that cannot be right.
+        """
+        if not 1 <= self.quantity <= MOST_PAIRS:
+            raise InputError(
+                "The quantity is {quantity}, and must be 1 to {most}; correct it.",
+                quantity=self.quantity,
+                most=MOST_PAIRS,
+            )
+        for name, text, most in self._texts:
+            if len(text) > most:
+                raise InputError(
+                    "The {name} of the order has {count} characters, and the papers take at most "
+                    "{most}; shorten it.",
+                    name=name,
+                    count=len(text),
+                    most=most,
+                )
+        if self.deliver_on is not None:
+            _check_delivery(self.deliver_on, today)
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """The terms by name, for papers; nothing that is not said."""
+        day = "" if self.deliver_on is None else self.deliver_on.isoformat()
+        facts = {"quantity": str(self.quantity), "delivery date": day}
+        facts |= {name: text for name, text, _ in self._texts}
+        return {name: text for name, text in facts.items() if text}
+
+    @property
+    def _texts(self) -> tuple[tuple[str, str, int], ...]:
+        return (
+            ("colour", self.colour, _MOST_LETTERS),
+            ("cover", self.cover, _MOST_LETTERS),
+            ("remarks", self.remarks, _MOST_REMARKS),
+        )
+
+
+def _check_delivery(day: date, today: date) -> None:
+    if day < today:
+        raise InputError(
+            "The delivery date {day} is past; choose a day from {today} on.",
+            day=day.isoformat(),
+            today=today.isoformat(),
+        )
+    if (day - today).days > _MOST_DAYS:
+        raise InputError(
+            "The delivery date {day} is more than two years ahead; check the year.",
+            day=day.isoformat(),
+        )
+
+
+@dataclass(frozen=True)
+class OrderedFile:
+    """A file of an order.
+
+    Parameters
+    ----------
+    name
+        In the folder or archive of the order.
+    sides
+        Of the feet that it is for.
+    """
+
+    name: str
+    role: FileRole
+    sides: tuple[Side, ...]
+    sha256: str
+    size_bytes: int
+
+
+@dataclass(frozen=True)
+class OrderItem:
+    """One or both insoles of one patient, known to the shop by a pseudonym only.
+
+    Parameters
+    ----------
+    kind
+        "insole", "block" or "positive", as an export has it.
+    materials
+        Of each side that is made.
+    """
+
+    pseudonym: str
+    kind: str
+    materials: Mapping[Side, str]
+    terms: OrderTerms
+    files: tuple[OrderedFile, ...]
+
+    @property
+    def sides(self) -> tuple[Side, ...]:
+        """The sides that are made, left first."""
+        return tuple(side for side in Side if side in self.materials)
+
+
+@dataclass(frozen=True)
+class ShopOrder:
+    """An order to a shop.
+
+    Parameters
+    ----------
+    number
+        By which clinic and shop speak of it.
+    created_at
+        ISO 8601 with time zone.
+    program
+        Name and version of what wrote it.
+    """
+
+    number: str
+    created_at: str
+    program: str
+    items: tuple[OrderItem, ...]
+    clinic: str = field(default="")
+
+    @property
+    def files(self) -> tuple[OrderedFile, ...]:
+        """The files of all items."""
+        return tuple(file for item in self.items for file in item.files)
+
+
+def write_shop_order(order: ShopOrder, path: Path) -> None:
+    """Write `order.json`.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+    content = {
+        "format": FORMAT,
+        "version": VERSION,
+        "number": order.number,
+        "created_at": order.created_at,
+        "program": order.program,
+        "clinic": order.clinic,
+        "items": [_item_json(item) for item in order.items],
+    }
+    write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", path)
+
+
+def _item_json(item: OrderItem) -> dict[str, Any]:
+    terms = item.terms
+    return {
+        "pseudonym": item.pseudonym,
+        "kind": item.kind,
+        "sides": [str(side) for side in item.sides],
+        "quantity": terms.quantity,
+        "materials": {str(side): item.materials[side] for side in item.sides},
+        "colour": terms.colour,
+        "cover": terms.cover,
+        "remarks": terms.remarks,
+        "deliver_on": None if terms.deliver_on is None else terms.deliver_on.isoformat(),
+        "files": [
+            {
+                "name": file.name,
+                "role": file.role,
+                "sides": [str(side) for side in file.sides],
+                "sha256": file.sha256,
+                "bytes": file.size_bytes,
+            }
+            for file in item.files
+        ],
+    }
+
+
+def parse_shop_order(name: str, text: bytes) -> ShopOrder:
+    """Read `order.json`; every value must be right, unknown keys are passed over.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
+
+    Raises
+    ------
+    InputError
+        Naming the key that is missing or wrong, or when it comes from a newer version.
+    """
+    root = JsonObject.parse(name, text)
+    root.check_format(FORMAT, VERSION)
+    items = tuple(_item(item) for item in root.objects("items"))
+    if not items:
+        raise root.fail("items", "must hold at least one item")
+    order = ShopOrder(
+        root.text("number"),
+        root.date("created_at"),
+        root.text("program"),
+        items,
+        root.text("clinic", empty=True),
+    )
+    names = [file.name.casefold() for file in order.files]
+    twice = next((file for file in order.files if names.count(file.name.casefold()) > 1), None)
+    if twice is not None:
+        raise root.fail("items", "list the file {file} twice", file=twice.name)
+    return order
+
+
+def _item(item: JsonObject) -> OrderItem:
+    sides = _sides(item)
+    materials = item.object("materials")
+    return OrderItem(
+        item.text("pseudonym"),
+        item.choice("kind", ("insole", "block", "positive")),
+        {side: materials.text(str(side), empty=True) for side in sides},
+        OrderTerms(
+            item.integer("quantity", 1, MOST_PAIRS),
+            item.text("colour", empty=True),
+            item.text("cover", empty=True),
+            item.text("remarks", empty=True),
+            None if item.value("deliver_on") is None else _day(item, "deliver_on"),
+        ),
+        tuple(_file(file, sides) for file in item.objects("files")),
+    )
+
+
+def _file(file: JsonObject, ordered: tuple[Side, ...]) -> OrderedFile:
+    name = file.text("name")
+    if not is_plain_name(name):
+        raise file.fail(
+            "name", 'is "{name}", but must be the plain name of a file, without folders', name=name
+        )
+    digest = file.text("sha256")
+    if not _DIGEST.fullmatch(digest):
+        raise file.fail("sha256", "must be 64 digits and letters a to f")
+    sides = _sides(file)
+    if not set(sides) <= set(ordered):
+        raise file.fail("sides", "name a foot that the item does not order")
+    size = file.integer("bytes", 0, 2**40)
+    return OrderedFile(name, file.choice("role", FILE_ROLES), sides, digest, size)
+
+
+def _sides(of: JsonObject) -> tuple[Side, ...]:
+    listed = of.listed("sides")
+    sides = [listed.choice(key, tuple(Side)) for key in listed.values]
+    if not sides or len(set(sides)) < len(sides):
+        raise of.fail("sides", "must name left, right, or both, each once")
+    return tuple(side for side in Side if side in sides)
+
+
+def _day(of: JsonObject, key: str) -> date:
+    try:
+        return date.fromisoformat(of.text(key))
+    except ValueError:
+        raise of.fail(key, "must be a day such as 2026-11-20, or null") from None
+
+
+def is_plain_name(name: str) -> bool:
+    """Return whether a name is that of a file in the same folder, on every system."""
+    return (
+        not _FORBIDDEN_IN_NAMES.search(name)
+        and name.strip(". ") != ""
+        and not name.endswith((".", " "))
+        and len(name.encode()) <= 255
+    )

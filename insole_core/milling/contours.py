@@ -1,0 +1,254 @@
+"""Cutting of the walls from above to the bottom, with tabs, and dowel holes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import manifold3d
+import numpy as np
+
+from insole_core.errors import DesignError
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.milling.machine import Machine
+from insole_core.milling.surface import Surface
+from insole_core.milling.tool_path import Operation, PathWriter, SideName, without_collinear
+from insole_core.progress import SILENT, Progress
+
+_ARC_PIECES = 64
+"""Of a circle; its chords leave an arc of 3 mm by less than twice `_CHORD_MM`."""
+_CHORD_MM = 0.002
+_ABOVE_MM = 1e-4
+_SECTION_MM = 0.25
+"""Between the sections whose union a wall must stay outside of."""
+_TAB_PITCH_MM = 0.5
+_SEARCH_MM = 1.0
+"""Pitch of the map that tells where there is still a wall."""
+
+
+def contour(
+    solids: Sequence[TriangleMesh],
+    surface: Surface,
+    machine: Machine,
+    block_mm: tuple[float, float, float],
+    *,
+    side: SideName,
+    bottom_mm: float,
+    with_tabs: bool,
+    progress: Progress = SILENT,
+) -> Operation:
+    """Cut round the solids, from the top of their walls down.
+
+    Parameters
+    ----------
+    solids : mm, block's frame
+    bottom_mm
+        Height to which the walls are cut.
+
+    Raises
+    ------
+    DesignError
+        When the cutter does not fit between a solid and the side of the block.
+    """
+    writer = PathWriter(block_mm[2] + machine.safe_height_mm)
+    walls = _wall_tops(surface, machine.contour.cutter.radius_mm)
+    for solid, step in zip(solids, progress.parts(len(solids)), strict=True):
+        step.step(0.0, "Cutting round the piece")
+        loops = _loops(solid, machine, bottom_mm)
+        _require_room(loops[-1][1], block_mm, machine)
+        tabs = _tab_places(loops[-1][1], machine) if with_tabs else np.empty((0, 2))
+        for level, loop in loops:
+            line = _densified(loop)
+            path = np.column_stack([line, _with_tabs(line, level, bottom_mm, tabs, machine)])
+            for run in _pieces(path, _needed(line, level, surface, walls)):
+                writer.start(without_collinear(run))
+    return writer.operation("contour", side, machine.contour.cutter)
+
+
+def _loops(
+    solid: TriangleMesh, machine: Machine, bottom_mm: float
+) -> list[tuple[float, FloatArray]]:
+    """Return the levels, mm, from above, each with the closed way (n, 2) of the cutter's axis.
+
+    At every level the cutter stays off all that is above it.
+    """
+    how = machine.contour
+    body = manifold3d.Manifold(
+        manifold3d.Mesh64(np.ascontiguousarray(solid.vertices), solid.triangles.astype(np.uint64))
+    )
+    top = float(solid.bounds_mm[1, 2])
+    count = max(int(np.ceil((top - bottom_mm) / how.step_down_mm)), 1)
+    seen = manifold3d.CrossSection()
+    loops = []
+    sections = max(int(np.ceil(how.step_down_mm / _SECTION_MM)), 1)
+    heights = bottom_mm + (top - bottom_mm) * np.arange(count * sections - 1, -1, -1) / (
+        count * sections
+    )
+    for number, height in enumerate(heights, 1):
+        # At the bottom itself the section may be empty or ambiguous; just above, it is the wall.
+        section = body.slice(float(height) + _ABOVE_MM).simplify(_CHORD_MM)
+        seen = (seen + section).simplify(_CHORD_MM)
+        if number % sections:
+            continue
+        grown = seen.offset(how.cutter.radius_mm + 2 * _CHORD_MM, circular_segments=_ARC_PIECES)
+        outer = max(map(np.asarray, grown.simplify(_CHORD_MM).to_polygons()), key=_area)
+        loops.append((float(height), np.concatenate([outer, outer[:1]])))
+    return loops
+
+
+def _with_tabs(
+    line: FloatArray, level_mm: float, bottom_mm: float, tabs: FloatArray, machine: Machine
+) -> FloatArray:
+    """Return the heights (n,) along a loop: raised where a tab stays."""
+    how = machine.contour
+    heights = np.full(len(line), level_mm)
+    if len(tabs) and level_mm < bottom_mm + how.tab_height_mm:
+        reach = how.tab_length_mm / 2 + how.cutter.radius_mm
+        near = np.linalg.norm(line[:, None] - tabs, axis=2).min(axis=1) <= reach
+        heights[near] = bottom_mm + how.tab_height_mm
+    return heights
+
+
+def _area(polygon: FloatArray) -> float:
+    x, y = polygon.T
+    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+
+
+def _require_room(loop: FloatArray, block_mm: tuple[float, float, float], machine: Machine) -> None:
+    low, high = loop.min(axis=0), loop.max(axis=0)
+    over = max(*-low, *(high - block_mm[:2]))
+    if over > 0:
+        raise DesignError(
+            "Round the piece there is {over:.1f} mm too little of the block for the cutter "
+            '"{cutter}"; take a larger block, or a thinner cutter for the contour.',
+            over=float(over),
+            cutter=machine.contour.cutter.name,
+        )
+
+
+def _wall_tops(surface: Surface, radius_mm: float) -> Float32Array:
+    """Return the greatest height (nx, ny) near each pixel of 1 mm of the surface."""
+    pixels = max(round(_SEARCH_MM / surface.step_mm), 1)
+    nx, ny = (-(-size // pixels) for size in surface.inside.shape)
+    padding = [
+        (0, n * pixels - size) for n, size in zip((nx, ny), surface.inside.shape, strict=True)
+    ]
+    padded = np.pad(np.where(surface.inside, surface.heights_mm, -1), padding, constant_values=-1)
+    coarse = padded.reshape(nx, pixels, ny, pixels).max(axis=(1, 3)).astype(np.float32)
+    reach = 2 * int(np.ceil(radius_mm / _SEARCH_MM) + 2) + 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach))
+    return np.asarray(cv2.dilate(coarse, kernel), np.float32)
+
+
+def _needed(line: FloatArray, level_mm: float, surface: Surface, walls: Float32Array) -> BoolArray:
+    """Find the points of a loop beside a wall that reaches up to a level."""
+    i, j = surface.index_of(line)
+    pixels = max(round(_SEARCH_MM / surface.step_mm), 1)
+    return np.asarray((walls[i // pixels, j // pixels] >= level_mm) & (surface.beside_mm[i, j] > 0))
+
+
+def _densified(loop: FloatArray) -> FloatArray:
+    """Return a loop with points at most `_TAB_PITCH_MM` apart."""
+    pieces = np.ceil(np.linalg.norm(np.diff(loop, axis=0), axis=1) / _TAB_PITCH_MM).astype(int)
+    edge = np.repeat(np.arange(len(pieces)), pieces)
+    within = np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    share = (within / pieces[edge])[:, None]
+    return np.concatenate([loop[edge] * (1 - share) + loop[edge + 1] * share, loop[-1:]])
+
+
+def _tab_places(loop: FloatArray, machine: Machine) -> FloatArray:
+    """Return places (n, 2) of tabs, evenly along a loop, with room between them."""
+    how = machine.contour
+    along = np.append(0, np.cumsum(np.linalg.norm(np.diff(loop, axis=0), axis=1)))
+    room = 2 * (how.tab_length_mm + how.cutter.diameter_mm)
+    count = min(how.tabs, int(along[-1] / room))
+    at = along[-1] * (np.arange(count) + 0.5) / max(count, 1)
+    return np.column_stack([np.interp(at, along, loop[:, axis]) for axis in (0, 1)])
+
+
+def _pieces(path: FloatArray, cut: BoolArray) -> list[FloatArray]:
+    """Return the runs of a closed path (n, 3) at the points to cut."""
+    if cut.all():
+        return [path]
+    if not cut.any():
+        return []
+    gap = int(np.flatnonzero(~cut)[0])
+    path, cut = np.roll(path[:-1], -gap, axis=0), np.roll(cut[:-1], -gap)
+    edges = np.diff(np.pad(cut.astype(np.int8), 1))
+    starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
+    return [path[a:b] for a, b in zip(starts, ends, strict=True)]
+
+
+def dowel_places(
+    machine: Machine, block_mm: tuple[float, float, float]
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return x and y of both dowels, on the line about which the block is turned."""
+    width, length, _ = block_mm
+    inset = machine.both_sides.dowel_inset_mm
+    if machine.both_sides.flip == "length":
+        return (width / 2, inset), (width / 2, length - inset)
+    return (inset, length / 2), (width - inset, length / 2)
+
+
+def dowel_holes(
+    machine: Machine, surface: Surface, block_mm: tuple[float, float, float]
+) -> Operation:
+    """Bore the holes for the dowels through the block.
+
+    Raises
+    ------
+    DesignError
+        When a hole is narrower than the cutter, meets the side of the block, or is too near a
+        piece.
+    """
+    how, cutter = machine.both_sides, machine.contour.cutter
+    radius = how.dowel_diameter_mm / 2 - cutter.radius_mm
+    if radius < 0:
+        raise DesignError(
+            'A dowel hole of {hole:g} mm cannot be bored with the cutter "{cutter}"; choose a '
+            "thicker dowel.",
+            hole=how.dowel_diameter_mm,
+            cutter=cutter.name,
+        )
+    writer = PathWriter(block_mm[2] + machine.safe_height_mm)
+    for place in dowel_places(machine, block_mm):
+        _require_free(place, machine, surface, block_mm)
+        writer.start(_bore(place, radius, block_mm[2], machine.roughing.step_down_mm))
+    return writer.operation("dowels", "foot side", cutter)
+
+
+def _require_free(
+    place: tuple[float, float],
+    machine: Machine,
+    surface: Surface,
+    block_mm: tuple[float, float, float],
+) -> None:
+    hole = machine.both_sides.dowel_diameter_mm / 2
+    node = (np.array(place) - surface.first_mm) / surface.step_mm
+    on_grid = bool(((node >= 0) & (node <= np.array(surface.inside.shape) - 1)).all())
+    needed = hole + machine.contour.cutter.diameter_mm + machine.roughing.allowance_mm
+    i, j = surface.index_of(np.array([place]))
+    room = min(*place, block_mm[0] - place[0], block_mm[1] - place[1])
+    if room < hole or (on_grid and surface.beside_mm[i[0], j[0]] < needed):
+        raise DesignError(
+            "The dowel at x = {x:.0f} mm, y = {y:.0f} mm of the block has no room beside the "
+            "piece; take a longer block, or set it nearer to the end.",
+            x=place[0],
+            y=place[1],
+        )
+
+
+def _bore(
+    place: tuple[float, float], radius_mm: float, height_mm: float, step_down_mm: float
+) -> FloatArray:
+    """Return a path (n, 3) that bores a hole in circles, each a little deeper."""
+    turns = int(np.ceil(height_mm / step_down_mm))
+    angle = np.linspace(0, 2 * np.pi, 33)
+    circle = np.array(place) + radius_mm * np.column_stack([np.cos(angle), np.sin(angle)])
+    return np.concatenate(
+        [
+            np.column_stack([circle, np.full(33, height_mm * (1 - turn / turns))])
+            for turn in range(1, turns + 1)
+        ]
+    )

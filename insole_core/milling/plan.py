@@ -1,0 +1,331 @@
+"""The tool paths of solids in a block: what is milled, how long it takes, and what stays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import scipy
+
+from insole_core.errors import DesignError
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.messages import Message
+from insole_core.milling.contours import contour, dowel_holes
+from insole_core.milling.drop_cutter import STEEPEST, tip_heights
+from insole_core.milling.machine import FlipAxis, Machine
+from insole_core.milling.rasters import finishing, roughing
+from insole_core.milling.surface import Surface, sample_surface
+from insole_core.milling.tool_path import Motion, Operation, SideName, total_minutes
+from insole_core.progress import SILENT, Progress
+
+_PITCH_MM = 0.25
+_MOST_LEFT_MM = 0.2
+"""Material in a hollow of which nothing is said."""
+_LEFT_PITCH_MM = 1.0
+_FAR_MM = 1e3
+
+
+@dataclass(frozen=True, eq=False)
+class LeftOver:
+    """Material that the finishing cutter cannot reach, on pixels of 1 mm.
+
+    Parameters
+    ----------
+    first_mm : (2,) float64
+        x and y of the pixel [0, 0], in the block's frame as the side lies.
+    height_mm : (nx, ny) float64
+        Of the material; NaN beside the solids.
+    top_mm : (nx, ny) float64
+        Of the surface, above the bottom of the block.
+    """
+
+    side: SideName
+    first_mm: FloatArray
+    height_mm: FloatArray
+    top_mm: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class MillingPlan:
+    """Everything that is milled from one block.
+
+    Parameters
+    ----------
+    block_mm
+        Width (x), length (y), height.
+    solids : mm
+        Where they lie in the block, foot side up.
+    left_over
+        Of each side that is milled.
+    notes
+        What the shop should know, one sentence each.
+    """
+
+    machine: Machine
+    block_mm: tuple[float, float, float]
+    solids: tuple[TriangleMesh, ...]
+    operations: tuple[Operation, ...]
+    left_over: tuple[LeftOver, ...]
+    notes: tuple[Message, ...]
+
+    @property
+    def minutes(self) -> float:
+        """Time of the path, without changes of cutters and of speed."""
+        return total_minutes(self.operations, self.machine.rapid_mm_min)
+
+    @property
+    def most_left_mm(self) -> float:
+        """Greatest height of the material that stays in a hollow."""
+        return max(float(np.nanmax(left.height_mm)) for left in self.left_over)
+
+    @property
+    def length_m(self) -> float:
+        """Length of the path at feed, plunging included."""
+        kinds = (Motion.FEED, Motion.PLUNGE)
+        return sum(item.lengths_mm(kind) for item in self.operations for kind in kinds) / 1000
+
+
+def plan_milling(
+    solids: Sequence[TriangleMesh],
+    block_mm: tuple[float, float, float],
+    machine: Machine,
+    *,
+    both_sides: bool = False,
+    progress: Progress = SILENT,
+) -> MillingPlan:
+    """Compute the tool paths of solids in a block.
+
+    Parameters
+    ----------
+    solids : mm
+        Standing on the bottom of the block: a corner at the origin, its width along x and its
+        length along y.
+    block_mm
+        Width, length, height.
+    both_sides
+        Whether the block is turned, so that the underside is milled too. The solids then lie
+        `skin_mm` above its bottom.
+
+    Raises
+    ------
+    DesignError
+        When block, machine or a cutter is too small.
+    Cancelled
+    """
+    lift = machine.both_sides.skin_mm if both_sides else 0.0
+    lying = [_moved(solid, np.array([0.0, 0.0, lift])) for solid in solids]
+    _require_fit(lying, block_mm, machine)
+    halves = progress.parts(2 if both_sides else 1)
+    if not both_sides:
+        operations, left = _one_side(
+        lying, block_mm, machine,
+        side="foot side", bottom_mm=0.0, with_tabs=True,
+        progress=halves[0],
+    )  # fmt: skip
+        return _plan(machine, block_mm, lying, operations, [left])
+    surface = _sampled(lying, block_mm, machine)
+    web = min(lift + machine.contour.tab_height_mm, _lowest_rim(surface))
+    dowels = dowel_holes(machine, surface, block_mm)
+    first, left = _one_side(
+        lying, block_mm, machine,
+        side="foot side", bottom_mm=web, with_tabs=False,
+        progress=halves[0],
+    )  # fmt: skip
+    turned = [turned_over(solid, block_mm, machine.both_sides.flip) for solid in lying]
+    under = block_mm[2] - web
+    second, below = _one_side(
+        turned, block_mm, machine,
+        side="underside", bottom_mm=under, with_tabs=True,
+        progress=halves[1],
+    )  # fmt: skip
+    return _plan(machine, block_mm, lying, [dowels, *first, *second], [left, below])
+
+
+def turned_over(
+    solid: TriangleMesh, block_mm: tuple[float, float, float], flip: FlipAxis
+) -> TriangleMesh:
+    """Return a solid in the frame of the block after it was turned over."""
+    width, length, height = block_mm
+    signs = np.array([-1.0, 1, -1] if flip == "length" else [1.0, -1, -1])
+    offset = np.array([width if flip == "length" else 0, 0 if flip == "length" else length, height])
+    return TriangleMesh(solid.vertices * signs + offset, solid.triangles)
+
+
+def _moved(solid: TriangleMesh, by_mm: FloatArray) -> TriangleMesh:
+    return TriangleMesh(solid.vertices + by_mm, solid.triangles)
+
+
+def _plan(
+    machine: Machine,
+    block_mm: tuple[float, float, float],
+    solids: Sequence[TriangleMesh],
+    operations: Sequence[Operation],
+    left_over: Sequence[LeftOver],
+) -> MillingPlan:
+    notes = [note for left in left_over if (note := _hollow(left, machine)) is not None]
+    return MillingPlan(
+        machine, block_mm, tuple(solids), tuple(operations), tuple(left_over), tuple(notes)
+    )
+
+
+def _require_fit(
+    solids: Sequence[TriangleMesh], block_mm: tuple[float, float, float], machine: Machine
+) -> None:
+    high = np.max([solid.bounds_mm[1] for solid in solids], axis=0)
+    low = np.min([solid.bounds_mm[0] for solid in solids], axis=0)
+    if high[2] > block_mm[2]:
+        raise DesignError(
+            "The block is {there:g} mm high, and the piece needs {need:.1f} mm in it; take a "
+            "higher block.",
+            there=block_mm[2],
+            need=float(high[2]),
+        )
+    if min(low) < -1e-6 or (high > block_mm).any():
+        raise DesignError("The piece does not lie within the block; take a larger block.")
+    deepest = block_mm[2] - float(low[2])
+    for cutter in (machine.roughing.cutter, machine.finishing.cutter, machine.contour.cutter):
+        if cutter.reach_mm < deepest:
+            raise DesignError(
+                'The cutter "{cutter}" reaches {reach:g} mm, and must go {depth:.1f} mm deep; '
+                "take a lower block or a longer cutter.",
+                cutter=cutter.name,
+                reach=cutter.reach_mm,
+                depth=deepest,
+            )
+    _require_travel(block_mm, machine)
+
+
+def _require_travel(block_mm: tuple[float, float, float], machine: Machine) -> None:
+    width, length, height = block_mm
+    across = (length, width) if machine.length_along == "x" else (width, length)
+    needed = (*across, height + machine.safe_height_mm)
+    for axis, need, there in zip("xyz", needed, machine.travel_mm, strict=True):
+        if need > there:
+            raise DesignError(
+                "{machine} travels {there:g} mm along {axis}, and the block needs {need:g} mm; "
+                "take a smaller block.",
+                machine=machine.name,
+                there=there,
+                axis=axis,
+                need=need,
+            )
+    base = (0.0, 0.0) if machine.origin.at == "corner" else (across[0] / 2, across[1] / 2)
+    for axis, start, offset, size in zip("xy", base, machine.origin.offset_mm, across, strict=True):
+        if not 0 <= start + offset <= size:
+            raise DesignError(
+                "The origin of {machine} lies outside the block: {place:g} mm along {axis}, and "
+                "the block has {size:g} mm; correct its offset in the machine file.",
+                machine=machine.name,
+                place=start + offset,
+                axis=axis,
+                size=size,
+            )
+
+
+def _reach_mm(machine: Machine) -> float:
+    """Return how far from the solids the cutter's axis goes when it clears the block."""
+    rough = machine.roughing
+    beside = max(
+        rough.cutter.radius_mm + rough.allowance_mm,
+        machine.contour.cutter.diameter_mm - rough.cutter.radius_mm,
+        machine.finishing.cutter.radius_mm * 1.8 - rough.cutter.radius_mm,
+    )
+    return beside + rough.step_over_mm
+
+
+def _sampled(
+    solids: Sequence[TriangleMesh], block_mm: tuple[float, float, float], machine: Machine
+) -> Surface:
+    how = machine.finishing
+    step = how.step_over_mm / np.ceil(how.step_over_mm / _PITCH_MM)
+    return sample_surface(solids, block_mm, _reach_mm(machine) + 1, float(step))
+
+
+def _lowest_rim(surface: Surface) -> float:
+    rim = surface.inside
+    inner = rim.copy()
+    for axis in (0, 1):
+        for by in (1, -1):
+            inner &= np.roll(surface.inside, by, axis)
+    return float(surface.heights_mm[rim & ~inner].min())
+
+
+def _one_side(
+    solids: Sequence[TriangleMesh],
+    block_mm: tuple[float, float, float],
+    machine: Machine,
+    *,
+    side: SideName,
+    bottom_mm: float,
+    with_tabs: bool,
+    progress: Progress,
+) -> tuple[list[Operation], LeftOver]:
+    """Return the operations of one side, down to a height beside the solids."""
+    progress.step(0.0, "Sampling the surface")
+    tab = machine.contour.tab_height_mm if with_tabs else 0.0
+    floor = bottom_mm + tab + machine.roughing.allowance_mm
+    surface = _sampled(solids, block_mm, machine)
+    rough = roughing(
+        surface.with_floor(min(floor, block_mm[2])), machine, block_mm[2], side,
+        reach_mm=_reach_mm(machine), progress=progress.part(0.2, 0.5),
+    )  # fmt: skip
+    progress.step(0.5, "Finishing the surface")
+    finish = finishing(surface.with_floor(bottom_mm), machine, block_mm[2], side)
+    walls = contour(
+        solids, surface, machine, block_mm, side=side, bottom_mm=bottom_mm,
+        with_tabs=with_tabs, progress=progress.part(0.7, 0.95),
+    )  # fmt: skip
+    progress.step(0.95, "Looking for material that stays")
+    operations = [operation for operation in (rough, finish, walls) if operation is not None]
+    return operations, _left_over(surface, machine, side)
+
+
+def _left_over(surface: Surface, machine: Machine, side: SideName) -> LeftOver:
+    """Compute the closing of the surface by the ball, on every few nodes of the grid."""
+    every = max(round(_LEFT_PITCH_MM / 2 / surface.step_mm), 1)
+    heights, within = surface.heights_mm[::every, ::every], _off_the_walls(surface, every)
+    # Beyond the walls the surface goes on as at its rim: beside a rim there is no hollow.
+    nearest = scipy.ndimage.distance_transform_edt(
+        ~within, return_distances=False, return_indices=True
+    )
+    coarse = replace(
+        surface, step_mm=surface.step_mm * every, heights_mm=heights[tuple(nearest)],
+        inside=within, edges_mm=np.empty((0, 3)), floor_mm=-_FAR_MM,
+    )  # fmt: skip
+    cutter = machine.finishing.cutter
+    lines = np.arange(within.shape[0])
+    tips = tip_heights(coarse, cutter, lines)
+    below = replace(coarse, heights_mm=np.asarray(-tips - cutter.diameter_mm, np.float32))
+    closed = -(tip_heights(below, cutter, lines) + cutter.diameter_mm)
+    left = np.where(within, np.maximum(closed - coarse.heights_mm, 0), np.nan)
+    return LeftOver(side, surface.first_mm, left[::2, ::2], np.asarray(heights[::2, ::2], float))
+
+
+def _off_the_walls(surface: Surface, every: int) -> BoolArray:
+    """Find the nodes (every few of them) that are no part of a wall, and not beside one."""
+    fall = np.zeros(surface.inside.shape, np.float32)
+    heights = np.where(surface.inside, surface.heights_mm, np.float32(-_FAR_MM))
+    for axis in (0, 1):
+        for by in (1, -1):
+            np.maximum(fall, np.abs(heights - np.roll(heights, by, axis)), out=fall)
+    flat = surface.inside & (fall < STEEPEST * surface.step_mm)
+    return np.asarray(scipy.ndimage.binary_erosion(flat, iterations=2)[::every, ::every])
+
+
+def _hollow(left: LeftOver, machine: Machine) -> Message | None:
+    """Say where the cutter is too thick for a hollow."""
+    if not (left.height_mm > _MOST_LEFT_MM).any():
+        return None
+    place = np.unravel_index(np.nanargmax(left.height_mm), left.height_mm.shape)
+    x, y = left.first_mm + np.array(place) * _LEFT_PITCH_MM
+    return Message(
+        'The cutter "{cutter}" is too thick for a hollow of the {side} at x = {x:.0f} mm, '
+        "y = {y:.0f} mm of the block: {left:.1f} mm stay there; take a thinner one.",
+        cutter=machine.finishing.cutter.name,
+        side=Message(left.side),
+        x=float(x),
+        y=float(y),
+        left=float(left.height_mm[place]),
+    )

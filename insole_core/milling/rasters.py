@@ -1,0 +1,179 @@
+"""Roughing level by level, and finishing, in lines along the block's length."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.milling.drop_cutter import finishing_heights, tip_heights
+from insole_core.milling.machine import Cutter, Machine
+from insole_core.milling.surface import Surface
+from insole_core.milling.tool_path import (
+    Operation,
+    PathWriter,
+    SideName,
+    needed_nodes,
+    without_collinear,
+)
+from insole_core.progress import SILENT, Progress
+
+_CLOSE_MM = 0.003
+"""By which straight pieces may leave a finishing path."""
+_CLEARANCE_MM = 1.0
+"""Above material that is known to be gone, down to which a rapid move goes."""
+_LINK_LINES = 1
+_LEAST_CUT_MM = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class _Run:
+    """A piece of a line of a raster: its index, and its first and last node."""
+
+    line: int
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, eq=False)
+class _Raster:
+    """Tips of a cutter along lines; the nodes where it may be, and those that are needed."""
+
+    surface: Surface
+    cutter: Cutter
+    lines: IntArray
+    tips_mm: FloatArray
+
+    def points(self, run: _Run, heights_mm: FloatArray, needed: BoolArray) -> FloatArray:
+        """Return the points (n, 3) of a run, along y."""
+        nodes = run.start + np.flatnonzero(needed[run.line, run.start : run.end + 1])
+        x = np.full(len(nodes), self.surface.x_mm[self.lines[run.line]])
+        points = np.column_stack([x, self.surface.y_mm[nodes], heights_mm[run.line, nodes]])
+        return without_collinear(points)
+
+    def link_height(self, line: int, other: int, nodes: tuple[int, int]) -> float:
+        """Return the height at which the cutter may go from one line to the next."""
+        low, high = min(nodes), max(nodes) + 1
+        highest = self.tips_mm[[line, other], low:high].max()
+        half = (self.lines[other] - self.lines[line]) * self.surface.step_mm / 2
+        radius = self.cutter.radius_mm
+        between = 0.0 if self.cutter.shape == "flat" else radius - np.sqrt(radius**2 - half**2)
+        return float(highest + between)
+
+
+def roughing(
+    surface: Surface,
+    machine: Machine,
+    block_height_mm: float,
+    side: SideName,
+    *,
+    reach_mm: float,
+    progress: Progress = SILENT,
+) -> Operation | None:
+    """Clear the block above the surface, and round the solids.
+
+    Parameters
+    ----------
+    reach_mm
+        Round the solids, in which the cutter's axis moves.
+
+    Returns
+    -------
+    Operation or None
+        None when there is nothing to clear.
+    """
+    how = machine.roughing
+    lines = _lines(surface, how.step_over_mm)
+    tips = tip_heights(surface, how.cutter, lines, how.allowance_mm)
+    raster = _Raster(surface, how.cutter, lines, tips)
+    allowed = surface.beside_mm[lines] <= reach_mm
+    writer = PathWriter(block_height_mm + machine.safe_height_mm)
+    lowest = float(tips[allowed].min())
+    count = max(int(np.ceil((block_height_mm - lowest) / how.step_down_mm)), 1)
+    for number, step in enumerate(progress.parts(count), 1):
+        step.step(0.0, "Roughing, level {level} of {levels}", level=number, levels=count)
+        above = block_height_mm - (number - 1) * how.step_down_mm
+        heights = np.maximum(tips, above - how.step_down_mm)
+        active = allowed & (tips < above - _LEAST_CUT_MM)
+        _follow(
+            raster, heights, active, writer,
+            close_mm=how.allowance_mm / 10, clear_mm=above + _CLEARANCE_MM,
+        )  # fmt: skip
+    return None if writer.is_empty else writer.operation("roughing", side, how.cutter)
+
+
+def finishing(
+    surface: Surface, machine: Machine, block_height_mm: float, side: SideName
+) -> Operation:
+    """Leave the surface in lines, a little over its rim."""
+    how = machine.finishing
+    lines = _lines(surface, how.step_over_mm)
+    tips = np.minimum(finishing_heights(surface, how.cutter, lines), block_height_mm)
+    raster = _Raster(surface, how.cutter, lines, tips)
+    active = surface.beside_mm[lines] <= how.cutter.radius_mm * 0.8
+    writer = PathWriter(block_height_mm + machine.safe_height_mm)
+    _follow(raster, tips, active, writer, close_mm=_CLOSE_MM, clear_mm=None)
+    return writer.operation("finishing", side, how.cutter)
+
+
+def _lines(surface: Surface, step_over_mm: float) -> IntArray:
+    """Return the lines of the grid that a raster takes, at most the step-over apart."""
+    every = max(int(step_over_mm / surface.step_mm + 1e-9), 1)
+    return np.arange(0, len(surface.x_mm), every)
+
+
+def _follow(
+    raster: _Raster,
+    heights_mm: FloatArray,
+    active: BoolArray,
+    writer: PathWriter,
+    *,
+    close_mm: float,
+    clear_mm: float | None,
+) -> None:
+    """Write all runs, to and fro where the next one begins beside the last one's end."""
+    needed = needed_nodes(heights_mm, active, close_mm)
+    waiting = _runs(active)
+    while waiting:
+        run, forward = waiting.pop(0), True
+        points = raster.points(run, heights_mm, needed)
+        writer.start(points, clear_mm)
+        while (found := _next(raster, waiting, run, forward, active)) is not None:
+            here = run.end if forward else run.start
+            waiting.remove(found)
+            there = found.end if forward else found.start
+            height = raster.link_height(run.line, found.line, (here, there))
+            last, forward, run = points[-1], not forward, found
+            points = raster.points(run, heights_mm, needed)
+            points = points if forward else points[::-1]
+            height = max(height, last[2], points[0, 2])
+            across = np.array([[last[0], last[1], height], [points[0, 0], points[0, 1], height]])
+            writer.go_on(np.concatenate([across, points]))
+
+
+def _next(
+    raster: _Raster, waiting: list[_Run], run: _Run, forward: bool, active: BoolArray
+) -> _Run | None:
+    """Return the run on the next line that can be reached without leaving the active nodes."""
+    here = run.end if forward else run.start
+    for other in waiting:
+        if other.line > run.line + _LINK_LINES:
+            return None
+        there = other.end if forward else other.start
+        low, high = min(here, there), max(here, there) + 1
+        if other.line == run.line + _LINK_LINES and bool(
+            (active[run.line, low:high] | active[other.line, low:high]).all()
+        ):
+            return other
+    return None
+
+
+def _runs(active: BoolArray) -> list[_Run]:
+    """Return the pieces of consecutive active nodes, line by line."""
+    edges = np.diff(np.pad(active.astype(np.int8), ((0, 0), (1, 1))), axis=1)
+    start, end = np.argwhere(edges == 1), np.argwhere(edges == -1)
+    return [
+        _Run(int(line), int(first), int(last) - 1)
+        for (line, first), last in zip(start, end[:, 1], strict=True)
+    ]

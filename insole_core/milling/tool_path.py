@@ -1,0 +1,173 @@
+"""Tool paths: values, and the joining of runs to one path."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.milling.machine import Cutter
+
+OperationName: TypeAlias = Literal["dowels", "roughing", "finishing", "contour"]
+_STRAIGHT = 1e-9
+"""One minus the cosine between pieces of a straight line."""
+SideName: TypeAlias = Literal["foot side", "underside"]
+
+
+class Motion(IntEnum):
+    """How the machine moves to a point."""
+
+    RAPID = 0
+    PLUNGE = 1
+    FEED = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Operation:
+    """What one cutter does without interruption.
+
+    Parameters
+    ----------
+    side
+        Of the piece, which lies up.
+    points_mm : (n, 3) float64
+        Of the tip, in the frame of the block as it lies. The first is at safe height.
+    motion : (n,) int64
+        `Motion` to each point.
+    """
+
+    name: OperationName
+    side: SideName
+    cutter: Cutter
+    points_mm: FloatArray
+    motion: IntArray
+
+    def lengths_mm(self, motion: Motion) -> float:
+        """Return the length of the path of one kind of motion."""
+        length = np.linalg.norm(np.diff(self.points_mm, axis=0), axis=1)
+        return float(length[self.motion[1:] == motion].sum())
+
+    def minutes(self, rapid_mm_min: float) -> float:
+        """Return the time of the path at full speed, without the changes of speed."""
+        speed = {
+            Motion.RAPID: rapid_mm_min,
+            Motion.PLUNGE: self.cutter.plunge_mm_min,
+            Motion.FEED: self.cutter.feed_mm_min,
+        }
+        return sum(self.lengths_mm(motion) / speed[motion] for motion in Motion)
+
+
+class PathWriter:
+    """Puts runs of a cutter together, above the block between them.
+
+    Parameters
+    ----------
+    safe_mm
+        Height of rapid moves across.
+    """
+
+    def __init__(self, safe_mm: float) -> None:
+        self._safe_mm = safe_mm
+        self._points: list[FloatArray] = []
+        self._motion: list[IntArray] = []
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is no run yet."""
+        return not self._points
+
+    def start(self, run_mm: FloatArray, clear_mm: float | None = None) -> None:
+        """Go to a run (n, 3) above the block, and follow it.
+
+        Parameters
+        ----------
+        clear_mm
+            Down to this height the place of its start is known to be free.
+        """
+        if not self.is_empty:
+            self._leave()
+        above = run_mm[0].copy()
+        above[2] = self._safe_mm
+        self._add(above[None], Motion.RAPID)
+        if clear_mm is not None and run_mm[0, 2] < clear_mm < self._safe_mm:
+            above[2] = clear_mm
+            self._add(above[None], Motion.RAPID)
+        self._add(run_mm[:1], Motion.PLUNGE)
+        self._add(run_mm[1:], Motion.FEED)
+
+    def go_on(self, run_mm: FloatArray) -> None:
+        """Follow a run (n, 3) from where the cutter is."""
+        self._add(run_mm, Motion.FEED)
+
+    def _leave(self) -> None:
+        up = self._points[-1][-1].copy()
+        up[2] = self._safe_mm
+        self._add(up[None], Motion.RAPID)
+
+    def _add(self, points_mm: FloatArray, motion: Motion) -> None:
+        if len(points_mm):
+            self._points.append(np.array(points_mm, float))
+            self._motion.append(np.full(len(points_mm), int(motion)))
+
+    def operation(self, name: OperationName, side: SideName, cutter: Cutter) -> Operation:
+        """Return what was written, ending above the block."""
+        self._leave()
+        return Operation(
+            name, side, cutter, np.concatenate(self._points), np.concatenate(self._motion)
+        )
+
+
+def needed_nodes(heights_mm: FloatArray, active: BoolArray, most_mm: float) -> BoolArray:
+    """Find the nodes of rasters that straight pieces between them follow closely enough.
+
+    Parameters
+    ----------
+    heights_mm : (k, n) float64
+        At evenly spaced nodes of each line.
+    active : (k, n) bool
+        The nodes of the path; the ends of its runs are needed.
+    most_mm
+        By which a straight piece may leave the nodes it passes.
+
+    Returns
+    -------
+    (k, n) bool
+    """
+    nodes = np.where(active, heights_mm, np.nan)
+    needed = active.copy()
+    span = 2
+    while span < nodes.shape[1]:
+        blocks = (nodes.shape[1] - 1) // span
+        if not blocks:
+            break
+        starts = span * np.arange(blocks)
+        inner = np.arange(1, span)
+        first, last = nodes[:, starts, None], nodes[:, starts + span, None]
+        passed = nodes[:, starts[:, None] + inner]
+        straight = first + (last - first) * (inner / span)
+        close = (np.abs(passed - straight) <= most_mm).all(axis=2)
+        if not close.any():
+            break
+        line, block = np.nonzero(close)
+        needed[line[:, None], starts[block][:, None] + inner] = False
+        span *= 2
+    return needed
+
+
+def without_collinear(points_mm: FloatArray) -> FloatArray:
+    """Leave out points (n, d) of a polyline that lie on the straight line of their neighbours."""
+    if len(points_mm) < 3:
+        return points_mm
+    before, after = np.diff(points_mm[:-1], axis=0), np.diff(points_mm[1:], axis=0)
+    lengths = np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
+    bends = (before * after).sum(axis=1) < (1 - _STRAIGHT) * lengths
+    return np.asarray(points_mm[np.concatenate([[True], bends, [True]])])
+
+
+def total_minutes(operations: Iterable[Operation], rapid_mm_min: float) -> float:
+    """Return the time of all operations, without changes of cutters."""
+    return sum(operation.minutes(rapid_mm_min) for operation in operations)

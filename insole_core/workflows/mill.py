@@ -1,0 +1,130 @@
+"""From ordered parts to the program of a router, which lies beside the file of the solids."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from insole_core.errors import InputError, UsageError
+from insole_core.export.atomic import write_text
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.insole.prescription.item_name import key_of
+from insole_core.milling.gcode import gcode
+from insole_core.milling.machine import Machine, read_machine, write_machine
+from insole_core.milling.plan import MillingPlan, plan_milling
+from insole_core.progress import SILENT, Progress
+from insole_core.resources import resource_path
+from insole_core.solids.export_job import ExportJob
+from insole_core.solids.shop import Block
+from insole_core.workflows.named_files import NamedFiles
+
+SUFFIXES = (".nc", ".ngc", ".gcode", ".tap")
+
+
+def clinic_machines(folder: Path) -> NamedFiles[Machine]:
+    """Return the storage of machines: those of the product, and the clinic's own.
+
+    Parameters
+    ----------
+    folder
+        Of the clinic's settings.
+    """
+    return NamedFiles(resource_path("milling"), folder / "milling", read_machine, write_machine)
+
+
+def find_machine(named: str, folder: Path) -> Machine:
+    """Return a machine by its name, or from a machine file.
+
+    Parameters
+    ----------
+    folder
+        Of the clinic's settings.
+
+    Raises
+    ------
+    InputError
+        Naming the machines that there are, or what is wrong in the file.
+    """
+    if named.lower().endswith(".json"):
+        return read_machine(Path(named))
+    machines = clinic_machines(folder).load().items
+    machine = machines.get(key_of(named))
+    if machine is None:
+        raise InputError(
+            "There is no machine {name}; there are {known}. Choose one, or name a machine file.",
+            name=named,
+            known=", ".join(machine.name for machine in machines.values()),
+        )
+    return machine
+
+
+def check_program_suffix(path: Path) -> None:
+    """Check that a name is one of a program.
+
+    Raises
+    ------
+    UsageError
+        When its suffix is none that controllers open.
+    """
+    if path.suffix.lower() not in SUFFIXES:
+        raise UsageError(
+            "{path} is no name of a program; choose {suffixes}.",
+            path=path,
+            suffixes=", ".join(SUFFIXES),
+        )
+
+
+def plan_job(
+    job: ExportJob,
+    block: Block,
+    machine: Machine,
+    *,
+    both_sides: bool = False,
+    progress: Progress = SILENT,
+) -> MillingPlan:
+    """Compute the tool paths of a job.
+
+    Parameters
+    ----------
+    block
+        From which all its parts are milled; they lie in its middle.
+
+    Raises
+    ------
+    DesignError
+        When block, machine or a cutter is too small.
+    Cancelled
+    """
+    length, width = sorted(block.size_mm[:2], reverse=True)
+    block_mm = (width, length, block.size_mm[2])
+    placed = [each.part.solid.transformed(each.insole2file) for each in job.placed()]
+    solids = _in_the_middle(placed, block_mm)
+    return plan_milling(solids, block_mm, machine, both_sides=both_sides, progress=progress)
+
+
+def _in_the_middle(
+    solids: Sequence[TriangleMesh], block_mm: tuple[float, float, float]
+) -> list[TriangleMesh]:
+    low = np.min([solid.bounds_mm[0] for solid in solids], axis=0)
+    high = np.max([solid.bounds_mm[1] for solid in solids], axis=0)
+    shift = (np.array(block_mm) - low - high) / 2
+    shift[2] = 0.0
+    return [TriangleMesh(solid.vertices + shift, solid.triangles) for solid in solids]
+
+
+def write_program(plan: MillingPlan, path: Path, job: str, progress: Progress = SILENT) -> None:
+    """Write the program of a plan, all of it or nothing.
+
+    Parameters
+    ----------
+    job
+        Names the order in the program; never the patient.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written; a file that was there before is untouched.
+    """
+    write_text(gcode(plan, job, progress), path)

@@ -1,0 +1,268 @@
+"""One folder or zip archive for one order: solids, papers, other files, and `order.json`."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import zipfile
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import date, datetime
+from pathlib import Path
+from typing import Final
+
+from insole_core.cases.case_record import Patient
+from insole_core.errors import InputError, UsageError
+from insole_core.export.order_verification import side_in_name
+from insole_core.export.shop_order import (
+    ORDER_FILE,
+    FileRole,
+    OrderedFile,
+    OrderItem,
+    ShopOrder,
+    is_plain_name,
+    parse_shop_order,
+    write_shop_order,
+)
+from insole_core.export.temporary import make_folder, release, remove
+from insole_core.export.transaction import Transaction
+from insole_core.export.write_errors import output_errors
+from insole_core.file_digest import sha256_of
+from insole_core.geometry.side import Side
+from insole_core.given_file import given_errors, read_given
+from insole_core.progress import SILENT, Progress
+from insole_core.records.program_version import program_version
+from insole_core.solids.order import Part
+from insole_core.solids.shop import Shop
+from insole_core.strict_json import MOST_BYTES
+from insole_core.workflows.make_order import (
+    OrderChoice,
+    files_of,
+    ordered_material,
+    write_order,
+)
+from insole_core.workflows.nameless import require_nameless
+
+_ROLES: Final[Mapping[str, FileRole]] = {
+    ".stl": "solid", ".3mf": "solid", ".obj": "solid", ".ply": "solid",
+    ".nc": "gcode", ".ngc": "gcode", ".gcode": "gcode", ".tap": "gcode", ".cnc": "gcode",
+}  # fmt: skip
+_MOST_BYTES: Final = 512 * 2**20
+_COMPRESSION: Final = 1
+"""Of the archive: meshes shrink by half, and higher levels gain 3 % for three times the time."""
+
+
+@dataclass(frozen=True, eq=False)
+class PackedItem:
+    """What is ordered for one patient.
+
+    Parameters
+    ----------
+    parts
+        From `make_parts`, with a choice that `makes_alike`.
+    choice
+        Its pseudonym names the files.
+    added
+        Files made elsewhere, such as G-code, and the feet that they are for.
+    """
+
+    parts: Sequence[Part]
+    choice: OrderChoice
+    patient: Patient
+    added: Mapping[Path, tuple[Side, ...]]
+
+
+def write_package(
+    items: Iterable[PackedItem],
+    path: Path,
+    *,
+    number: str,
+    shop: Shop,
+    now: datetime,
+    clinic: str = "",
+    progress: Progress = SILENT,
+) -> ShopOrder:
+    """Write an order as a folder, or as a zip archive if the path ends in ``.zip``.
+
+    Parameters
+    ----------
+    items
+        One for each patient; taken one after the other, so that they may be made meanwhile.
+    number
+        By which clinic and shop speak of the order.
+    now
+        With time zone.
+
+    Returns
+    -------
+    ShopOrder
+        The content of its `order.json`.
+
+    Raises
+    ------
+    DesignError, InputError
+        As for `write_order`; when two items have one pseudonym, or a quantity, a date or an added
+        file cannot be right.
+    OutputError
+        When the place cannot be written; nothing is left of the order then.
+    """
+    is_archive = path.suffix.lower() == ".zip"
+    program = f"Insole Studio {program_version()}"
+    begun = ShopOrder(number, now.isoformat(timespec="seconds"), program, (), clinic)
+    with Transaction() as outputs:
+        beside = outputs.file(path) if is_archive else outputs.folder(path, find_foreign_to_order)
+        with output_errors(path):
+            folder = make_folder(beside.parent, path) if is_archive else beside
+        try:
+            order = _written(items, folder, begun, shop, progress.part(0.0, 0.95))
+            progress.step(0.95, "Writing the order")
+            if is_archive:
+                with output_errors(path):
+                    _pack(folder, beside, order)
+        finally:
+            if is_archive:
+                remove(folder)
+                release(folder)
+    return order
+
+
+def _written(
+    items: Iterable[PackedItem],
+    folder: Path,
+    begun: ShopOrder,
+    shop: Shop,
+    progress: Progress,
+) -> ShopOrder:
+    """Write all files of an order that has no items yet into a folder."""
+    today = datetime.fromisoformat(begun.created_at).date()
+    written: list[OrderItem] = []
+    for item in items:
+        _check_item(item, begun.number, today, written)
+        progress.step(0.0, "Writing the order")
+        written.append(_write_item(item, folder, shop))
+    if not written:
+        raise UsageError("The order holds nothing; name at least one case.")
+    order = replace(begun, items=tuple(written))
+    write_shop_order(order, folder / ORDER_FILE)
+    return order
+
+
+def _check_item(item: PackedItem, number: str, today: date, before: Sequence[OrderItem]) -> None:
+    choice = item.choice
+    terms = choice.terms
+    terms.check(today)
+    texts = {
+        "number of the order": number,
+        "colour": terms.colour,
+        "cover": terms.cover,
+        "remarks": terms.remarks,
+    }
+    require_nameless(item.patient, texts)
+    if _stem(choice.pseudonym).casefold() in {
+        _stem(other.pseudonym).casefold() for other in before
+    }:
+        raise InputError(
+            "Two patients of the order are called {pseudonym}; give one of them another pseudonym.",
+            pseudonym=choice.pseudonym,
+        )
+
+
+def _write_item(item: PackedItem, folder: Path, shop: Shop) -> OrderItem:
+    choice = replace(item.choice, prescription=False)  # it names the patient
+    named = folder / f"{_stem(choice.pseudonym)}{choice.suffix}"
+    write_order(item.parts, choice, named, shop=shop, patient=item.patient)
+    sides = tuple(part.side for part in item.parts)
+    files = [
+        _listed(path, _sides_of(path, sides))
+        for path in files_of(item.parts, choice, named, overridden=False)
+    ]
+    for source, for_sides in item.added.items():
+        files.append(_added(source, for_sides, sides, folder, item.patient))
+    return OrderItem(
+        choice.pseudonym,
+        choice.kind,
+        {part.side: ordered_material(choice, part.insole.design) for part in item.parts},
+        choice.terms,
+        tuple(files),
+    )
+
+
+def _added(
+    source: Path,
+    sides: tuple[Side, ...],
+    ordered: tuple[Side, ...],
+    folder: Path,
+    patient: Patient,
+) -> OrderedFile:
+    """Copy a file that was made elsewhere into the folder of the order."""
+    require_nameless(patient, {"file name": source.stem})
+    named = side_in_name(source.name)
+    if not set(sides) <= set(ordered) or named not in (None, *sides):
+        raise InputError(
+            "{file} is given for the {side} foot, which its name or the order contradicts; "
+            "correct one of them.",
+            file=source.name,
+            side=" and ".join(sides),
+        )
+    target = folder / source.name
+    if target.exists() or not is_plain_name(source.name) or source.name == ORDER_FILE:
+        raise InputError(
+            "{file} cannot be added under this name, which the order has already or which not "
+            "every system takes; give it another name.",
+            file=source.name,
+        )
+    content = read_given(source, _MOST_BYTES)
+    with output_errors(target):
+        target.write_bytes(content)
+    return _listed(target, sides)
+
+
+def _listed(path: Path, sides: tuple[Side, ...]) -> OrderedFile:
+    with given_errors(path, _MOST_BYTES):
+        size = path.stat().st_size
+        return OrderedFile(path.name, _role(path.name), sides, sha256_of(path), size)
+
+
+def _role(name: str) -> FileRole:
+    if name.endswith("-job-sheet.pdf"):
+        return "job_sheet"
+    if name.endswith("-checks.json"):
+        return "checks"
+    return _ROLES.get(Path(name).suffix.lower(), "other")
+
+
+def _sides_of(path: Path, ordered: tuple[Side, ...]) -> tuple[Side, ...]:
+    named = side_in_name(path.name)
+    return ordered if named is None else (named,)
+
+
+def _stem(pseudonym: str) -> str:
+    """Return a pseudonym as a name of files on every system."""
+    return re.sub(r"[^\w .()+-]", "-", pseudonym).strip(" .") or "order"
+
+
+def _pack(folder: Path, archive: Path, order: ShopOrder) -> None:
+    names = [ORDER_FILE, *(file.name for file in order.files)]
+    packing = zipfile.ZIP_DEFLATED
+    with zipfile.ZipFile(archive, "w", packing, compresslevel=_COMPRESSION) as packed:
+        for name in names:
+            info = zipfile.ZipInfo.from_file(folder / name, name, strict_timestamps=False)
+            info.compress_type = packing
+            info.external_attr = 0o644 << 16
+            with (folder / name).open("rb") as source, packed.open(info, "w") as target:
+                shutil.copyfileobj(source, target, 2**20)
+
+
+def find_foreign_to_order(folder: Path) -> str | None:
+    """Return the name of a file in a folder that no earlier order put there; None for none."""
+    names = sorted(path.name for path in folder.iterdir())
+    if not names:
+        return None
+    if ORDER_FILE not in names:
+        return names[0]
+    try:
+        order = parse_shop_order(ORDER_FILE, read_given(folder / ORDER_FILE, MOST_BYTES))
+    except InputError:
+        return ORDER_FILE
+    known = {ORDER_FILE, *(file.name for file in order.files)}
+    return next((name for name in names if name not in known), None)

@@ -1,0 +1,152 @@
+"""What a program leaves of a block: removal of material on a height field, from its text alone."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+_WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass
+class Tool:
+    shape: Literal["flat", "ball"]
+    radius_mm: float
+
+    def height(self, distance2: FloatArray) -> FloatArray:
+        if self.shape == "flat":
+            return np.zeros_like(distance2)
+        return self.radius_mm - np.sqrt(np.maximum(self.radius_mm**2 - distance2, 0))
+
+
+@dataclass
+class Removal:
+    """A block on whose top material is removed; `heights` is (x, y), above its bottom."""
+
+    block_mm: tuple[float, float, float]
+    origin_mm: tuple[float, float, float]
+    tools: dict[int, Tool]
+    along_x: bool = False
+    flip: Literal["length", "width"] = "length"
+    pitch_mm: float = 0.25
+    sides: list[FloatArray] = field(default_factory=list)
+    rapid_cuts_mm: float = 0.0
+    low_mm: FloatArray = field(default_factory=lambda: np.full(3, np.inf))
+    high_mm: FloatArray = field(default_factory=lambda: np.full(3, -np.inf))
+    words: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        counts = [round(size / self.pitch_mm) for size in self.block_mm[:2]]
+        self.x_mm, self.y_mm = ((np.arange(n) + 0.5) * self.pitch_mm for n in counts)
+        self.heights = np.full(counts, float(self.block_mm[2]))
+        self.from_below = np.zeros(counts)
+
+    def run(self, text: str) -> None:
+        tool, mode, turned = 0, "", False
+        place, points = np.full(3, np.nan), []
+        for line in text.splitlines():
+            turned |= "foot side down" in line
+            said = re.search(r"tool (\d+):", line)
+            code = re.sub(r"\(.*?\)", "", line)
+            self.words |= set(re.findall(r"[GM][\d.]+", code))
+            found = {} if "G43" in code else dict(_WORD.findall(code))
+            if "T" in found or said:
+                self._cut(tool, points)
+                points, tool = [place.copy()], int(found.get("T") or said.group(1))  # type: ignore[union-attr]
+            if found.get("M") == "0" and turned:
+                self._cut(tool, points)
+                points, turned = [place.copy()], False
+                self._turn()
+            if found.get("G") in ("0", "1"):
+                mode = found["G"]
+            if found.keys() & set("XYZ"):
+                place = place.copy()
+                for axis, letter in enumerate("XYZ"):
+                    if letter in found:
+                        place[axis] = float(found[letter])
+                points.append(np.append(place, float(mode)))  # type: ignore[arg-type]
+        self._cut(tool, points)
+        self.sides.append(self.heights)
+
+    def _turn(self) -> None:
+        self.sides.append(self.heights)
+        axis = 0 if self.flip == "length" else 1
+        self.from_below = np.flip(self.block_mm[2] - self.heights, axis)
+        self.heights = np.full_like(self.heights, float(self.block_mm[2]))
+
+    def _in_block(self, points: FloatArray) -> FloatArray:
+        moved = points + self.origin_mm
+        if self.along_x:
+            moved = np.column_stack([self.block_mm[0] - moved[:, 1], moved[:, 0], moved[:, 2]])
+        return moved
+
+    def _cut(self, number: int, listed: list[FloatArray]) -> None:
+        points = np.array([p for p in listed if len(p) == 4 and np.isfinite(p).all()])
+        if len(points) < 2:
+            return
+        tool, mode = self.tools[number], points[1:, 3]
+        places = self._in_block(points[:, :3])
+        self.low_mm = np.minimum(self.low_mm, places.min(axis=0))
+        self.high_mm = np.maximum(self.high_mm, places.max(axis=0))
+        starts, ends = places[:-1], places[1:]
+        begin = 0
+        while begin < len(mode):
+            end = begin
+            while end < len(mode) and mode[end] == mode[begin]:
+                end += 1
+            if mode[begin] == 0:
+                self._rapid(tool, starts[begin:end], ends[begin:end])
+            else:
+                self._feed(tool, starts[begin:end], ends[begin:end])
+            begin = end
+
+    def _samples(self, starts: FloatArray, ends: FloatArray, pitch_mm: float) -> FloatArray:
+        across = np.linalg.norm(ends[:, :2] - starts[:, :2], axis=1)
+        # Along a slope too, the tip sinks no more than a pitch between two samples.
+        steps = np.ceil(np.maximum(across, np.abs(ends - starts)[:, 2] / 3) / pitch_mm)
+        pieces = np.maximum(steps.astype(int), 1)
+        edge = np.repeat(np.arange(len(pieces)), pieces)
+        share = (np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1) / pieces[
+            edge
+        ]
+        return starts[edge] + (ends - starts)[edge] * share[:, None]
+
+    def _offsets(self, tool: Tool) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+        reach = int(tool.radius_mm / self.pitch_mm) + 1
+        i, j = np.mgrid[-reach : reach + 1, -reach : reach + 1]
+        near = np.hypot(i, j) <= tool.radius_mm / self.pitch_mm + 1
+        return i[near], j[near]
+
+    def _pixels(self, samples: FloatArray) -> npt.NDArray[np.int64]:
+        return np.floor(samples[:, :2] / self.pitch_mm).astype(int)
+
+    def _feed(self, tool: Tool, starts: FloatArray, ends: FloatArray) -> None:
+        samples = self._samples(starts, ends, self.pitch_mm / 2)
+        samples = samples[samples[:, 2] < self.block_mm[2]]
+        pixels = self._pixels(samples)
+        for i, j in zip(*self._offsets(tool), strict=True):
+            a, b = pixels[:, 0] + i, pixels[:, 1] + j
+            within = (a >= 0) & (a < len(self.x_mm)) & (b >= 0) & (b < len(self.y_mm))
+            a, b, tip = a[within], b[within], samples[within]
+            distance2 = (self.x_mm[a] - tip[:, 0]) ** 2 + (self.y_mm[b] - tip[:, 1]) ** 2
+            hit = distance2 <= tool.radius_mm**2
+            bottom = tip[hit, 2] + tool.height(distance2[hit])
+            np.minimum.at(self.heights, (a[hit], b[hit]), bottom)
+
+    def _rapid(self, tool: Tool, starts: FloatArray, ends: FloatArray) -> None:
+        samples = self._samples(starts, ends, self.pitch_mm)
+        samples = samples[samples[:, 2] < self.block_mm[2]]
+        pixels = self._pixels(samples)
+        for i, j in zip(*self._offsets(tool), strict=True):
+            a = np.clip(pixels[:, 0] + i, 0, len(self.x_mm) - 1)
+            b = np.clip(pixels[:, 1] + j, 0, len(self.y_mm) - 1)
+            distance2 = (self.x_mm[a] - samples[:, 0]) ** 2 + (self.y_mm[b] - samples[:, 1]) ** 2
+            hit = distance2 <= tool.radius_mm**2
+            depth = self.heights[a, b] - samples[:, 2] - tool.height(distance2)
+            if hit.any():
+                self.rapid_cuts_mm = max(self.rapid_cuts_mm, float(depth[hit].max()))

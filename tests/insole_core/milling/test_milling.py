@@ -1,0 +1,339 @@
+"""Programs for routers: what they leave of a block, by an independent simulation of their text."""
+
+from __future__ import annotations
+
+import errno
+import json
+import math
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+import scipy
+
+from insole_core.errors import DesignError, InputError, OutputError
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.ray_casting import RayCaster
+from insole_core.milling.gcode import gcode, origin_mm
+from insole_core.milling.machine import Machine, read_machine, write_machine
+from insole_core.milling.plan import MillingPlan, plan_milling, turned_over
+from insole_core.resources import resource_path
+from insole_core.workflows.mill import write_program
+from tests.insole_core.milling.removal import Removal, Tool
+
+FloatArray = npt.NDArray[np.float64]
+BLOCK_MM = (80.0, 110.0, 26.0)
+NAMES = ("linuxcnc", "grbl", "mach3")
+GOUGE_MM, SURPLUS_MM = 0.02, 0.05
+
+
+def machine(name: str = "linuxcnc") -> Machine:
+    return read_machine(resource_path(f"milling/{name}.json"))
+
+
+def solid(*, arched: bool = False, groove: bool = False) -> TriangleMesh:
+    """Return an oval piece with a cup, a hill and drafted walls, standing in the block."""
+    count = 90
+    u, v = np.meshgrid(*[np.linspace(-1, 1, count)] * 2, indexing="ij")
+    x, y = 24 * u * np.sqrt(1 - v**2 / 2), 34 * v * np.sqrt(1 - u**2 / 2)
+    away = np.hypot(x / 24, y / 34)
+    top = 8 + 9 * away**4 / (1 + np.exp(y / 4)) + 4 * np.exp(-((x - 4) ** 2 + (y - 12) ** 2) / 60)
+    if groove:
+        top -= 4 * np.exp(-(x**2) / 2)
+    bottom = 3 * np.exp(-((x + 5) ** 2 + y**2) / 120) if arched else np.zeros_like(x)
+    wide = 1 + 0.015 * (away > 0.999)  # the wall leans by 1 to 2 degrees
+    vertices = np.concatenate(
+        [
+            np.stack([x, y, top], -1).reshape(-1, 3),
+            np.stack([x * wide, y * wide, bottom], -1).reshape(-1, 3),
+        ]
+    )
+    index = np.arange(count**2).reshape(count, count)
+    a, b, c, d = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
+    up = np.concatenate([np.stack(t, -1).reshape(-1, 3) for t in ((a, b, c), (a, c, d))])
+    ring = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
+    after, low = np.roll(ring, -1), count**2
+    wall = np.concatenate(
+        [np.stack([ring, ring + low, after + low], -1), np.stack([ring, after + low, after], -1)]
+    )
+    middle = np.array([BLOCK_MM[0] / 2, BLOCK_MM[1] / 2, 0])
+    triangles = np.concatenate([up, up[:, ::-1] + low, wall]).astype(np.int32)
+    return TriangleMesh(vertices + middle, triangles)
+
+
+def left_of(plan: MillingPlan, text: str, pitch_mm: float = 0.4) -> Removal:
+    tools = {c.number: Tool(c.shape, c.diameter_mm / 2) for c in plan.machine.cutters}
+    x, y, z = origin_mm(plan.machine, plan.block_mm)
+    removal = Removal(
+        plan.block_mm, (x, y, z), tools, along_x=plan.machine.length_along == "x", pitch_mm=pitch_mm
+    )
+    removal.run(text)
+    return removal
+
+
+def seen_from_above(mesh: TriangleMesh, removal: Removal) -> tuple[FloatArray, FloatArray]:
+    """Return heights and cosines of the slope at the pixels; NaN beside the mesh."""
+    places = np.stack(np.meshgrid(removal.x_mm, removal.y_mm, indexing="ij"), -1).reshape(-1, 2)
+    origins = np.column_stack([places + 1e-5, np.full(len(places), 100.0)])
+    hits = RayCaster(mesh).cast(origins, np.broadcast_to([0.0, 0, -1], origins.shape))
+    heights, cosine = np.full(len(places), np.nan), np.full(len(places), np.nan)
+    heights[hits.ray] = (hits.weights * mesh.vertices[mesh.triangles[hits.triangle], 2]).sum(axis=1)
+    cosine[hits.ray] = np.abs(mesh.triangle_normals[hits.triangle, 2])
+    shape = removal.heights.shape
+    return heights.reshape(shape), cosine.reshape(shape)
+
+
+def least_near(mesh: TriangleMesh, removal: Removal, by_mm: float) -> FloatArray:
+    """Return the least height within a distance of each pixel along x and y; NaN at the rim."""
+    shifts = by_mm * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
+    moved = [TriangleMesh(mesh.vertices + shift, mesh.triangles) for shift in shifts]
+    return np.asarray(np.min([seen_from_above(each, removal)[0] for each in moved], axis=0))
+
+
+def cusp_mm(cosine: FloatArray, how: Machine) -> FloatArray:
+    """Return the height of the ridges that a ball leaves between its lines on a slope."""
+    radius = how.finishing.cutter.radius_mm
+    half = how.finishing.step_over_mm / 2 / np.maximum(cosine, 0.3)
+    return np.asarray(radius - np.sqrt(radius**2 - half**2))
+
+
+def check_side(mesh: TriangleMesh, left: FloatArray, removal: Removal, how: Machine) -> None:
+    asked, cosine = seen_from_above(mesh, removal)
+    normal = (left - asked) * cosine
+    assert np.nanmin(left - least_near(mesh, removal, GOUGE_MM)) > -GOUGE_MM
+    within = scipy.ndimage.binary_erosion(np.isfinite(asked), iterations=4)
+    assert (normal - cusp_mm(cosine, how))[within].max() < SURPLUS_MM
+
+
+def check_moves(removal: Removal, how: Machine) -> None:
+    assert removal.rapid_cuts_mm < 0.01
+    assert (removal.low_mm > -1e-6).all()
+    assert (removal.high_mm[:2] < np.array(BLOCK_MM[:2]) + 1e-6).all()
+    assert removal.high_mm[2] <= BLOCK_MM[2] + how.safe_height_mm + 1e-6
+    moves = {"G0", "G1", "G4", "G17", "G21", "G40", "G43", "G49", "G64", "G80", "G90", "G94"}
+    assert {word for word in removal.words if word[0] == "G"} <= moves
+
+
+def ring_round(mesh: TriangleMesh, removal: Removal) -> npt.NDArray[np.bool_]:
+    inside = np.isfinite(seen_from_above(mesh, removal)[0])
+    beside = scipy.ndimage.distance_transform_edt(~inside) * removal.pitch_mm
+    return np.asarray((beside > 0.8) & (beside < 5.0))
+
+
+def test_one_side_is_left_as_asked_and_held_by_tabs():
+    how, piece = machine(), solid()
+    how = replace(how, contour=replace(how.contour, tabs=4))
+    plan = plan_milling([piece], BLOCK_MM, how)
+    removal = left_of(plan, gcode(plan, "A-1"))
+    check_side(piece, removal.heights, removal, how)
+    check_moves(removal, how)
+    ring = ring_round(piece, removal)
+    tabs, count = scipy.ndimage.label(ring & (removal.heights > 0.01))
+    assert count == how.contour.tabs
+    assert removal.heights[ring].max() == pytest.approx(how.contour.tab_height_mm, abs=0.01)
+    across = [np.ptp(np.argwhere(tabs == n + 1), axis=0).max() * 0.4 for n in range(count)]
+    assert all(how.contour.tab_length_mm - 1 < size < 16 for size in across)
+
+
+def test_both_sides_meet_in_the_turned_block():
+    how, piece = machine(), solid(arched=True)
+    plan = plan_milling([piece], BLOCK_MM, how, both_sides=True)
+    removal = left_of(plan, gcode(plan))
+    check_moves(removal, how)
+    lift = np.array([0, 0, how.both_sides.skin_mm])
+    lying = TriangleMesh(piece.vertices + lift, piece.triangles)
+    first, second = removal.sides
+    check_side(lying, first, removal, how)
+    check_side(turned_over(lying, BLOCK_MM, "length"), second, removal, how)
+    # What is left between the two sides is the web, of which only the tabs remain.
+    below = np.flip(BLOCK_MM[2] - first, axis=0)
+    ring = ring_round(turned_over(lying, BLOCK_MM, "length"), removal)
+    thick = np.where(ring, second - below, 0)
+    assert thick.max() == pytest.approx(how.contour.tab_height_mm, abs=0.05)
+    assert (thick > 0.01).sum() < 0.8 * ring.sum()
+    # The holes are bored through, at the same places seen from either side.
+    for y in (how.both_sides.dowel_inset_mm, BLOCK_MM[1] - how.both_sides.dowel_inset_mm):
+        hole = first[int(BLOCK_MM[0] / 2 / 0.4), int(y / 0.4)]
+        assert hole == pytest.approx(0.0, abs=0.01)
+
+
+def test_the_origin_and_the_machines_axes_change_the_numbers_only():
+    along_y = machine("linuxcnc")
+    along_x = replace(machine("mach3"), length_along="x")
+    assert along_x.origin.at == "middle"
+    assert along_x.origin.height == "top"
+    pieces = []
+    for how in (along_y, along_x):
+        plan = plan_milling([solid()], BLOCK_MM, how)
+        pieces.append(left_of(plan, gcode(plan), 1.0).heights)
+    assert np.abs(pieces[0] - pieces[1]).max() < 0.01
+
+
+def rs274() -> str:
+    found = shutil.which("rs274")
+    if found is None:
+        pytest.skip("the program rs274 (linuxcnc-uspace) is not installed")
+    return found
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_linuxcnc_interprets_the_program(tmp_path, name):
+    program = rs274()
+    plan = plan_milling([solid(arched=True)], BLOCK_MM, machine(name), both_sides=True)
+    (tmp_path / "piece.ngc").write_text(gcode(plan), encoding="ascii")
+    (tmp_path / "tools.tbl").write_text("T1 P1 Z0 D6\nT2 P2 Z0 D6\n")
+    (tmp_path / "variables").touch()
+    call = [program, "-t", "tools.tbl", "-v", "variables", "-g", "piece.ngc", "moves"]
+    done = subprocess.run(call, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    moves = (tmp_path / "moves").read_text()
+    points = sum(len(operation.points_mm) for operation in plan.operations)
+    straight = len(re.findall(r"STRAIGHT_(?:FEED|TRAVERSE)", moves))
+    assert points * 0.98 < straight <= points + len(plan.operations)
+    assert "CANON_UNITS_INCHES" not in moves
+    assert moves.count("PROGRAM_END") == 1
+
+
+def test_a_program_has_numbers_for_every_controller():
+    plan = plan_milling([solid()], BLOCK_MM, machine("grbl"))
+    text = gcode(plan, "Åsa (x) %")
+    assert text.isascii()
+    assert re.search(r"\dE|\d,\d|NAN|INF", text.upper()) is None
+    assert "( sa" not in text.splitlines()[0]
+    assert text.splitlines()[0].count("(") == 1
+    for operation in plan.operations:
+        before, after = (
+            np.diff(operation.points_mm[:-1], axis=0),
+            np.diff(operation.points_mm[1:], axis=0),
+        )
+        feed = (operation.motion[1:-1] == 2) & (operation.motion[2:] == 2)
+        lengths = np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
+        straight = (before * after).sum(axis=1) > lengths * (1 - 1e-10)
+        assert (straight & feed).sum() < 0.02 * len(feed)
+
+
+def test_time_and_length_are_those_of_the_program():
+    how = machine()
+    plan = plan_milling([solid()], BLOCK_MM, how)
+    place, mode, feed, minutes, metres = np.zeros(3), "", 0.0, 0.0, 0.0
+    started = False
+    for line in gcode(plan).splitlines():
+        words = dict(re.findall(r"([GXYZF])(-?[\d.]+)", re.sub(r"\(.*?\)", "", line)))
+        if words.get("G") in ("0", "1"):
+            mode = words["G"]
+        if "G43" in line or not words.keys() & set("XYZ"):
+            started = started and "(" not in line
+            continue
+        feed = float(words.get("F", feed))
+        there = np.array([float(words.get(a, p)) for a, p in zip("XYZ", place, strict=True)])
+        length = math.dist(place, there)
+        place = there
+        if mode == "1":
+            metres += length / 1000
+        if started:
+            minutes += length / (how.rapid_mm_min if mode == "0" else feed)
+        started = True
+    assert plan.length_m == pytest.approx(metres, rel=0.01)
+    assert plan.minutes == pytest.approx(minutes, rel=0.03)
+
+
+def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
+    plan = plan_milling([solid(groove=True)], BLOCK_MM, machine())
+    (note,) = plan.notes
+    assert '"6 mm ball nose" is too thick for a hollow' in note
+    assert "x = 40 mm" in note
+    deepest = np.nanmax(plan.left_over[0].height_mm)
+    removal = left_of(plan, gcode(plan))
+    asked, _ = seen_from_above(solid(groove=True), removal)
+    within = scipy.ndimage.binary_erosion(np.isfinite(asked), iterations=8)
+    stays = (removal.heights - asked)[within].max()
+    assert stays == pytest.approx(deepest, abs=0.4)
+    assert plan_milling([solid()], BLOCK_MM, machine()).notes == ()
+
+
+@pytest.mark.parametrize(
+    ("block_mm", "changes", "sentence"),
+    [
+        ((80.0, 110.0, 12.0), {}, "The block is 12 mm high, and the piece needs"),
+        ((60.0, 110.0, 26.0), {}, "does not lie within the block"),
+        (BLOCK_MM, {"travel_mm": (50.0, 500.0, 120.0)}, "travels 50 mm along x"),
+        (BLOCK_MM, {"reach_mm": 12.0}, "reaches 12 mm, and must go 26.0 mm deep"),
+        (BLOCK_MM, {"offset_mm": (-5.0, 0.0)}, "origin of LinuxCNC lies outside the block"),
+    ],
+)
+def test_what_cannot_be_milled_is_one_sentence(block_mm, changes, sentence):
+    how = machine()
+    if "travel_mm" in changes:
+        how = replace(how, travel_mm=changes["travel_mm"])
+    if "offset_mm" in changes:
+        how = replace(how, origin=replace(how.origin, offset_mm=changes["offset_mm"]))
+    if "reach_mm" in changes:
+        short = replace(how.contour.cutter, reach_mm=changes["reach_mm"])
+        how = replace(how, contour=replace(how.contour, cutter=short))
+    with pytest.raises(DesignError, match=sentence):
+        plan_milling([solid()], block_mm, how)
+
+
+def test_a_dowel_needs_room():
+    how = machine()
+    near = replace(how, both_sides=replace(how.both_sides, dowel_inset_mm=20.0))
+    with pytest.raises(DesignError, match="dowel at x = 40 mm, y = 20 mm of the block has no room"):
+        plan_milling([solid()], BLOCK_MM, near, both_sides=True)
+    thin = replace(how, both_sides=replace(how.both_sides, dowel_diameter_mm=4.0))
+    with pytest.raises(DesignError, match="A dowel hole of 4 mm cannot be bored"):
+        plan_milling([solid()], BLOCK_MM, thin, both_sides=True)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_machine_is_kept_as_it_is(tmp_path, name):
+    write_machine(machine(name), tmp_path / "own.json")
+    assert read_machine(tmp_path / "own.json") == machine(name)
+
+
+@pytest.mark.parametrize(
+    ("keys", "value", "sentence"),
+    [
+        (("cutters", 0, "spindle_rpm"), 0, r"cutters\[0\].spindle_rpm is 0, so that the cutter"),
+        (("cutters", 1, "feed_mm_min"), 0, r"cutters\[1\].feed_mm_min is 0"),
+        (("texts", "header"), ["G21 {patient}"], 'has the word "patient", which no controller'),
+        (("texts", "header"), ["PLEASE START"], "which no controller knows"),
+        (("texts", "header"), ["G20"], 'has the word "G20"'),
+        (("texts", "footer"), ["{job.x}"], "which no controller knows"),
+        (("texts", "footer"), ["M3 {"], "which no controller knows"),
+        (("finishing", "cutter"), 1, "a flat one, and must be a ball one"),
+        (("contour", "cutter"), 7, "no cutter has that number"),
+        (("cutters", 1, "number"), 1, "has two cutters of one number"),
+        (("origin", "at"), "above", 'must be "corner" or "middle"'),
+    ],
+)
+def test_a_machine_file_that_is_wrong_names_the_key(tmp_path, keys, value, sentence):
+    content = json.loads(resource_path("milling/linuxcnc.json").read_text())
+    place = content
+    for key in keys[:-1]:
+        place = place[key]
+    place[keys[-1]] = value
+    path = Path(tmp_path / "machine.json")
+    path.write_text(json.dumps(content))
+    with pytest.raises(InputError, match=sentence) as raised:
+        read_machine(path)
+    assert str(path) in str(raised.value)
+
+
+def test_a_full_disk_leaves_the_earlier_program(tmp_path, monkeypatch):
+    def full(*_arguments, **_options):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    plan = plan_milling([solid()], BLOCK_MM, machine())
+    path = tmp_path / "piece.nc"
+    path.write_text("(earlier)")
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(OutputError, match="disk is full"):
+        write_program(plan, path, "A-1")
+    monkeypatch.undo()
+    assert path.read_text() == "(earlier)"
+    assert list(tmp_path.iterdir()) == [path]

@@ -1,0 +1,252 @@
+"""Orders to a shop: written as a whole, opened again, and refused when something is wrong."""
+
+from __future__ import annotations
+
+import errno
+import json
+import shutil
+import zipfile
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import UTC, date, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+from read_pdf import text_of_pdf
+
+from insole_core.cases.case_file import write_case
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.errors import InputError, OutputError
+from insole_core.export.order_verification import verify_order
+from insole_core.export.shop_order import MOST_PAIRS, OrderTerms
+from insole_core.file_digest import sha256_of
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.solids.export_rules import ExportRules
+from insole_core.solids.order import Part
+from insole_core.solids.shop import read_shop
+from insole_core.workflows.make_order import OrderChoice, make_parts
+from insole_core.workflows.order_package import PackedItem, write_package
+from insole_studio.cli.main import run
+
+NOW = datetime(2026, 11, 20, 12, 0, tzinfo=UTC)
+PATIENT = Patient("Ottilia Bergqvist", pseudonym="P-17")
+TERMS = OrderTerms(2, "black", "Nora 2 mm", "soft heel", date(2026, 12, 1))
+CHOICE = OrderChoice(both=True, pseudonym="P-17", material="EVA", terms=TERMS, most_triangles=None)
+DAMAGE: dict[str, Callable[[dict[str, Any]], object]] = {
+    "newer than this program": lambda order: order.update(version=9),
+    "quantity": lambda order: order["items"][0].update(quantity=0),
+    "deliver_on": lambda order: order["items"][0].update(deliver_on="2026-02-30"),
+    "plain name of a file": lambda order: order["items"][0]["files"][0].update(name="../a.stl"),
+    "does not order": lambda order: order["items"][0].update(
+        sides=["left"], materials={"left": "EVA"}
+    ),
+    "must be one of|must be": lambda order: order["items"][0]["files"][0].update(role="virus"),
+    "sha256": lambda order: order["items"][0]["files"][0].update(sha256="12"),
+}
+
+
+@pytest.fixture(scope="module")
+def record(left_foot: Foot, right_foot: Foot) -> CaseRecord:
+    source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+    feet = tuple(
+        FootRecord.begun(foot, source, InsoleDesign(foot.side, grid_mm=3.0))
+        for foot in (left_foot, right_foot)
+    )
+    return CaseRecord(PATIENT, feet, Side.LEFT)
+
+
+@pytest.fixture(scope="module")
+def parts(record: CaseRecord) -> tuple[Part, ...]:
+    return make_parts(record, CHOICE, ExportRules({}, {}))
+
+
+@pytest.fixture(scope="module")
+def written(parts: tuple[Part, ...], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("orders")
+    code = folder / "roughing-left.nc"
+    code.write_text("G21\nG90\nM2\n")
+    item = PackedItem(parts, CHOICE, PATIENT, {code: (Side.LEFT,)})
+    write_package([item], folder / "order.zip", number="26-7KQ4M", shop=read_shop(), now=NOW)
+    return folder / "order.zip"
+
+
+@pytest.fixture
+def unpacked(written: Path, tmp_path: Path) -> Path:
+    folder = tmp_path / "order"
+    with zipfile.ZipFile(written) as archive:
+        archive.extractall(folder)
+    return folder
+
+
+def test_the_drawing_shows_both_feet_with_the_order_and_the_dimensions_of_the_solid(
+    unpacked: Path, parts: tuple[Part, ...]
+) -> None:
+    text = text_of_pdf(unpacked / "P-17-left-job-sheet.pdf")
+    for shown in ("left, from above", "right, from below", "left, medial", "right, lateral"):
+        assert shown in text
+    for part in parts:
+        width, length, height = part.solid.bounds_mm[1] - part.solid.bounds_mm[0]
+        assert {f"{size:.1f}" for size in (width, length, height)} <= set(text.split())
+    for shown in ("y=27", "Nora 2 mm", "2026-12-01", "soft heel", "P-17-left.stl"):
+        assert shown in text
+    digest = sha256_of(unpacked / "P-17-left.stl")
+    assert digest[:16] in text.split()
+
+
+def problems_of(path: Path) -> str:
+    return "\n".join(verify_order(path).problems)
+
+
+def written_again(parts: tuple[Part, ...], path: Path, **terms: Any) -> None:
+    choice = replace(CHOICE, terms=replace(TERMS, **terms), job_sheet=False)
+    item = PackedItem(parts, choice, PATIENT, {})
+    write_package([item], path, number="1", shop=read_shop(), now=NOW)
+
+
+def test_an_order_is_opened_again_as_it_was_written(written: Path, unpacked: Path) -> None:
+    for place in (written, unpacked):
+        verification = verify_order(place)
+        assert verification.problems == ()
+        (item,) = verification.order.items
+        assert item.terms == TERMS
+        assert item.materials == {Side.LEFT: "EVA", Side.RIGHT: "EVA"}
+        assert {(file.name, file.role, file.sides) for file in item.files} == {
+            ("P-17-left.stl", "solid", (Side.LEFT,)),
+            ("P-17-right.stl", "solid", (Side.RIGHT,)),
+            ("P-17-left-job-sheet.pdf", "job_sheet", (Side.LEFT,)),
+            ("P-17-right-job-sheet.pdf", "job_sheet", (Side.RIGHT,)),
+            ("roughing-left.nc", "gcode", (Side.LEFT,)),
+        }
+    assert b"Bergqvist" not in (unpacked / "order.json").read_bytes()
+    assert [path.name for path in written.parent.iterdir() if path.name.startswith(".")] == []
+
+
+def test_what_happened_to_the_files_is_told(unpacked: Path) -> None:
+    (unpacked / "roughing-left.nc").write_text("G21 G0 Z-50\n")
+    (unpacked / "P-17-right-job-sheet.pdf").unlink()
+    (unpacked / "virus.exe").write_bytes(b"MZ")
+    told = problems_of(unpacked).splitlines()
+    assert len(told) == 3
+    assert "P-17-right-job-sheet.pdf is missing" in told[0]
+    assert "roughing-left.nc has been changed" in told[1]
+    assert "virus.exe is not part of the order" in told[2]
+
+
+def test_exchanged_sides_are_told(unpacked: Path) -> None:
+    left, right = unpacked / "P-17-left.stl", unpacked / "P-17-right.stl"
+    left.rename(unpacked / "kept")
+    right.rename(left)
+    (unpacked / "kept").rename(right)
+    told = problems_of(unpacked)
+    assert "P-17-left.stl is for the left foot, but holds what P-17-right.stl was" in told
+    assert "P-17-right.stl is for the right foot, but holds what P-17-left.stl was" in told
+
+
+def test_a_file_listed_for_the_foot_it_is_not_named_after_is_told(unpacked: Path) -> None:
+    path = unpacked / "order.json"
+    order = json.loads(path.read_text())
+    solid = next(f for f in order["items"][0]["files"] if f["name"] == "P-17-left.stl")
+    solid["sides"] = ["right"]
+    path.write_text(json.dumps(order))
+    told = problems_of(unpacked)
+    assert "P-17-left.stl is named after the left foot" in told
+    order["items"][0]["files"] = [f for f in order["items"][0]["files"] if f["role"] != "gcode"]
+    path.write_text(json.dumps(order))
+    assert "P-17 orders the left foot, and no file is there to make it from" in problems_of(
+        unpacked
+    )
+
+
+@pytest.mark.parametrize("told", list(DAMAGE))
+def test_a_wrong_order_file_is_refused(unpacked: Path, told: str) -> None:
+    path = unpacked / "order.json"
+    order = json.loads(path.read_text())
+    DAMAGE[told](order)
+    path.write_text(json.dumps(order))
+    with pytest.raises(InputError, match=told):
+        verify_order(unpacked)
+
+
+def test_damaged_and_dangerous_archives_are_refused(written: Path, tmp_path: Path) -> None:
+    cut = tmp_path / "cut.zip"
+    cut.write_bytes(written.read_bytes()[:-3000])
+    with pytest.raises(InputError, match="not a readable zip archive"):
+        verify_order(cut)
+    bent = bytearray(written.read_bytes())
+    bent[len(bent) // 2] ^= 0xFF
+    cut.write_bytes(bent)
+    assert "is damaged" in problems_of(cut)
+    escaping = tmp_path / "escaping.zip"
+    shutil.copy(written, escaping)
+    with zipfile.ZipFile(escaping, "a") as archive:
+        archive.writestr("../../.bashrc", "rm")
+    assert "../../.bashrc leads out of the folder of the order" in problems_of(escaping)
+    assert [path.name for path in tmp_path.iterdir()] == ["cut.zip", "escaping.zip"]
+    with pytest.raises(InputError, match=r"holds no order\.json"):
+        verify_order(tmp_path)
+
+
+def test_an_archive_that_would_fill_the_disk_is_refused(
+    written: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("insole_core.export.order_verification.MOST_BYTES_OF_AN_ORDER", 10_000)
+    with pytest.raises(InputError, match="far more than an order has"):
+        verify_order(written)
+
+
+@pytest.mark.parametrize(
+    ("told", "terms"),
+    [
+        ("quantity is 0", {"quantity": 0}),
+        ("quantity is 1001", {"quantity": MOST_PAIRS + 1}),
+        ("2026-11-19 is past", {"deliver_on": NOW.date() - timedelta(1)}),
+        ("more than two years ahead", {"deliver_on": date(2062, 12, 1)}),
+        ("colour of the order has 201", {"colour": "b" * 201}),
+        ("holds the patient's name", {"remarks": "as Bergqvist likes it"}),
+    ],
+)
+def test_wrong_terms_leave_nothing_behind(
+    parts: tuple[Part, ...], tmp_path: Path, told: str, terms: dict[str, Any]
+) -> None:
+    for name in ("order", "order.zip"):
+        with pytest.raises(InputError, match=told):
+            written_again(parts, tmp_path / name, **terms)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_full_disk_leaves_nothing_behind(
+    parts: tuple[Part, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fill(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("insole_core.workflows.order_package.shutil.copyfileobj", fill)
+    with pytest.raises(OutputError, match="the disk is full"):
+        written_again(parts, tmp_path / "order.zip")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_two_patients_of_one_name_are_refused(parts: tuple[Part, ...], tmp_path: Path) -> None:
+    item = PackedItem(parts, replace(CHOICE, job_sheet=False), PATIENT, {})
+    with pytest.raises(InputError, match="Two patients of the order are called P-17"):
+        write_package([item, item], tmp_path / "o", number="1", shop=read_shop(), now=NOW)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_command_writes_and_verifies(
+    record: CaseRecord, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    case, out = tmp_path / "case.insole", tmp_path / "out"
+    write_case(record, case)
+    wanted = ["order", "create", str(case), "--out", str(out), "--quantity", "3"]
+    assert run([*wanted, "--side", "left", "--number", "A7"]) == 0
+    assert run(["order", "verify", str(out)]) == 0
+    assert "Order A7" in capsys.readouterr().out
+    (out / "P-17-left.stl").write_bytes(b"")
+    assert run(["order", "verify", str(out)]) == 1
+    told = capsys.readouterr()
+    assert "P-17-left.stl has been changed" in told.out
+    assert "1 problems" in told.err.splitlines()[-1]

@@ -1,0 +1,80 @@
+"""`insole-studio design --gcode`: a router's program beside the solid."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.export.ply import write_ply
+from insole_core.geometry.side import Side
+from insole_core.simulate import FootShape, build_foot
+from insole_studio.cli.main import run
+
+
+@pytest.fixture(scope="module")
+def call(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    path = tmp_path_factory.mktemp("scan") / "scan.ply"
+    write_ply(build_foot(FootShape(), np.random.default_rng(1), cell_mm=4.0).mesh, path)
+    return ["design", str(path), "--side", str(Side.LEFT)]
+
+
+@pytest.mark.slow
+def test_the_program_lies_beside_the_solid(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    solid, program = tmp_path / "left.stl", tmp_path / "left.nc"
+    options = ["--out", str(solid), "--gcode", str(program), "--block", "EVA single"]
+    assert run([*call, *options, "--machine", "grbl", "--pseudonym", "P-7"]) == 0
+    told = capsys.readouterr().err
+    assert "foot side, finishing, 6 mm ball nose:" in told
+    assert "minutes without changes of cutters" in told
+    lines = program.read_text(encoding="ascii").splitlines()
+    assert lines[0] == "(P-7)"
+    assert lines[-1] == "M2"
+    assert solid.stat().st_size > 1000
+
+
+@pytest.mark.slow
+def test_a_block_too_low_leaves_neither_program_nor_solid(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rules = tmp_path / "shop.json"
+    shop = Path(__file__).parents[3] / "resources" / "rules" / "shop.json"
+    rules.write_text(shop.read_text().replace("[300.0, 110.0, 30.0]", "[300.0, 110.0, 9.0]"))
+    out = tmp_path / "out"
+    out.mkdir()
+    options = ["--out", str(out / "left.stl"), "--gcode", str(out / "left.nc")]
+    options += ["--block", "EVA single, low", "--shop", str(rules)]
+    assert run([*call, *options]) == 1
+    assert "The block is 9 mm high" in capsys.readouterr().err.splitlines()[-1]
+    assert list(out.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (["--gcode", "left.nc"], "name it with --block"),
+        (["--gcode", "left.pdf", "--block", "EVA single"], "is no name of a program"),
+        (
+            ["--gcode", "left.nc", "--block", "EVA single", "--machine", "Okuma"],
+            "There is no machine Okuma; there are GRBL, LinuxCNC, Mach3.",
+        ),
+        (
+            ["--gcode", "left.nc", "--block", "EVA single", "--machine", "none.json"],
+            "none.json",
+        ),
+    ],
+)
+def test_a_wrong_call_says_so_before_the_foot_is_read(
+    options: list[str],
+    sentence: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(["design", "nothing.ply", "--out", "left.stl", *options]) != 0
+    assert sentence in capsys.readouterr().err.splitlines()[-1]
+    assert list(tmp_path.iterdir()) == []
