@@ -55,10 +55,7 @@ def test_what_posix_alone_has_is_used_only_behind_a_guard() -> None:
 
 def test_no_folder_of_posix_is_named() -> None:
     named = {name for name, text in sources() if FOLDER.search(text)}
-    assert named == {  # udev, on Linux only
-        "app/insole_studio/acquisition/examined_sensors.py",
-        "app/insole_studio/app/doctor.py",
-    }
+    assert named == {"app/insole_studio/acquisition/examined_sensors.py"}  # udev, on Linux only
 
 
 NAME_OF_NOBODY = """
