@@ -14,7 +14,7 @@ unexport PYTHONDONTWRITEBYTECODE
 SITE   := resources/manual
 PAGES  := $(wildcard docs/*.py docs/manual/*.md docs/manual/*/* docs/formats/*) CHANGELOG.md
 
-.PHONY: demo test test-fast lint types style manual bench package clean
+.PHONY: demo test test-fast test-without-posix lint types style manual bench package clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -42,6 +42,9 @@ test: $(READY) ## all tests: the window's offscreen, then those that look at rea
 
 test-fast: $(READY) ## the tests to run while working: all but those that take long
 	$(OFFSCREEN) -m "not display and not slow"
+
+test-without-posix: $(READY) ## the pure part as on Windows: what only POSIX has is hidden from it
+	$(PYTEST) -p tests.without_posix -m "not slow" tests/insole_core
 
 lint: $(READY) ## style, types, architecture, the links of the manual
 	$(MAKE) --jobs=2 --output-sync manual types style

@@ -1,7 +1,8 @@
 """Nothing assumes POSIX: what only such systems have is not asked for where there is another way.
 
-Windows itself is not here. Its lack is made up: the modules that it has not are hidden from the
-product, and the tests of files, cases, locks and sessions run that way. That text is read and
+Windows itself is not here. Its lack is made up by `without_posix.py`, and the tests of files,
+cases, locks and sessions run that way; ``make test-without-posix`` runs the whole pure part. That
+text is read and
 written in a named encoding is a rule of `make lint` (PLW1514).
 """
 
@@ -13,6 +14,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from tests.names_of_posix import MODULES, NAMES
+
 HERE = Path(__file__).parent
 ROOT = HERE.parent
 PRODUCT = ("app", "insole_core", "drivers/kinect")
@@ -23,21 +26,6 @@ TESTS = (
     "insole_core/recording/test_session_layout.py",
     "insole_core/recording/test_round_trip.py",
 )
-MODULES = ("fcntl", "grp", "posix", "pty", "pwd", "resource", "syslog", "termios", "tty")
-NAMES = {
-    "os": "WEXITSTATUS WIFEXITED chown chroot confstr fchdir fchmod fchown fork forkpty getegid"
-    " geteuid getgid getgroups getloadavg getpgid getpriority getsid getuid initgroups killpg"
-    " lchown lockf mkfifo mknod nice openpty pathconf posix_fadvise POSIX_FADV_DONTNEED pread"
-    " preadv pwrite sched_getaffinity sendfile setegid seteuid setgid setpgid setpriority setsid"
-    " setuid statvfs sync sysconf uname wait wait3 wait4 O_NONBLOCK O_CLOEXEC O_DIRECTORY"
-    " O_NOFOLLOW O_SYNC O_DSYNC O_NOCTTY",
-    "signal": "SIGALRM SIGCHLD SIGCONT SIGHUP SIGKILL SIGPIPE SIGQUIT SIGSTOP SIGTSTP SIGUSR1"
-    " SIGUSR2 SIGWINCH alarm pause pthread_kill pthread_sigmask setitimer sigpending sigwait",
-    "select": "poll epoll kqueue",
-    "socket": "AF_UNIX",
-    "time": "clock_gettime clock_settime tzset",
-}
-"""What Windows has not, by the "Availability" of Python's documentation."""
 GUARDED = {
     ("drivers/kinect/kinect_v1/isochronous.py", "select.poll"),  # libusb has no files there
     ("insole_core/export/file_lock.py", "import fcntl"),  # else msvcrt
@@ -70,53 +58,30 @@ def test_no_folder_of_posix_is_named() -> None:
     assert named == {"app/insole_studio/acquisition/examined_sensors.py"}  # udev, on Linux only
 
 
-HIDE = f"""
-import asyncio, builtins, errno, fcntl, multiprocessing.connection, subprocess, sys, types
-
-def locking(handle, mode, count):
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError as error:
-        raise PermissionError(errno.EACCES, "held") from error
-
-sys.modules["msvcrt"] = types.SimpleNamespace(locking=locking, LK_NBLCK=2)
-real = builtins.__import__
-
-def hide(name, globals=None, locals=None, fromlist=(), level=0):
-    importer = (globals or {{}}).get("__name__", "")
-    if name in {MODULES!r} and importer.startswith(("insole_", "kinect_v1", "getpass")):
-        raise ImportError(f"there is no {{name}} here")
-    return real(name, globals, locals, fromlist, level)
-
-builtins.__import__ = hide
-"""
-"""Hides the modules from the product and from what it asks for the user; Windows' locks on top."""
 NAME_OF_NOBODY = """
 import os
+import tests.without_posix
 for name in ("LOGNAME", "USER", "LNAME", "USERNAME"):
     os.environ.pop(name, None)
 from insole_core.records.author import Author
 print(Author.of_user().name)
 """
-TESTS_OF_FILES = """
-import pytest
-sys.exit(pytest.main(sys.argv[1:]))
-"""
 
 
-def run_hidden(program: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-c", HIDE + program, *arguments],
+        [sys.executable, *arguments],
         cwd=ROOT, capture_output=True, text=True, check=False, timeout=120,
     )  # fmt: skip
 
 
 def test_the_pure_part_works_without_the_modules_of_posix() -> None:
     tests = [str(HERE / test) for test in TESTS]
-    done = run_hidden(TESTS_OF_FILES, "-q", "-x", "-m", "not slow and not shared", *tests)
+    plugin = ("-p", "tests.without_posix")
+    done = run("-m", "pytest", *plugin, "-q", "-x", "-m", "not slow and not shared", *tests)
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
 
 
 def test_a_user_without_a_name_is_somebody() -> None:
-    done = run_hidden(NAME_OF_NOBODY)
+    done = run("-c", NAME_OF_NOBODY)
     assert done.stdout == "?\n", done.stderr[-2000:]

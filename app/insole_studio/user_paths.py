@@ -5,14 +5,17 @@ from __future__ import annotations
 import logging
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryFile
 
 import platformdirs
 
-from insole_core.export.atomic import PRIVATE_FOLDER
+from insole_core.export.atomic import PRIVATE_FOLDER, make_output_folder
+from insole_core.export.write_errors import output_errors
 
 log = logging.getLogger(__name__)
 
 APPLICATION = "insole-studio"
+_TRIED_BYTES = 65536
 
 
 @dataclass(frozen=True)
@@ -70,6 +73,19 @@ class UserPaths:
                     folder.chmod(PRIVATE_FOLDER)
             except OSError as error:
                 log.warning("%s stays as open as it is: %s", folder, error)
+
+    def check_writable(self) -> None:
+        """Write to the folders, for a full disk shows only then.
+
+        Raises
+        ------
+        OutputError
+            When nothing can be kept in one of them.
+        """
+        for folder in (self.data_folder, self.settings_folder):
+            make_output_folder(folder)
+            with output_errors(folder), TemporaryFile(dir=folder) as file:
+                file.write(bytes(_TRIED_BYTES))
 
     @classmethod
     def of_user(cls) -> UserPaths:

@@ -22,6 +22,7 @@ _REASONS = {
     errno.ENOENT: "its folder does not exist; create the folder or choose another place",
     errno.EISDIR: "a folder of that name is there; choose another name",
     errno.ENOTDIR: "a file is there where a folder is needed; choose another name",
+    errno.EEXIST: "a file is there where a folder is needed; choose another name",
     errno.ENXIO: "a device or a pipe of that name is there; choose another name",
     errno.ENAMETOOLONG: "the name is too long; choose a shorter one",
 }

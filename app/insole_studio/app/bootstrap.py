@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
+from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
 from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
@@ -261,6 +262,12 @@ def run_application(
     crashes.offer(app.services)
     app.main.help.offer_news()
     QTimer.singleShot(0, app.window, app.services.clinic.open)
+    try:
+        user_paths.check_writable()
+    except OutputError as error:
+        app.complaints.append(
+            Message("Neither settings nor unsaved work can be kept: {reason}", reason=error.message)
+        )
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
     app.features.records.sample.add_at_first_start()

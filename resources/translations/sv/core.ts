@@ -1184,6 +1184,10 @@
             <translation>Namn</translation>
         </message>
         <message>
+            <source>Neither settings nor unsaved work can be kept: {reason}</source>
+            <translation>Varken inställningar eller osparat arbete kan bevaras: {reason}</translation>
+        </message>
+        <message>
             <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
             <translation>Ingen Kinect är ansluten; anslut dess USB-kabel och dess 12 V-aggregat.</translation>
         </message>

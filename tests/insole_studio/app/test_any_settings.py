@@ -227,13 +227,16 @@ def test_a_damaged_arrangement_is_told(
 
 
 @pytest.mark.parametrize("place", ["config", "data"])
-def test_a_file_in_the_place_of_a_folder_does_not_matter(
+def test_a_place_that_keeps_nothing_is_told_at_the_start(
     start: Callable[[UserPaths], Started], tmp_path: Path, place: str
 ) -> None:
     paths = in_folder(tmp_path)
     shutil.rmtree(tmp_path / place)
     (tmp_path / place).touch()
-    start(paths)
+    assert (
+        f"Neither settings nor unsaved work can be kept: {tmp_path / place} cannot be "
+        "written: a file is there where a folder is needed; choose another name."
+    ) in start(paths).sentences
 
 
 @pytest.mark.parametrize(
