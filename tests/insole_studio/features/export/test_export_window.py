@@ -166,9 +166,14 @@ def test_a_dialog_goes_with_its_window(
     qtbot.waitUntil(lambda: app.services.messages.dialogs == [])
 
 
+BEFORE_THE_WINDOW = "software_rendering.py"
+
+
 def calls_of_dialogs() -> Iterator[tuple[str, ast.Call]]:
     root = Path(insole_studio.__file__).parent
     for path in root.rglob("*.py"):
+        if path.name == BEFORE_THE_WINDOW:
+            continue
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if not isinstance(node, ast.Call):
                 continue
