@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import logging
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args, get_origin
 
@@ -74,6 +74,18 @@ def remembered(
             )
         )
     return {key: value for key, value in known.items() if key not in wrong}
+
+
+def entries_of_others(path: Path, own: Container[str]) -> dict[str, Any]:
+    """Return the entries of a file other than our own, such as those of a newer version.
+
+    Whoever writes the file puts them back. They are empty if the file cannot be read.
+    """
+    try:
+        stored = _read(path)
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return {key: value for key, value in stored.items() if key not in own}
 
 
 def rename_unreadable(path: Path) -> Path:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Literal, get_type_hints
 
 from insole_core.export.atomic import make_output_folder, replacing_file
-from insole_core.forgiving_json import Complain, remembered
+from insole_core.forgiving_json import Complain, entries_of_others, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
 log = logging.getLogger(__name__)
@@ -114,7 +114,7 @@ def peek_settings(path: Path) -> Settings:
 
 
 def save_settings(settings: Settings, path: Path) -> None:
-    """Write the settings.
+    """Write the settings; those of another version that shares the file stay in it.
 
     Raises
     ------
@@ -122,5 +122,7 @@ def save_settings(settings: Settings, path: Path) -> None:
         When the file cannot be written.
     """
     make_output_folder(path.parent)
+    own = asdict(settings)
+    everything = entries_of_others(path, own) | own
     with replacing_file(path) as beside:
-        beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")
+        beside.write_text(json.dumps(everything, indent=1), encoding="utf-8")

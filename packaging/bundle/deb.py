@@ -76,7 +76,7 @@ def _install(tree: Path) -> None:
     _copy(product.ROOT / "resources/icons" / f"{name}.svg", icons / "apps" / f"{name}.svg")
     mime_icon = f"{product.CASE_MIME_TYPE.replace('/', '-')}.svg"
     _copy(product.ROOT / "resources/icons" / f"{name}.svg", icons / "mimetypes" / mime_icon)
-    _copy(LINUX / "70-kinect-v1.rules", tree / "usr/lib/udev/rules.d/70-kinect-v1.rules")
+    _copy(product.UDEV_RULE, tree / "usr/lib/udev/rules.d" / product.UDEV_RULE.name)
     documents = share / "doc" / name
     _copy(product.ROOT / "LICENSE", documents / "copyright")
     changes = (product.ROOT / "CHANGELOG.md").read_bytes()

@@ -11,7 +11,7 @@ from importlib.metadata import distribution
 from pathlib import Path
 
 from bundle import elf, product, shrink
-from bundle.components import metadata_of
+from bundle.components import metadata_of, unlisted
 from bundle.debian_packages import packages_for
 from bundle.small_icu import shrink_icu_data
 from bundle.version import version_of
@@ -31,7 +31,8 @@ def freeze() -> str:
     Raises
     ------
     UnfitError
-        When the result is too large, or asks for what supported systems do not have.
+        When the result is too large, holds a file of unknown licence, or asks for what supported
+        systems do not have.
     """
     version = version_of(product.ROOT)
     _write_metadata(version)
@@ -48,6 +49,7 @@ def freeze() -> str:
         str(product.PACKAGING / "insole-studio.spec"),
     ]  # fmt: skip
     subprocess.run(call, check=True, env=environment)
+    _check_owners()
     shrink.reduce_pictures(_resources() / "manual")
     if sys.platform.startswith("linux"):
         for library in product.FROZEN.rglob("libicudata.so.*"):
@@ -76,6 +78,14 @@ def _write_metadata(version: str) -> None:
     del metadata["Version"]
     metadata["Version"] = version
     (folder / "METADATA").write_text(metadata.as_string(), encoding="utf-8")
+
+
+def _check_owners() -> None:
+    """Make sure that the bill of materials was made of all files that are there."""
+    listed = set(json.loads((product.BUILD / "places.json").read_text(encoding="utf-8")))
+    strangers = unlisted(product.FROZEN / "_internal", listed)
+    if strangers:
+        raise UnfitError(f"nobody knows whose these files are: {', '.join(strangers)}")
 
 
 def _check_libraries(folder: Path) -> None:

@@ -98,7 +98,8 @@ def _bill_entry(component: Component) -> dict[str, Any]:
         entry["externalReferences"] = [{"type": "website", "url": component.homepage}]
     if component.libraries:
         entry["components"] = [
-            {"type": "library", "bom-ref": f"{address}#{name}", "name": name, "version": version}
+            {"type": "library", "bom-ref": f"{address}#{name}", "name": name}
+            | ({"version": version} if version else {})
             for name, version in component.libraries
         ]
     return entry

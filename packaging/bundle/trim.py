@@ -45,15 +45,30 @@ UNUSED = (
     "cvista/*IOMINC*",
     "cvista/*Web*",
     "cvista/*WrappingTools*",
-    # Pillow: picture formats that no scanner writes, and letters
+    "cvista/libvtkDICOMParser*",
+    "cvista/libvtkexpat*",
+    "cvista/libvtklz4*",
+    "cvista/libvtklzma*",
+    "cvista/libvtkmetaio*",
+    "cvista/libvtktiff*",
+    # Pillow and Qt: picture formats that no scanner writes, and letters
     "PIL/_avif*",
     "PIL/_imagingcms*",
     "PIL/_imagingft*",
+    "PIL/_webp*",
+    "PySide6/*plugins/imageformats/*gif*",
+    "PySide6/*plugins/imageformats/*icns*",
+    "PySide6/*plugins/imageformats/*tga*",
+    "PySide6/*plugins/imageformats/*tiff*",
+    "PySide6/*plugins/imageformats/*wbmp*",
+    "PySide6/*plugins/imageformats/*webp*",
     "pillow.libs/libavif*",
     "pillow.libs/libbrotli*",
     "pillow.libs/libfreetype*",
     "pillow.libs/libharfbuzz*",
     "pillow.libs/liblcms*",
+    "pillow.libs/libsharpyuv*",
+    "pillow.libs/libwebp*",
     # families of icons that are not used
     "qtawesome/fonts/[!m]*",
     "qtawesome/fonts/materialdesignicons5*",
@@ -65,8 +80,10 @@ UNUSED = (
     "matplotlib/mpl-data/fonts/ttf/STIX*.ttf",
     "PySide6/*plugins/tls/*",
     "PySide6/*Qt6Network*",
-    # SciPy for programs in Cython
+    # scripts and styles of the manual before they were made small
+    "insole_core/_resources/manual/*.map",
     "scipy/special/cython_special*",
+    "scipy/stats/*",
     "setuptools*",
     "trimesh*",
 )

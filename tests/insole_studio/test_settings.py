@@ -62,6 +62,16 @@ def test_settings_of_an_earlier_program_are_kept(
     assert caplog.text == ""
 
 
+def test_settings_of_a_newer_program_outlive_an_older_one(tmp_path: Path) -> None:
+    path = tmp_path / "settings.json"
+    path.write_text('{"theme": "dark", "of_next_year": [1, 2]}', encoding="utf-8")
+    settings = load_settings(path)
+    settings.language = "sv"
+    save_settings(settings, path)
+    stored = json.loads(path.read_text(encoding="utf-8"))
+    assert (stored["theme"], stored["language"], stored["of_next_year"]) == ("dark", "sv", [1, 2])
+
+
 def test_recent_files_are_few_and_newest_first() -> None:
     settings = Settings()
     for number in range(RECENT_COUNT + 3):

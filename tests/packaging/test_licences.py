@@ -7,7 +7,7 @@ import PySide6
 import pytest
 import scipy
 
-from bundle.components import components_of
+from bundle.components import components_of, unlisted
 from bundle.licences import BILL_OF_MATERIALS, LICENCES, write_both
 
 
@@ -40,7 +40,7 @@ def test_libraries_within_a_wheel_are_named():
     place, file = place_and_file(np, "__init__.py")
     inner = "numpy.libs/libgfortran-040039e1-0352e75f.so.5.0.0"
     # only the place in the bundle tells the name
-    (numpy, _) = components_of([(place, file), (inner, file)])
+    (numpy, *_) = components_of([(place, file), (inner, file)])
     assert ("gfortran", "5.0.0") in numpy.libraries
 
 
@@ -64,3 +64,24 @@ def test_bill_and_texts_name_the_same_works(components, tmp_path):
     assert any("GNU LESSER GENERAL PUBLIC LICENSE" in text["text"] for text in lgpl["texts"])
     python = next(one for one in texts["components"] if one["name"] == "python")
     assert python["version"] == ".".join(map(str, sys.version_info[:3]))
+
+
+def test_scripts_of_the_manual_are_those_of_its_theme(tmp_path):
+    static = "insole_core/_resources/manual/sv/_static"
+    made = ("scripts/furo.js", "styles/furo.css", "swedish-stemmer.js", "searchtools.js")
+    others = ("pygments.css", "skeleton.css", "basic.css")
+    files = [(f"{static}/{name}", str(tmp_path / name)) for name in (*made, *others)]
+    found = {one.name: one for one in components_of(files)}
+    assert set(found) - {"python"} == {
+        "furo", "pygments", "snowballstemmer", "sphinx", "sphinx-basic-ng",
+    }  # fmt: skip
+    assert found["furo"].files == (f"{static}/scripts/furo.js", f"{static}/styles/furo.css")
+    assert ("gumshoejs", "5.1.2") in found["furo"].libraries
+    assert any("gumshoe" in text for _, text in found["furo"].texts)
+
+
+def test_a_file_that_came_in_unseen_is_found(tmp_path):
+    for name in ("seen.so", "inner/unseen.so"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    assert unlisted(tmp_path, {"seen.so"}) == ["inner/unseen.so"]

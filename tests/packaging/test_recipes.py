@@ -87,7 +87,7 @@ def test_a_double_click_opens_the_case(installer, menu_entry):
 
 
 def test_linux_and_windows_give_access_to_the_same_sensors():
-    rules = (LINUX / "70-kinect-v1.rules").read_text(encoding="utf-8")
+    rules = product.UDEV_RULE.read_text(encoding="utf-8")
     driver = (WINDOWS / "kinect-v1.inf").read_text(encoding="utf-8")
     instructions = (WINDOWS / "DRIVER.txt").read_text(encoding="utf-8").lower()
     allowed = set(re.findall(r'ATTR{idProduct}=="(\w{4})", MODE', rules))
@@ -124,7 +124,7 @@ def test_every_resource_goes_into_the_bundle():
     resources = [
         path
         for path in (product.ROOT / "resources").rglob("*")
-        if path.is_file() and path.suffix not in {".py", ".pyc", ".ts"}
+        if path.is_file() and path.suffix not in {".py", ".pyc", ".ts", ".map"}
     ]
     assert len(resources) > 30
     for path in resources:

@@ -19,6 +19,9 @@ from bundle.trim import is_needed, trimmed
         "cvista/libvtkRendering-cvista.so",
         "qtawesome/fonts/materialdesignicons6-webfont-6.9.96.ttf",
         "libusb_package/libusb-1.0.so",
+        "PySide6/Qt/plugins/imageformats/libqjpeg.so",
+        "PySide6/Qt/plugins/imageformats/libqsvg.so",
+        "PySide6/Qt/plugins/iconengines/libqsvgicon.so",
     ],
 )
 def test_what_the_program_needs_stays(place):
@@ -34,6 +37,8 @@ def test_what_the_program_needs_stays(place):
         "PySide6/translations/qt_help_sv.qm",
         "scipy/io/tests/data/test.mat",
         "qtawesome/fonts/phosphor-1.3.0.ttf",
+        "scipy/stats/_stats.so",
+        "insole_core/_resources/manual/en/_static/styles/furo.css.map",
     ],
 )
 def test_what_it_does_not_need_goes(place):

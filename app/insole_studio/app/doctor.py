@@ -21,8 +21,10 @@ from pathlib import Path
 
 from insole_core.errors import InsoleError
 from insole_core.messages import Message, Translate, joined
+from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.examined_sensors import (
+    UDEV_RULE,
     ExaminedSensor,
     examine_sensors,
     has_udev_rule,
@@ -168,8 +170,9 @@ class Doctor:
             yield Message("granted to whoever sits at this computer"), ""
         else:
             advice = Message(
-                "Install the package, or copy 70-kinect-v1.rules, which comes with the program, to "
-                "/etc/udev/rules.d; then unplug the sensors and plug them in again."
+                "Have an administrator copy {rule} to /etc/udev/rules.d, then unplug the sensors "
+                "and plug them in again.",
+                rule=shown(resource_path(f"sensors/{UDEV_RULE}")),
             )
             yield Message("not set up"), advice
 

@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterable
 from html import escape
 from importlib.metadata import version
 
-from PySide6.QtCore import QObject, QUrl
-from PySide6.QtGui import QDesktopServices
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from shiboken6 import isValid
 
@@ -28,6 +27,7 @@ from insole_studio.app.manual_pages import (
 from insole_studio.app.text_dialog import TextDialog
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.services.app_services import AppServices
+from insole_studio.services.other_programs import open_file
 from insole_studio.texts import language_code, tr
 from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour
@@ -73,7 +73,7 @@ class HelpActions(QObject):
 
     def _open_page(self, name: str) -> None:
         path = manual_page(name, language_code(self._services.settings.language))
-        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
+        if not open_file(path):
             raise InputError(
                 "No browser could be opened; open {path} in one to read the manual.", path=path
             )

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import multiprocessing
 import os
 import platform
+import shutil
 import sys
 import tempfile
 from contextlib import ExitStack
@@ -57,11 +59,11 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
                     prefix="insole-studio-self-test-", ignore_cleanup_errors=True
                 )
             folder = Path(held.enter_context(temporary))
-        passed = _run(folder, arguments.session, files)
+        passed = _run(folder, arguments.session, files, is_temporary=arguments.out is None)
     sys.exit(0 if passed else 1)
 
 
-def _run(folder: Path, session: Path | None, files: list[TextIO]) -> bool:
+def _run(folder: Path, session: Path | None, files: list[TextIO], *, is_temporary: bool) -> bool:
     def write(line: str) -> None:
         for file in files:  # at once: who crashes has still told how far it came
             print(line, file=file, flush=True)
@@ -69,10 +71,20 @@ def _run(folder: Path, session: Path | None, files: list[TextIO]) -> bool:
     def tell(result: StepResult) -> None:
         write(result.line)
 
+    def give_up(result: StepResult) -> None:
+        """End the process, because nothing can end the thread that hangs."""
+        write(f"{result.line}\n\n{result.trace}")
+        write(f"The self-test was given up at “{result.name}”.")
+        for process in multiprocessing.active_children():
+            process.terminate()
+        if is_temporary:
+            shutil.rmtree(folder, ignore_errors=True)
+        os._exit(1)
+
     from insole_studio.cli.self_test_steps import SelfTest
 
     write(f"Insole Studio {version('insole-studio')} on {platform.platform()}")
-    results = SelfTest(folder, session, tell).run()
+    results = SelfTest(folder, session, tell, give_up).run()
     for result in results:
         if result.trace:
             write(f"\n{result.name}:\n{result.trace}")

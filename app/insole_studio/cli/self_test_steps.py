@@ -6,8 +6,6 @@ changed. Nothing is needed from tests, sources or the network, so that a bundle 
 
 from __future__ import annotations
 
-import faulthandler
-import os
 import sys
 import time
 import traceback
@@ -16,7 +14,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from threading import Timer
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
@@ -49,6 +46,7 @@ from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.app.recorded_session import record_simulated
 from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.app.scripted_answers import ScriptedAnswers
+from insole_studio.cli.time_limit import time_limit
 from insole_studio.user_paths import UserPaths
 
 RESOURCES = (
@@ -62,8 +60,9 @@ RESOURCES = (
     "rules",
     "matching_error",
 )
+MOST_SECONDS = 300.0
+"""Of a step; they take up to 30 s on two slow processors."""
 FRAMES = 3
-MOST_STEP_S = 300.0
 PAD_MM = (0.0, 140.0)
 MOST_DIFFERENCE_MM = 0.1
 """Between an insole and its exported file, on average; its numbers are single precision."""
@@ -113,8 +112,8 @@ class SelfTest:
         A recorded session to play; None simulates one.
     tell
         Called with each result as soon as it is there.
-    most_step_s
-        A step that takes longer hangs: it is told, and ends the process with 1.
+    give_up
+        Called, in another thread, with the result of a step that does not end; ends the process.
     """
 
     def __init__(
@@ -122,13 +121,13 @@ class SelfTest:
         folder: Path,
         session: Path | None,
         tell: Callable[[StepResult], None],
-        most_step_s: float = MOST_STEP_S,
+        give_up: Callable[[StepResult], None],
     ) -> None:
         self._folder = folder
         self._recorded = session or folder / "recorded.zip"
         self._is_simulated = session is None
         self._tell = tell
-        self._most_step_s = most_step_s
+        self._give_up = give_up
         self._captured = folder / "captured"
         self._window: ScriptedWindow | None = None
         self._stl: Path | None = None
@@ -182,8 +181,13 @@ class SelfTest:
     def _try(self, name: str, step: Callable[[], None]) -> StepResult:
         started_s = time.perf_counter()
         problem = trace = ""
+
+        def give_up(where: str) -> None:
+            sentence = f"it did not end within {MOST_SECONDS:.0f} s"
+            self._give_up(StepResult(name, MOST_SECONDS, sentence, where))
+
         try:
-            with self._within_limit(name):
+            with time_limit(MOST_SECONDS, give_up):
                 step()
             self._raise_what_the_window_told()
         except InsoleError as error:
@@ -194,23 +198,6 @@ class SelfTest:
             problem = f"an error in the program itself ({error!r}); please report it"
             trace = "".join(traceback.format_exception(error))
         return StepResult(name, time.perf_counter() - started_s, problem, trace)
-
-    @contextmanager
-    def _within_limit(self, name: str) -> Iterator[None]:
-        """End the process where a step hangs: no other thread can stop it."""
-        limit = Timer(self._most_step_s, self._give_up, [name])
-        limit.daemon = True
-        limit.start()
-        try:
-            yield
-        finally:
-            limit.cancel()
-
-    def _give_up(self, name: str) -> None:
-        problem = f"it did not end within {self._most_step_s:.0f} s"
-        self._tell(StepResult(name, self._most_step_s, problem))
-        faulthandler.dump_traceback()
-        os._exit(1)
 
     @contextmanager
     def _catching_faults(self) -> Iterator[None]:

@@ -360,8 +360,8 @@ def _translated(error: Any, function: UsbFunction) -> KinectError:
     name = function._name
     if error.errno in (errno.EACCES, errno.EPERM):
         return NoPermissionError(
-            f"{name} may not be opened by this user; install packaging/linux/70-kinect-v1.rules "
-            "in /etc/udev/rules.d and plug the sensor in again."
+            f"{name} may not be opened by this user; copy 70-kinect-v1.rules, which comes with the "
+            "program, to /etc/udev/rules.d and plug the sensor in again."
         )
     if error.errno == errno.EBUSY:
         return InUseError(f"{name} is used by another program; close that program first.")

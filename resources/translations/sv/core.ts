@@ -848,6 +848,10 @@
             <translation>Hallux rigidus</translation>
         </message>
         <message>
+            <source>Have an administrator copy {rule} to /etc/udev/rules.d, then unplug the sensors and plug them in again.</source>
+            <translation>Låt en administratör kopiera {rule} till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
+        </message>
+        <message>
             <source>Heel and ball of this foot lie in an impossible order, so no form of the library can be laid on it; choose a base from the foot, or scan again.</source>
             <translation>Fotens häl och trampdyna ligger i en omöjlig ordning, så ingen form ur biblioteket kan läggas på den; välj foten som bas eller skanna igen.</translation>
         </message>
@@ -918,10 +922,6 @@
         <message>
             <source>Install the driver of the graphics card, or start with the environment variable LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), which draws slowly.</source>
             <translation>Installera grafikkortets drivrutin, eller starta med miljövariabeln LIBGL_ALWAYS_SOFTWARE=1 (Windows: QT_OPENGL=software), som ritar långsamt.</translation>
-        </message>
-        <message>
-            <source>Install the package, or copy 70-kinect-v1.rules, which comes with the program, to /etc/udev/rules.d; then unplug the sensors and plug them in again.</source>
-            <translation>Installera paketet, eller kopiera 70-kinect-v1.rules, som följer med programmet, till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
             <source>It has no date of a visit; open it and choose one.</source>

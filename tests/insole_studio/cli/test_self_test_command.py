@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -28,6 +29,10 @@ def quick(monkeypatch: pytest.MonkeyPatch, *names: str) -> None:
     """Leave out the steps that take long and are not what a test is about."""
     for name in names:
         monkeypatch.setattr(SelfTest, name, lambda _self: None)
+
+
+def unexpected(result: StepResult) -> None:
+    raise AssertionError(result.line)
 
 
 @pytest.mark.slow
@@ -70,7 +75,7 @@ def test_a_missing_resource_is_named_and_what_needs_it_is_not_tried(
 def test_a_folder_that_cannot_be_made_is_told_in_a_sentence(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     results: list[StepResult] = []
-    SelfTest(tmp_path / "file" / "out", None, results.append).run()
+    SelfTest(tmp_path / "file" / "out", None, results.append, unexpected).run()
     failed = [result for result in results if result.seconds is not None and result.problem]
     assert [result.name for result in failed] == ["make the folder"]
     assert str(tmp_path / "file") in failed[0].problem
@@ -86,7 +91,7 @@ def test_a_full_disk_fails_the_step_that_writes(
     monkeypatch.setattr(self_test_steps, "record_simulated", full)
     quick(monkeypatch, "_open_window", "_open_example")
     results: list[StepResult] = []
-    SelfTest(tmp_path / "out", None, results.append).run()
+    SelfTest(tmp_path / "out", None, results.append, unexpected).run()
     failed = [result for result in results if result.seconds is not None and result.problem]
     assert [result.name for result in failed] == ["record a session"]
     assert "the disk is full" in failed[0].problem
@@ -101,28 +106,30 @@ def test_an_error_in_the_program_is_told_with_its_trace(
     quick(monkeypatch, "_play", "_open_example")
     monkeypatch.setattr(SelfTest, "_open_window", broken)
     results: list[StepResult] = []
-    SelfTest(tmp_path / "out", small_session, results.append).run()
+    SelfTest(tmp_path / "out", small_session, results.append, unexpected).run()
     failed = next(result for result in results if result.problem)
     assert failed.name == "open the window"
     assert "ZeroDivisionError" in failed.problem
     assert "in broken" in failed.trace
 
 
-HANGING = """
-import sys, time
-from pathlib import Path
-from insole_studio.cli.self_test_steps import SelfTest
-
-SelfTest._find_files = lambda _self: time.sleep(60)
-SelfTest(Path(sys.argv[1]), None, lambda one: print(one.line, flush=True), most_step_s=0.3).run()
-"""
-
-
-def test_a_step_that_hangs_is_named_and_ends_the_test(tmp_path: Path) -> None:
-    ended = subprocess.run(
-        [sys.executable, "-c", HANGING, str(tmp_path)], capture_output=True, text=True, check=False
+def test_a_step_that_does_not_end_is_told_with_where_it_stands(tmp_path: Path) -> None:
+    report = tmp_path / "report.txt"
+    code = (
+        "import sys, time\n"
+        "from insole_studio.cli import self_test_steps\n"
+        "from insole_studio.cli.main import run\n"
+        "def hang(_self): time.sleep(60)\n"
+        "self_test_steps.MOST_SECONDS = 0.5\n"
+        "self_test_steps.SelfTest._find_files = hang\n"
+        "run(sys.argv[1:])\n"
     )
-    assert ended.returncode == 1
-    assert ended.stdout.startswith("failed")
-    assert "find the program's files: it did not end within" in ended.stdout
-    assert "_find_files" in ended.stderr or "lambda" in ended.stderr  # where it hangs
+    call = [sys.executable, "-c", code, "self-test", "--report", str(report)]
+    environment = {**os.environ, "TMPDIR": str(tmp_path)}
+    ended = subprocess.run(call, env=environment, capture_output=True, timeout=50, check=False)
+    assert ended.returncode == 1, ended.stderr
+    text = report.read_text(encoding="utf-8")
+    assert "find the program's files: it did not end within" in text
+    assert "in hang" in text
+    assert text.endswith("given up at “find the program's files”.\n")
+    assert list(tmp_path.iterdir()) == [report]
