@@ -94,11 +94,17 @@ class NumberField(QDoubleSpinBox):
         self.refusal.hide()
 
     def event(self, event: QEvent) -> bool:
-        """Leave the window's shortcuts to the window, after committing the typed number."""
+        """Leave the window's shortcuts to the window, after committing the typed number.
+
+        A letter begins no number, so it is the key of a tool, unless a number is being typed.
+        """
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
             if control and event.key() in _OF_THE_WINDOW:
                 self.interpretText()
+                event.ignore()
+                return False
+            if event.text().isalpha() and not self._is_typed():
                 event.ignore()
                 return False
         return super().event(event)
@@ -161,12 +167,15 @@ class NumberField(QDoubleSpinBox):
 
     def _forget_typed(self) -> bool:
         """Replace what is being typed by the value; return False if both are the same."""
-        shown = self.textFromValue(self.value())
-        if self.cleanText() == shown:
+        if not self._is_typed():
             return False
+        shown = self.textFromValue(self.value())
         self.lineEdit().setText(f"{self.prefix()}{shown}{self.suffix()}")
         self.selectAll()
         return True
+
+    def _is_typed(self) -> bool:
+        return self.cleanText() != self.textFromValue(self.value())
 
     def _nudge(self, steps: float, modifiers: Qt.KeyboardModifier) -> None:
         factor = 1.0

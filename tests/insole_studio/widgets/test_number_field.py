@@ -134,6 +134,29 @@ def test_undo_and_export_are_the_windows_own(qtbot):
     assert asked == ["Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+E"]
 
 
+def test_a_letter_is_the_key_of_a_tool_unless_a_number_is_being_typed(qtbot):
+    window = QWidget()
+    qtbot.addWidget(window)
+    field = NumberField("mm", least=0.0, greatest=100.0, step=0.5)
+    QVBoxLayout(window).addWidget(field)
+    taken: list[str] = []
+    QShortcut(QKeySequence("S"), window).activated.connect(lambda: taken.append("S"))
+    window.show()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClick(field, Qt.Key.Key_4)
+    QTest.keyClick(field, Qt.Key.Key_S)
+    assert taken == []
+    QTest.keyClick(field, Qt.Key.Key_Backspace)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    QTest.keyClick(field, Qt.Key.Key_S)
+    assert taken == ["S"]
+    assert field.value() == 4.0
+    assert not field.refusal.isVisible()
+
+
 @pytest.mark.parametrize("text", ["3", "4,9", "0.5"])
 def test_a_number_too_small_to_be_known_is_refused_in_words(field: NumberField, text: str) -> None:
     field.allow_unknown(5.0)
