@@ -25,7 +25,11 @@ Complain: TypeAlias = Callable[[Message], object]
 
 
 def remembered(
-    path: Path, kinds: Mapping[str, Any], complain: Complain = log.warning
+    path: Path,
+    kinds: Mapping[str, Any],
+    complain: Complain = log.warning,
+    *,
+    leave: bool = False,
 ) -> dict[str, Any]:
     """Read the entries of a file that have the right type; it may be missing.
 
@@ -39,12 +43,15 @@ def remembered(
         literals, lists of these, or None. Other entries are ignored.
     complain
         Called with a sentence for the user if something is not understood.
+    leave
+        Leave the file as it is, whatever is wrong with it.
 
     Returns
     -------
     dict
         The valid entries.
     """
+    keep = _left if leave else rename_unreadable
     try:
         stored = _read(path)
     except FileNotFoundError:
@@ -56,7 +63,7 @@ def remembered(
                 "{path} is damaged or cannot be read, so the defaults are used; the file is kept "
                 "as {kept}.",
                 path=path,
-                kept=rename_unreadable(path),
+                kept=keep(path),
             )
         )
         return {}
@@ -70,7 +77,7 @@ def remembered(
                 "file is kept as {kept}.",
                 path=path,
                 entries=", ".join(wrong),
-                kept=rename_unreadable(path),
+                kept=keep(path),
             )
         )
     return {key: value for key, value in known.items() if key not in wrong}
@@ -91,6 +98,10 @@ def entries_of_others(path: Path, own: Container[str]) -> dict[str, Any]:
 def rename_unreadable(path: Path) -> Path:
     """Rename a file that cannot be used, and return its new path; the old where that fails."""
     return set_aside(path, "broken")
+
+
+def _left(path: Path) -> Path:
+    return path
 
 
 def set_aside(path: Path, why: str) -> Path:

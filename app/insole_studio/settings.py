@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import logging
-import shutil
-import tempfile
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Literal, get_type_hints
@@ -88,15 +86,18 @@ class Settings:
         self.recent = [str(path), *others][:RECENT_COUNT]
 
 
-def load_settings(path: Path, complain: Complain = log.warning) -> Settings:
+def load_settings(path: Path, complain: Complain = log.warning, *, leave: bool = False) -> Settings:
     """Read the settings; absent or invalid entries get their defaults.
 
     Parameters
     ----------
     complain
         Called with a sentence for the user if something is not understood; the file is kept then.
+    leave
+        Leave the file as it is, whatever is wrong with it.
     """
-    settings = Settings(**remembered(path, get_type_hints(Settings), complain))
+    entries = remembered(path, get_type_hints(Settings), complain, leave=leave)
+    settings = Settings(**entries)
     settings.recent = settings.recent[:RECENT_COUNT]
     settings.backup_hour = min(max(settings.backup_hour, 0), LAST_HOUR)
     return settings
@@ -104,13 +105,7 @@ def load_settings(path: Path, complain: Complain = log.warning) -> Settings:
 
 def peek_settings(path: Path) -> Settings:
     """Read the settings without a word, and leave the file as it is, whatever is wrong with it."""
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / path.name
-        try:
-            shutil.copyfile(path, copy)
-        except OSError:
-            return Settings()
-        return load_settings(copy, lambda _sentence: None)
+    return load_settings(path, lambda _sentence: None, leave=True)
 
 
 def save_settings(settings: Settings, path: Path) -> None:

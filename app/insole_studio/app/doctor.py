@@ -10,7 +10,6 @@ import os
 import platform
 import shutil
 import sqlite3
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import closing
@@ -30,7 +29,7 @@ from insole_studio.acquisition.examined_sensors import (
     has_udev_rule,
 )
 from insole_studio.app.graphics import LEAST_OPENGL, Graphics
-from insole_studio.settings import Settings, load_settings
+from insole_studio.settings import load_settings, peek_settings
 from insole_studio.user_paths import UserPaths
 
 LEAST_FREE_GB = 2.0
@@ -216,7 +215,7 @@ class Doctor:
         yield Message("{free:.1f} GB free", free=free_gb), advice if free_gb < LEAST_FREE_GB else ""
 
     def _settings(self) -> Iterator[tuple[str, str]]:
-        """Read a copy, because reading renames a file that is damaged."""
+        """Read them without setting a damaged file aside, as the next start does."""
         path = self._paths.settings_file
         if not path.exists():
             yield Message("none yet; the defaults hold"), ""
@@ -231,18 +230,11 @@ class Doctor:
 
     def _complaints(self) -> list[Message]:
         complaints: list[Message] = []
-        self._settings_of_copy(complaints.append)
+        load_settings(self._paths.settings_file, complaints.append, leave=True)
         return complaints
 
-    def _settings_of_copy(self, complain: Callable[[Message], None]) -> Settings:
-        with tempfile.TemporaryDirectory() as folder:
-            copy = Path(folder) / "settings.json"
-            if self._paths.settings_file.exists():
-                shutil.copyfile(self._paths.settings_file, copy)
-            return load_settings(copy, complain)
-
     def _record(self) -> Iterator[tuple[str, str]]:
-        if self._settings_of_copy(lambda _sentence: None).record_database:
+        if peek_settings(self._paths.settings_file).record_database:
             yield Message("on a server; Clinic ▸ Verify the record examines it"), ""
             return
         path = self._paths.records_folder / RECORD_FILE
