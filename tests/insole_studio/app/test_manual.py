@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import inspect
+import json
 import pkgutil
 import re
 from collections.abc import Callable, Iterator
@@ -22,6 +23,7 @@ from insole_core.cases.case_record import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.resources import resource_path
 from insole_studio.app import help_actions, manual_pages
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.manual_pages import PAGE_OF_MODULE, PAGE_OF_TOOL, manual_page, page_of_module
@@ -173,6 +175,13 @@ def test_every_picture_is_used_there_and_listed() -> None:
     listed = {*(p.name for p in (*DIALOGS, SCAN)), *OF_JOURNEYS, *OF_WINDOWS}
     assert used == listed
     assert {file.stem for file in IMAGES.glob("*.png")} == listed
+
+
+def test_all_supplied_findings_are_named_where_the_search_finds_them() -> None:
+    supplied = json.loads(resource_path("findings/findings.json").read_text("utf-8"))["findings"]
+    words = " ".join((MANUAL / "rim-and-device.md").read_text("utf-8").split())
+    assert supplied
+    assert [each["name"] for each in supplied if each["name"] not in words] == []
 
 
 def test_journeys_still_take_their_pictures() -> None:
