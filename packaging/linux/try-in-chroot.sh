@@ -4,9 +4,8 @@
 # The archive may be of another version: both then share the settings and the record of the same user.
 set -euo pipefail
 suite=$1 package=$(realpath "$2") archive=${3:+$(realpath "$3")} root=${4:-/var/tmp/insole-studio-$1}
-mirror=${MIRROR:-http://deb.debian.org/debian}
 
-[ -x "$root/usr/bin/apt-get" ] || debootstrap --variant=minbase "$suite" "$root" "$mirror"
+[ -x "$root/usr/bin/apt-get" ] || debootstrap --variant=minbase "$suite" "$root" ${MIRROR:+"$MIRROR"}
 inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LANG=C.UTF-8 "$@"; }
 unmount() { umount "$root/proc" "$root/dev/shm" 2>/dev/null || true; }
 trap unmount EXIT
