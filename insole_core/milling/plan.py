@@ -292,7 +292,7 @@ def _left_over(surface: Surface, machine: Machine, side: SideName) -> LeftOver:
     )
     coarse = replace(
         surface, step_mm=surface.step_mm * every, heights_mm=heights[tuple(nearest)],
-        inside=within, edges_mm=np.empty((0, 3)), floor_mm=-_FAR_MM,
+        inside=within, floor_mm=-_FAR_MM,
     )  # fmt: skip
     cutter = machine.finishing.cutter
     lines = np.arange(within.shape[0])
