@@ -13,8 +13,10 @@ from insole_core.milling.triangles import raise_to_triangles
 STEEPEST = np.tan(np.radians(75.0))
 """Of a path: beside a rim the cutter does not fall along the wall, which the contour cuts."""
 
-_BENT_MM = 0.008
-"""By which a ball of 6 mm sinks into edges that are not sharp, at most."""
+_BENT_MM = 0.006
+"""By which a ball sinks into edges between their samples."""
+_LONGEST_NORMAL = 1.015
+"""To which the normals at the corners of a triangle are stretched, so that it does not sink in."""
 
 
 def tip_heights(
@@ -96,12 +98,12 @@ def _touch_faces(solid: TriangleMesh, surface: Surface, cutter: Cutter, tips: Fl
     upward = solid.triangle_normals[:, 2] > 0
     triangles = solid.triangles[upward]
     corners = solid.vertices[triangles] - [0, 0, cutter.radius_mm]
-    smooth = solid.vertex_normals[triangles]
-    for normals, over_mm in (
-        (solid.triangle_normals[upward][:, None], 0.0),
-        (smooth, _BENT_MM),
-    ):
-        moved = corners + (cutter.radius_mm + over_mm) * normals
+    bent = solid.vertex_normals[triangles]
+    # Between corners with other normals the mean normal is shorter, and the ball would sink in.
+    shorter = np.linalg.norm(bent.mean(axis=1), axis=1)
+    bent = bent * np.minimum(1.002 / np.maximum(shorter, 0.5), _LONGEST_NORMAL)[:, None, None]
+    for normals in (solid.triangle_normals[upward][:, None], bent):
+        moved = corners + cutter.radius_mm * normals
         raise_to_triangles(moved, surface.first_mm, surface.step_mm, tips)
 
 
@@ -111,7 +113,7 @@ def _touch_edges(surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
     On an edge the ball's centre turns from the normal of one side to that of the other; only the
     nodes round this arc are touched.
     """
-    radius, step = cutter.radius_mm, surface.step_mm
+    radius, step = cutter.radius_mm + _BENT_MM, surface.step_mm
     first, second = np.moveaxis(surface.edge_normals, 1, 0)
     across = np.linalg.norm(first[:, :2] - second[:, :2], axis=1)
     counts = np.ceil(1.5 * radius * across / step).astype(int) + 1
@@ -126,7 +128,7 @@ def _touch_edges(surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
     within_grid = ((nearest >= 0) & (nearest < tips.shape)).all(axis=1)
     nearest = nearest[within_grid]
     off = (nearest - place[within_grid]) * step
-    height = surface.edges_mm[edge[within_grid], 2] - radius
+    height = surface.edges_mm[edge[within_grid], 2] - cutter.radius_mm
     border = np.pad(tips, 1)
     flat, ny = border.ravel(), border.shape[1]
     middle = (nearest[:, 0] + 1) * ny + nearest[:, 1] + 1
@@ -141,9 +143,9 @@ def _touch_edges(surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
 
 def _touch_peaks(surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
     """Raise tips (nx, ny) where the ball would cut into the ends of edges, from any side."""
-    radius, step = cutter.radius_mm, surface.step_mm
+    radius, step = cutter.radius_mm + _BENT_MM, surface.step_mm
     place = (surface.peaks_mm[:, :2] - surface.first_mm) / step
-    height = surface.peaks_mm[:, 2] - radius
+    height = surface.peaks_mm[:, 2] - cutter.radius_mm
     reach = int(radius / step) + 1
     nearest = np.rint(place).astype(int) + reach
     off = (nearest - reach - place) * step

@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.triangles import raise_to_triangles
 
-_SHARP_DEG = 6.0
+_SHARP_DEG = 5.0
 """An edge that is bent by more is touched by samples of its own."""
 _EVEN_DEG = 1.0
 """The same, where a sharp edge meets it."""

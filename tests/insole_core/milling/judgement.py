@@ -40,12 +40,15 @@ class Judgement:
         Depth of the deepest milled point inside the piece.
     surplus_mm
         Greatest material over the ridges and over what the ball can reach.
+    usual_surplus_mm
+        The same for all but one pixel of ten thousand of the piece.
     beside_mm
         Greatest distance from the piece, of material beside it that is higher than a tab.
     """
 
     gouge_mm: float
     surplus_mm: float
+    usual_surplus_mm: float
     beside_mm: float
     gouges: FloatArray
     surpluses: FloatArray
@@ -85,7 +88,8 @@ def judge(
     near &= left > floor_mm + how.roughing.allowance_mm
     besides[near] = distance(_points(removal, left, near))
     return Judgement(
-        float(gouges.max()), float(surpluses.max()), float(besides.max()),
+        float(gouges.max()), float(surpluses.max()),
+        float(np.quantile(surpluses[inside], 0.9999)), float(besides.max()),
         gouges, surpluses, besides,
     )  # fmt: skip
 

@@ -18,9 +18,10 @@ import scipy
 
 from insole_core.errors import DesignError, InputError, OutputError
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.milling.gcode import gcode, origin_mm
 from insole_core.milling.machine import Machine, read_machine, write_machine
-from insole_core.milling.plan import MillingPlan, plan_milling, turned_over
+from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling, turned_over
 from insole_core.resources import resource_path
 from insole_core.workflows.mill import write_program
 from tests.insole_core.milling.judgement import judge, seen_from_above
@@ -224,6 +225,13 @@ def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
     (note,) = plan.notes
     assert '"6 mm ball nose" is too thick for a hollow' in note
     assert "x = 40 mm" in note
+    for side, turned, words in (
+        (Side.LEFT, False, "from the heel in the middle"),
+        (Side.RIGHT, True, "from the heel in the middle"),
+    ):
+        feet = [FootInBlock(side, turned)]
+        (said,) = plan_milling([solid(groove=True)], BLOCK_MM, machine(), feet=feet).notes
+        assert words in said
     deepest = np.nanmax(plan.left_over[0].height_mm)
     removal = left_of(plan, gcode(plan))
     asked, _ = seen_from_above(solid(groove=True), removal)
