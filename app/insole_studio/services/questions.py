@@ -220,7 +220,7 @@ class Questions:
         """Ask whether a device or form of the clinic may be replaced by one of the same name."""
         choices = [
             _Choice(tr("Replace it"), True, _DESTRUCT),
-            _Choice(tr("Keep the sample patient"), False, _REJECT),
+            _Choice(tr("Keep it"), False, _REJECT),
         ]
         sentence = tr("The clinic has “{name}” already.").format(name=name)
         return self._choose(sentence, choices, default=False)
@@ -229,7 +229,7 @@ class Questions:
         """Ask whether recovered work may be discarded for good."""
         choices = [
             _Choice(tr("Discard it"), True, _DESTRUCT),
-            _Choice(tr("Keep the sample patient"), False, _REJECT),
+            _Choice(tr("Keep it"), False, _REJECT),
         ]
         sentence = tr("What was recovered of {name} and not saved will be gone for good.")
         return self._choose(sentence.format(name=name), choices, default=False)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QStandardPaths
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 from real_dialogs import answering
 
@@ -115,6 +115,19 @@ def test_the_report_of_a_comparison_is_asked_about_by_its_completed_name(
     stage.deleteLater()
     assert path == tmp_path / "B. Name.pdf"
     assert given.asked == ["These files are there already: B. Name.pdf"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "goes"),
+    [(Questions.may_replace_own, "Replace it"), (Questions.may_discard, "Discard it")],
+)
+def test_what_is_there_is_kept_or_goes(
+    qapp: QApplication, asked: Callable[[Questions, str], bool], goes: str
+) -> None:
+    parent = QWidget()
+    with answering("Keep it", goes):
+        assert not asked(Questions(parent), "Wedge")
+        assert asked(Questions(parent), "Wedge")
 
 
 @pytest.mark.slow
