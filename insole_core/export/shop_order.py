@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 from typing import Any, Final, Literal, TypeAlias, get_args
@@ -95,6 +95,25 @@ class OrderTerms:
         )
 
 
+@dataclass(frozen=True)
+class Release:
+    """Which state of which order is released to the shop.
+
+    Parameters
+    ----------
+    number
+        Of the order; empty for files without one.
+    revision
+        1 for the first, one more each time the order takes the place of an earlier one.
+    by
+        Name of who released it; may be empty.
+    """
+
+    number: str = ""
+    revision: int = 1
+    by: str = ""
+
+
 def _check_delivery(day: date, today: date) -> None:
     if day < today:
         raise InputError(
@@ -158,19 +177,19 @@ class ShopOrder:
 
     Parameters
     ----------
-    number
-        By which clinic and shop speak of it.
+    release
+        By which number clinic and shop speak of it, which revision it is, and who released it.
     created_at
         ISO 8601 with time zone.
     program
         Name and version of what wrote it.
     """
 
-    number: str
+    release: Release
     created_at: str
     program: str
     items: tuple[OrderItem, ...]
-    clinic: str = field(default="")
+    clinic: str = ""
 
     @property
     def files(self) -> tuple[OrderedFile, ...]:
@@ -189,7 +208,9 @@ def write_shop_order(order: ShopOrder, path: Path) -> None:
     content = {
         "format": FORMAT,
         "version": VERSION,
-        "number": order.number,
+        "number": order.release.number,
+        "revision": order.release.revision,
+        "released_by": order.release.by,
         "created_at": order.created_at,
         "program": order.program,
         "clinic": order.clinic,
@@ -242,7 +263,11 @@ def parse_shop_order(name: str, text: bytes) -> ShopOrder:
     if not items:
         raise root.fail("items", "must hold at least one item")
     order = ShopOrder(
-        root.text("number"),
+        Release(
+            root.text("number"),
+            root.integer("revision", 1, 10**6) if root.has("revision") else 1,
+            root.text("released_by", empty=True) if root.has("released_by") else "",
+        ),
         root.date("created_at"),
         root.text("program"),
         items,

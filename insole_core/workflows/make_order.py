@@ -6,21 +6,29 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
 from insole_core.errors import InputError
-from insole_core.export.shop_order import OrderTerms
+from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.messages import Translate
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override
-from insole_core.solids.export_job import ExportJob, ExportPaths, opened, run_export_job
+from insole_core.solids.export_job import (
+    ExportJob,
+    ExportPaths,
+    drawn_parts,
+    opened,
+    run_export_job,
+)
 from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.marking import Relief
 from insole_core.solids.order import Order, Part, checked_together, make_part
@@ -28,6 +36,9 @@ from insole_core.solids.prescription_paper import NOBODY, Responsible, require_s
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
 from insole_core.workflows.nameless import require_nameless
+
+if TYPE_CHECKING:
+    from insole_core.export.insole_drawing import DrawnInsole
 
 _SIDE_WORDS = ("left", "right", "pair")
 
@@ -187,6 +198,8 @@ def write_order(
     patient: Patient,
     responsible: Responsible = NOBODY,
     override: Override | None = None,
+    release: Release | None = None,
+    translate: Translate = str,
     progress: Progress = SILENT,
 ) -> tuple[Path, ...]:
     """Write the parts with their papers: all of them or nothing.
@@ -204,6 +217,10 @@ def write_order(
     override
         Accepts failed checks. It is recorded in the file of the checks, which is then always
         written.
+    release
+        Number, revision and who released it, for the drawing.
+    translate
+        Into the language of the papers.
 
     Returns
     -------
@@ -226,6 +243,7 @@ def write_order(
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
     groups = _groups(_laid_out(parts, choice), choice)
+    drawn = drawn_parts(parts, translate) if choice.job_sheet else ()
     with Transaction() as transaction:
         beside = [opened(place, transaction) for place in places]
         steps = progress.parts(len(groups))
@@ -237,7 +255,9 @@ def write_order(
                 patient=patient,
                 responsible=responsible,
                 override=override,
-                ordered=parts,
+                drawn=drawn,
+                release=release or Release(),
+                translate=translate,
             )
             run_export_job(job, place, temporary, step)
     return tuple(place.solid for place in places)
@@ -257,7 +277,9 @@ def _export_job(
     patient: Patient,
     responsible: Responsible,
     override: Override | None,
-    ordered: Sequence[Part],
+    drawn: tuple[DrawnInsole, ...],
+    release: Release,
+    translate: Translate,
 ) -> ExportJob:
     """Return the job that writes the parts of one file with their papers."""
     return ExportJob(
@@ -271,7 +293,9 @@ def _export_job(
         override=override,
         ascii_stl=choice.ascii_stl,
         terms=choice.terms,
-        ordered=tuple(ordered),
+        drawn=drawn,
+        release=release,
+        translate=translate,
     )
 
 
