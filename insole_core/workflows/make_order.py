@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 
@@ -40,6 +40,7 @@ from insole_core.workflows.nameless import require_nameless
 if TYPE_CHECKING:
     from insole_core.export.insole_drawing import DrawnInsole
 
+Package: TypeAlias = Literal["", "zip", "folder"]
 _SIDE_WORDS = ("left", "right", "pair")
 
 
@@ -76,6 +77,8 @@ class OrderChoice:
         Which papers are written.
     terms
         Quantity, colour and so on, for the shop.
+    package
+        Whether all is written as one order, in an archive or a folder; empty for single files.
     """
 
     kind: Kind = "insole"
@@ -97,6 +100,7 @@ class OrderChoice:
     prescription: bool = False
     checks: bool = False
     terms: OrderTerms = field(default_factory=OrderTerms)
+    package: Package = ""
 
     def makes_alike(self, other: OrderChoice) -> bool:
         """Return whether both give the same solids; papers and formats do not matter."""
@@ -107,7 +111,7 @@ class OrderChoice:
         relief = self.relief
         return replace(
             self, suffix="", ascii_stl=False, layered=False, material="", own_materials={},
-            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(),
+            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(), package="",
             pseudonym=self.pseudonym if relief else "", text=self.text if relief else "",
         )  # fmt: skip
 

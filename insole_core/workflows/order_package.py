@@ -19,6 +19,7 @@ from insole_core.export.shop_order import (
     FileRole,
     OrderedFile,
     OrderItem,
+    OrderTerms,
     Release,
     ShopOrder,
     is_plain_name,
@@ -76,6 +77,30 @@ class PackedItem:
     patient: Patient
     added: Mapping[Path, tuple[Side, ...]]
     override: Override | None = None
+
+
+@dataclass(frozen=True)
+class Ordered:
+    """What was written for a shop, for whoever keeps it.
+
+    Parameters
+    ----------
+    paths
+        Of the files that belong to it.
+    number
+        Of the order; empty for single files, which have none.
+    """
+
+    paths: tuple[Path, ...]
+    terms: OrderTerms
+    number: str = ""
+
+
+def files_of_package(path: Path, order: ShopOrder) -> tuple[Path, ...]:
+    """Return the files that `write_package` has written: the archive, or those in the folder."""
+    if path.suffix.lower() == ".zip":
+        return (path,)
+    return tuple(path / name for name in (ORDER_FILE, *(file.name for file in order.files)))
 
 
 def write_package(
@@ -160,7 +185,7 @@ def _written(
     for item in items:
         _check_item(item, how.release, today, written)
         progress.step(0.0, "Writing the order")
-        written.append(_write_item(item, how))
+        written.append(_write_item(item, how, progress))
     if not written:
         raise UsageError("The order holds nothing; name at least one case.")
     order = replace(begun, items=tuple(written))
@@ -191,13 +216,13 @@ def _check_item(
         )
 
 
-def _write_item(item: PackedItem, how: _How) -> OrderItem:
+def _write_item(item: PackedItem, how: _How, progress: Progress) -> OrderItem:
     choice = replace(item.choice, prescription=False)  # it names the patient
     named = how.folder / f"{_stem(choice.pseudonym)}{choice.suffix}"
     write_order(
         item.parts, choice, named,
         shop=how.shop, patient=item.patient, override=item.override, release=how.release,
-        translate=how.translate,
+        translate=how.translate, progress=progress,
     )  # fmt: skip
     sides = tuple(part.side for part in item.parts)
     files = [

@@ -296,10 +296,6 @@
             <translation>Valfritt nummer</translation>
         </message>
         <message>
-            <source>Approved by</source>
-            <translation>Godkänd av</translation>
-        </message>
-        <message>
             <source>Approved: date and signature</source>
             <translation>Godkänt: datum och underskrift</translation>
         </message>
@@ -646,10 +642,6 @@
         <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
-        </message>
-        <message>
-            <source>Drawn by</source>
-            <translation>Ritad av</translation>
         </message>
         <message>
             <source>Drawn outline</source>
@@ -1009,7 +1001,7 @@
         </message>
         <message>
             <source>Job sheet for custom insoles</source>
-            <translation>Arbetssedel för individuella inlägg</translation>
+            <translation>Arbetsblad för individuella inlägg</translation>
         </message>
         <message>
             <source>Joining the views</source>
@@ -4802,6 +4794,10 @@
         <message>
             <source>name of the shop</source>
             <translation>Verkstadens namn</translation>
+        </message>
+        <message>
+            <source>name of who released the order</source>
+            <translation>namnet på den som frisläppte beställningen</translation>
         </message>
         <message>
             <source>name the same point twice</source>

@@ -12,6 +12,10 @@
             <translation>Tillverkarens adress</translation>
         </message>
         <message>
+            <source>An order holds all files for the shop, and a list by which they can be verified</source>
+            <translation>En beställning innehåller alla filer till verkstaden och en lista som de kan kontrolleras mot</translation>
+        </message>
+        <message>
             <source>At most</source>
             <translation>Högst</translation>
         </message>
@@ -48,6 +52,10 @@
             <translation>Kontroller</translation>
         </message>
         <message>
+            <source>Choose the folder to put the folder of order {number} into</source>
+            <translation>Välj mappen som mappen för beställning {number} ska läggas i</translation>
+        </message>
+        <message>
             <source>Clinic, if any</source>
             <translation>Mottagning, om någon</translation>
         </message>
@@ -56,8 +64,16 @@
             <translation>Sluten kropp</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Färg</translation>
+        </message>
+        <message>
             <source>Contact surface in a block</source>
             <translation>Kontaktytan i ett block</translation>
+        </message>
+        <message>
+            <source>Cover</source>
+            <translation>Överdrag</translation>
         </message>
         <message>
             <source>Cutter ⌀</source>
@@ -66,6 +82,10 @@
         <message>
             <source>Delete this block</source>
             <translation>Ta bort blocket</translation>
+        </message>
+        <message>
+            <source>Delivery date</source>
+            <translation>Leveransdag</translation>
         </message>
         <message>
             <source>Deviation</source>
@@ -134,6 +154,10 @@
         <message>
             <source>Insole, trimmed</source>
             <translation>Inlägg, beskuret</translation>
+        </message>
+        <message>
+            <source>It names the patient and never goes into an order; write it with single files</source>
+            <translation>Den nämner patienten och läggs aldrig i en beställning; skriv den med enskilda filer</translation>
         </message>
         <message>
             <source>It stays {before}.</source>
@@ -208,6 +232,14 @@
             <translation>På undersidan</translation>
         </message>
         <message>
+            <source>One order, as a folder</source>
+            <translation>En beställning, som mapp</translation>
+        </message>
+        <message>
+            <source>One order, as a zip archive</source>
+            <translation>En beställning, som zip-arkiv</translation>
+        </message>
+        <message>
             <source>Order</source>
             <translation>Beställning</translation>
         </message>
@@ -228,6 +260,10 @@
             <translation>Egna block…</translation>
         </message>
         <message>
+            <source>Pairs</source>
+            <translation>Par</translation>
+        </message>
+        <message>
             <source>Papers</source>
             <translation>Papper</translation>
         </message>
@@ -238,6 +274,10 @@
         <message>
             <source>Piece</source>
             <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Pieces</source>
+            <translation>Stycken</translation>
         </message>
         <message>
             <source>Prescriber</source>
@@ -262,6 +302,10 @@
         <message>
             <source>Pseudonym, side and date</source>
             <translation>Pseudonym, sida och datum</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Antal</translation>
         </message>
         <message>
             <source>Raised</source>
@@ -290,6 +334,10 @@
         <message>
             <source>Save the blocks</source>
             <translation>Spara blocken</translation>
+        </message>
+        <message>
+            <source>Single files</source>
+            <translation>Enskilda filer</translation>
         </message>
         <message>
             <source>Something unexpected happened; nothing was written. Please report it.</source>
@@ -340,6 +388,10 @@
             <translation>Väggar</translation>
         </message>
         <message>
+            <source>What is glued on top</source>
+            <translation>Vad som limmas ovanpå</translation>
+        </message>
+        <message>
             <source>What the shop knows the patient by; without one, the order number {number}</source>
             <translation>Det som verkstaden känner patienten under; utan en sådan ordernumret {number}</translation>
         </message>
@@ -350,6 +402,10 @@
         <message>
             <source>Writing the order of the case before was stopped.</source>
             <translation>Skrivningen av det förra fallets beställning avbröts.</translation>
+        </message>
+        <message>
+            <source>Written as</source>
+            <translation>Skrivs som</translation>
         </message>
         <message>
             <source>blocks</source>

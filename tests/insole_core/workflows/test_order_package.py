@@ -138,7 +138,7 @@ def test_a_later_order_of_the_number_is_its_next_revision_in_the_language_asked_
     assert order == verify_order(unpacked).order
     assert (order.release.revision, order.release.by) == (2, "Eva Ek")
     text = text_of_pdf(unpacked / "P-17-left-job-sheet.pdf")
-    for shown in ("Arbetssedel", "Revision\n2\n", "Eva Ek", "Tolerans", "Datum"):
+    for shown in ("Arbetsblad", "Revision\n2\n", "Eva Ek", "Tolerans", "Datum"):
         assert shown in text
     assert not {"Released", "Sheet", "Order", "left", "thick"} & set(text.split())
     with pytest.raises(InputError, match="holds the patient's name"):

@@ -19,6 +19,8 @@ from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
+from insole_core.workflows.make_order import Package
+from insole_core.workflows.order_package import Ordered
 from insole_studio.document.case_name import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.services.app_services import AppServices
@@ -41,8 +43,7 @@ class ExportActions(StageWindow["ExportStage"]):
 
     changed = Signal()
     exported_files = Signal(object, object)
-    """Emitted with the record of the open case that was exported, and the files."""
-    """Emitted after an export."""
+    """Emitted with the record of the open case that was exported, and an `Ordered`."""
 
     def __init__(self, services: AppServices) -> None:
         super().__init__(services.window)
@@ -126,6 +127,14 @@ class ExportActions(StageWindow["ExportStage"]):
         stem = re.sub(r'[<>:"/\\|?*\s]+', "_", pseudonym)
         return self._questions.name_to_write(f"{stem}-{word}{suffix}", kinds, Kept.EXPORTS)
 
+    def package_path(self, number: str, package: Package) -> Path | None:
+        """Let the user choose where an order is written; a folder is named after its number."""
+        if package == "zip":
+            return self._questions.name_to_write(f"{number}.zip", "ZIP (*.zip)", Kept.EXPORTS)
+        title = tr("Choose the folder to put the folder of order {number} into")
+        within = self._questions.folder_to_open(title.format(number=number), Kept.EXPORTS)
+        return None if within is None else within / number
+
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be overwritten."""
         return self._questions.may_replace(paths)
@@ -201,11 +210,11 @@ class ExportActions(StageWindow["ExportStage"]):
     def _forget_exported(self) -> None:
         self.exported = None
 
-    def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
+    def _note(self, record: CaseRecord, ordered: Ordered) -> None:
         self.exported = record
         self.changed.emit()
-        self.exported_files.emit(record, paths)
-        names = ", ".join(path.name for path in paths)
+        self.exported_files.emit(record, ordered)
+        names = ", ".join(path.name for path in ordered.paths)
         self._messages.say(tr("Exported {name}").format(name=names))
 
     def ask_print_outline(self) -> None:
