@@ -21,6 +21,8 @@ ORDER_FILE: Final = "order.json"
 MOST_PAIRS: Final = 1000
 """Of one item; more is a slip of the finger."""
 _MOST_LETTERS: Final = 200
+_MOST_OF_NUMBER: Final = 60
+"""As in the clinic's record."""
 _MOST_REMARKS: Final = 2000
 _MOST_DAYS: Final = 730
 _FORBIDDEN_IN_NAMES: Final = re.compile(r'[\x00-\x1f<>:"|?*/\\]')
@@ -112,6 +114,26 @@ class Release:
     number: str = ""
     revision: int = 1
     by: str = ""
+
+    def check(self) -> None:
+        """Check that the papers can show number and name.
+
+        Raises
+        ------
+        InputError
+            When the number is empty, or one of them is too long or of more than a line.
+        """
+        if not self.number.strip():
+            raise InputError("The order has no number; give it one.")
+        texts = (("number", self.number, _MOST_OF_NUMBER), ("released by", self.by, _MOST_LETTERS))
+        for name, text, most in texts:
+            if len(text) > most or not text.isprintable():
+                raise InputError(
+                    'The "{name}" of the order must be one line of at most {most} characters; '
+                    "shorten it.",
+                    name=name,
+                    most=most,
+                )
 
 
 def _check_delivery(day: date, today: date) -> None:

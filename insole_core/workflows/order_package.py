@@ -147,6 +147,7 @@ def write_package(
     is_archive = path.suffix.lower() == ".zip"
     program = f"Insole Studio {program_version()}"
     state = Release(number, _revision(path, number), released_by)
+    state.check()
     begun = ShopOrder(state, now.isoformat(timespec="seconds"), program, (), clinic)
     with Transaction() as outputs:
         beside = outputs.file(path) if is_archive else outputs.folder(path, find_foreign_to_order)

@@ -1820,6 +1820,10 @@
             <translation>Telfer/OpenFO (3,0); över 95 kg klinikens egen bedömning</translation>
         </message>
         <message>
+            <source>The "{name}" of the order must be one line of at most {most} characters; shorten it.</source>
+            <translation>Beställningens ”{name}” måste vara en rad med högst {most} tecken; korta den.</translation>
+        </message>
+        <message>
             <source>The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the two, or check the side.</source>
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
@@ -2310,6 +2314,10 @@
         <message>
             <source>The order has a file {name} already; give this one another name.</source>
             <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
+        </message>
+        <message>
+            <source>The order has no number; give it one.</source>
+            <translation>Beställningen har inget nummer; ge den ett.</translation>
         </message>
         <message>
             <source>The order holds nothing; name at least one case.</source>
@@ -4916,6 +4924,10 @@
             <translation>anteckningar</translation>
         </message>
         <message>
+            <source>number</source>
+            <translation>nummer</translation>
+        </message>
+        <message>
             <source>number of an order</source>
             <translation>beställningsnummer</translation>
         </message>
@@ -5182,6 +5194,10 @@
         <message>
             <source>refused</source>
             <translation>avvisade</translation>
+        </message>
+        <message>
+            <source>released by</source>
+            <translation>frisläppt av</translation>
         </message>
         <message>
             <source>relief at the base of the 5th metatarsal</source>

@@ -16,6 +16,10 @@
             <translation>En beställning innehåller alla filer till verkstaden och en lista som de kan kontrolleras mot</translation>
         </message>
         <message>
+            <source>And {count} more.</source>
+            <translation>Och {count} till.</translation>
+        </message>
+        <message>
             <source>At most</source>
             <translation>Högst</translation>
         </message>
@@ -244,6 +248,14 @@
             <translation>Beställning</translation>
         </message>
         <message>
+            <source>Order {number} is complete and unchanged: {count} files.</source>
+            <translation>Beställning {number} är fullständig och oförändrad: {count} filer.</translation>
+        </message>
+        <message>
+            <source>Order {number} is not as it was written; do not make it:</source>
+            <translation>Beställning {number} är inte som den skrevs; tillverka den inte:</translation>
+        </message>
+        <message>
             <source>Outcome of the checks (JSON)</source>
             <translation>Kontrollernas utfall (JSON)</translation>
         </message>
@@ -336,6 +348,10 @@
             <translation>Spara blocken</translation>
         </message>
         <message>
+            <source>Say whether the files of an order are as they were written</source>
+            <translation>Säg om filerna i en beställning är som de skrevs</translation>
+        </message>
+        <message>
             <source>Single files</source>
             <translation>Enskilda filer</translation>
         </message>
@@ -382,6 +398,10 @@
         <message>
             <source>Use these</source>
             <translation>Använd dessa</translation>
+        </message>
+        <message>
+            <source>Verify order…</source>
+            <translation>Kontrollera beställning…</translation>
         </message>
         <message>
             <source>Walls</source>

@@ -238,6 +238,22 @@ def test_wrong_terms_leave_nothing_behind(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    ("told", "number", "by"),
+    [
+        ("has no number", " ", ""),
+        ("number", "7" * 61, ""),
+        ("released by", "7", "Eva\nEk"),
+    ],
+)
+def test_a_number_or_name_that_no_paper_can_show_is_refused(
+    tmp_path: Path, told: str, number: str, by: str
+) -> None:
+    with pytest.raises(InputError, match=told):
+        write_package([], tmp_path / "o", number=number, shop=read_shop(), now=NOW, released_by=by)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_full_disk_leaves_nothing_behind(
     parts: tuple[Part, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

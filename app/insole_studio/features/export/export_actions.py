@@ -12,6 +12,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.export.order_verification import Verification, verify_order
+from insole_core.export.shop_order import ORDER_FILE
 from insole_core.insole.build import build_insole
 from insole_core.progress import Progress
 from insole_core.solids.prescription_paper import Responsible
@@ -28,7 +30,7 @@ from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.services.user_messages import LONG_MS
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.fields_dialog import Field
 
 if TYPE_CHECKING:
@@ -36,6 +38,8 @@ if TYPE_CHECKING:
 
 CHANNEL = "export"
 LEFT_NOTICE = "order"
+_MOST_LINES = 8
+"""Of what is wrong with an order, in a dialog."""
 
 
 class ExportActions(StageWindow["ExportStage"]):
@@ -216,6 +220,34 @@ class ExportActions(StageWindow["ExportStage"]):
         self.exported_files.emit(record, ordered)
         names = ", ".join(path.name for path in ordered.paths)
         self._messages.say(tr("Exported {name}").format(name=names))
+
+    def ask_verify_order(self) -> None:
+        """Let the user choose an order, and say whether its files are as they were written."""
+        kinds = tr("Order") + f" (*.zip {ORDER_FILE})"
+        path = self._messages.questions.file_to_open(kinds, Kept.EXPORTS)
+        if path is not None:
+            self.verify_order(path.parent if path.name == ORDER_FILE else path)
+
+    def verify_order(self, path: Path) -> None:
+        """Compare the files of an order, a folder or an archive, with its list."""
+        self._services.run(
+            CHANNEL, lambda progress: verify_order(path, progress), self._tell_verified
+        )
+
+    def _tell_verified(self, verified: Verification) -> None:
+        number = verified.order.release.number
+        if not verified.problems:
+            sentence = tr("Order {number} is complete and unchanged: {count} files.")
+            self._messages.say(
+                sentence.format(number=number, count=len(verified.order.files)), LONG_MS
+            )
+            return
+        lines = [translate_core_message(problem) for problem in verified.problems]
+        more = len(lines) - _MOST_LINES
+        if more > 0:
+            lines[_MOST_LINES:] = [tr("And {count} more.").format(count=more)]
+        heading = tr("Order {number} is not as it was written; do not make it:")
+        self._messages.show_sentence("\n".join([heading.format(number=number), *lines]))
 
     def ask_print_outline(self) -> None:
         """Let the user choose a PDF file and print the outline into it."""
