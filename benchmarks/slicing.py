@@ -55,12 +55,12 @@ def main() -> None:
             said = "; ".join(outcome.complaints) or "no complaint"
             away = "".join(f", a zone {share:.1%} away" for share in outcome.away)
             print(f"design {number}: {said}{away}", flush=True)
-    away = [share for outcome in outcomes for share in outcome.away]
+    deviations = [share for outcome in outcomes for share in outcome.away]
     faulty = sum(bool(outcome.complaints) for outcome in outcomes)
-    obeyed = sum(share <= _WITHIN for share in away)
+    obeyed = sum(share <= _WITHIN for share in deviations)
     print(
         f"designs {first} to {first + designs - 1}: {faulty} with complaints; {obeyed} of "
-        f"{len(away)} zones obeyed, worst {max(away, default=0):.1%} away"
+        f"{len(deviations)} zones obeyed, worst {max(deviations, default=0):.1%} away"
     )
 
 
