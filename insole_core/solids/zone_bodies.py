@@ -116,8 +116,8 @@ def zoned_part(part: Part, plan: PrintPlan, pressure: PressureMap | None = None)
     return ZonedPart(printed, tuple(notes))
 
 
-def _named(zone: Zone) -> str:
-    return f"{zone.name} {zone.infill.density_percent:g} %"
+def _named(zone: Zone) -> Message:
+    return Message("{zone} {density:g} %", zone=zone.name, density=zone.infill.density_percent)
 
 
 def _quoted(zone: Zone) -> Message:

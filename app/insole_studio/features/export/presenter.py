@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import InsoleError
 from insole_core.export.solid_file import merged
 from insole_core.geometry.side import Side
+from insole_core.milling.machine import Machine
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override, worst_findings
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
@@ -35,8 +36,12 @@ from insole_core.workflows.make_order import (
     word_of,
     write_order,
 )
+from insole_core.workflows.mill import MillingChoice
+from insole_core.workflows.named_files import NamedFiles
 from insole_core.workflows.overwriting import check_overwriting
+from insole_core.workflows.print_order import PrintChoice
 from insole_studio.document.case import Case
+from insole_studio.features.export.machine_presenter import MachinePresenter
 from insole_studio.features.export.rows import (
     TITLES,
     Buttons,
@@ -72,6 +77,15 @@ class OrderAsker(Protocol):
     def blocks(self, own: Sequence[Block], stock: Sequence[Block]) -> tuple[Block, ...] | None:
         """Let the user edit the clinic's own blocks; None if cancelled."""
 
+    def machine_file(self) -> Path | None:
+        """Let the user choose the file of a router; None if cancelled."""
+
+    def machine_file_to_write(self, name: str) -> Path | None:
+        """Let the user choose where to save the file of a router; None if cancelled."""
+
+    def zones_file(self) -> Path | None:
+        """Let the user choose a file of zones; None if cancelled."""
+
     def responsible(self) -> Responsible:
         """Return who prescribes and makes, as far as it is known."""
 
@@ -106,6 +120,8 @@ class ExportPresenter:
         Asks for what the order needs, and tells of a failure.
     memory
         Storage of the last order.
+    machines
+        Storage of the routers.
     exported
         Called with the exported record and the paths of the files.
     """
@@ -121,6 +137,7 @@ class ExportPresenter:
         blocks: ClinicBlocks,
         asker: OrderAsker,
         memory: LastOrder,
+        machines: NamedFiles[Machine],
         exported: Callable[[CaseRecord, Sequence[Path]], None],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
@@ -144,6 +161,15 @@ class ExportPresenter:
         self._is_case_left = False
         self._complaint = ""
         """Why the clinic's rules could not be read."""
+        self._machine = MachinePresenter(
+            panel.form,
+            jobs=jobs,
+            machines=machines,
+            shop=shop,
+            asker=asker,
+            choose=self._choose_machine,
+            changed=self._show_prepared,
+        )
         panel.choice_edited.connect(self.edit_choice)
         panel.material_edited.connect(self.edit_material)
         panel.blocks_requested.connect(self.edit_blocks)
@@ -179,10 +205,12 @@ class ExportPresenter:
 
     def edit_choice(self, choice: OrderChoice) -> None:
         """Set the order; changes that concern only files and documents do not make it again."""
-        alike = choice.makes_alike(self._choice)
-        self._choice = choice
-        if alike and not self._problem:
+        before, self._choice = self._choice, choice
+        same_cutter = _cutter_mm(choice) == _cutter_mm(before)
+        if choice.makes_alike(before) and same_cutter and not self._problem:
             self._show_order()
+            if (choice.printing, choice.milling) != (before.printing, before.milling):
+                self._prepare()
         else:
             self.remake()
 
@@ -239,11 +267,17 @@ class ExportPresenter:
         self._record, self._problem = self._case.record, ""
         self._panel.show_patient(patient_text(self._record.patient))
         self._show_order()
-        self._panel.show_cutter(self._rules.cutter_diameter_mm)
+        cutter_mm = _cutter_mm(self._choice)
+        self._panel.form.show_cutter(
+            cutter_mm or self._rules.cutter_diameter_mm, is_of_router=cutter_mm is not None
+        )
         if self._record.current is None:
             self._take(())
             return
         record, choice, rules = self._record, self._order, self._rules
+        if cutter_mm is not None:
+            rules = rules.with_cutter(cutter_mm)
+        self._machine.forget()
 
         def make(progress: Progress) -> tuple[Part, ...]:
             return make_parts(record, choice, rules, progress)
@@ -259,7 +293,10 @@ class ExportPresenter:
         self._framed = (key, self._choice.kind) if self.parts else ("", "")
         block, nest = self._choice.block, self._nest
         if key == _NEST and block is not None and nest is not None:
-            self._panel.show_part(merged(nest.meshes), None, None, again)
+            sides = [part.side for part in self.parts]
+            colors = self._machine.colors_together(dict(zip(sides, nest.insole2block, strict=True)))
+            both = merged(nest.meshes) if colors is None else colors.mesh
+            self._panel.show_part(both, None, None, again, colors)
             self._panel.show_block(block_edges(block), again)
             self._panel.show_summary(summary_of_nest(nest))
         else:
@@ -268,7 +305,9 @@ class ExportPresenter:
             turned = side is not None and self._choice.kind == "positive"
             words = side.other if side is not None and turned else side
             self._panel.show_block([], True)
-            self._panel.show_part(solid, side, words, again)
+            colors = None if side is None else self._machine.colors(side)
+            mesh = solid if colors is None else colors.mesh
+            self._panel.show_part(mesh, side, words, again, colors)
             self._panel.show_summary("" if part is None else summary_of(part))
         self._show_spots()
         self._show_checks()
@@ -298,6 +337,7 @@ class ExportPresenter:
         """Write the file and its documents in the background."""
         record, parts, choice = self._record, self.parts, self._order
         override, responsible = self._override(), self._asker.responsible()
+        made = self._machine.made
 
         def write(progress: Progress) -> tuple[Path, ...]:
             files = files_of(parts, choice, path, override is not None)
@@ -305,7 +345,7 @@ class ExportPresenter:
             return write_order(
                 parts, choice, path,
                 shop=self._shop, patient=record.patient, responsible=responsible,
-                override=override, progress=progress,
+                override=override, made=made, progress=progress,
             )  # fmt: skip
 
         def done(paths: tuple[Path, ...]) -> None:
@@ -341,6 +381,7 @@ class ExportPresenter:
         if self._jobs.is_running(MAKING):
             self._problem = tr("Stopped. Change the order to make it again.")
             self._panel.show_error(self._problem)
+        self._machine.cancel()
         self._jobs.cancel(MAKING)
         self._jobs.cancel(WRITING)
 
@@ -375,6 +416,7 @@ class ExportPresenter:
             pseudonym=record.patient.pseudonym,
             text="",
             own_materials={},
+            printing=self._choice.printing and replace(self._choice.printing, weight_kg=None),
         )
 
     def _follow(self) -> None:
@@ -396,6 +438,22 @@ class ExportPresenter:
         self._panel.show_choice(self._choice, self._has_pair)
         feet = feet_of(self._record, self._choice)
         self._panel.show_feet([ordered_foot(self._choice, foot.design) for foot in feet])
+        self._panel.form.machine.show_prescribed_weight(_prescribed_weight(feet))
+
+    def _prepare(self) -> None:
+        """Make the zones or the tool paths of the parts."""
+        self._machine.prepare(self.parts, self._order, feet_of(self._record, self._choice))
+        self._show_prepared()
+
+    def _show_prepared(self) -> None:
+        self.show_part(self._shown)
+        self._show_buttons()
+
+    def _choose_machine(self, chosen: PrintChoice | MillingChoice | None) -> None:
+        """Order for another printer or router; a printer's program gets a 3MF."""
+        printing = chosen if isinstance(chosen, PrintChoice) else None
+        milling = chosen if isinstance(chosen, MillingChoice) else None
+        self.edit_choice(replace(self._choice, printing=printing, milling=milling))
 
     @property
     def _has_pair(self) -> bool:
@@ -464,8 +522,8 @@ class ExportPresenter:
         shown = self._shown if self._shown in names else next(iter(names), "")
         self._panel.show_parts(names, shown)
         self._panel.show_notes([note for part in parts for note in notes_of(part)])
-        self.show_part(shown)
-        self._show_buttons()
+        self._shown = shown
+        self._prepare()
 
     def _show_spots(self) -> None:
         findings = self._findings
@@ -534,11 +592,22 @@ class ExportPresenter:
         may = (not self._blocked or bool(self._reason)) and self._misfit is None
         self._panel.show_buttons(
             Buttons(
-                export=not busy and bool(self.parts) and may and not self._problem,
+                export=not busy and self._machine.made is not None and may and not self._problem,
                 cancel=busy,
                 reason=self._blocked,
             )
         )
+
+
+def _cutter_mm(choice: OrderChoice) -> float | None:
+    """Return the diameter of the router's cutter that reaches into hollows; None without one."""
+    return None if choice.milling is None else choice.milling.machine.finishing.cutter.diameter_mm
+
+
+def _prescribed_weight(feet: Sequence[FootRecord]) -> float | None:
+    """Return the first body weight that a prescription states."""
+    shells = [foot.design.shell for foot in feet if foot.design.shell is not None]
+    return next((s.body_weight_kg for s in shells if s.body_weight_kg is not None), None)
 
 
 def _prescribed_material(record: CaseRecord, side: Side) -> str:
