@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import math
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -27,7 +28,8 @@ from insole_core.solids.order import Order, Part, make_part
 from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.print_zones import PrintPlan, Zone, plan_of, read_zones, require_printable
 from insole_core.solids.simplification import to_manifold
-from insole_core.solids.zone_bodies import OVERLAP_MM, placed_print, zoned_part
+from insole_core.solids.zone_bodies import OVERLAP_MM, cut_by_zones, placed_print, zoned_part
+from insole_studio.texts import translation_into
 
 PLAIN = Infill(20, "grid")
 LAYERS = Layers(cover_mm=2.0, shell_mm=3.0)
@@ -123,6 +125,27 @@ def test_zone_thinner_than_two_walls_or_beside_the_insole(left_foot):
 def test_only_insoles_have_zones(part):
     with pytest.raises(DesignError, match="for insoles only"):
         zoned_part(replace(part, order=Order(kind="block")), plan(zone("heel")))
+
+
+def test_cut_by_zones_the_surface_stays_whole(part):
+    asked = plan(zone("heel"), zone("arch", 40), zone("pad", 70))
+    printed = zoned_part(part, asked).printed
+    surface, zones = cut_by_zones(printed)
+    assert surface.area_mm2 == pytest.approx(part.solid.area_mm2)
+    assert set(zones) == {-1, 0, 1, 2}
+    length = part.insole.foot.length_mm
+    for x, share, asked_there in ((0, 0.15, 0), (0, 0.5, 2), (30, 0.5, 1), (0, 0.85, -1)):
+        away = surface.vertices[:, :2] - [x, share * length]
+        assert zones[np.hypot(*away.T).argmin()] == asked_there  # the later zone: pad in arch
+
+
+def test_sentences_name_zones_in_the_language_of_the_reader(part):
+    with pytest.raises(DesignError) as caught:
+        zoned_part(part, plan(zone("pressure", kpa=(200.0, math.inf))))
+    swedish = translation_into("sv")(caught.value.message)
+    assert "”från 200 kPa”" in swedish
+    (overlap,) = zoned_part(part, plan(zone("heel"), zone("pad"), zone("cover"))).notes
+    assert "”överdrag”" in translation_into("sv")(overlap)
 
 
 def test_denser_with_the_body_weight():

@@ -205,6 +205,8 @@ class ExportPresenter:
 
     def edit_choice(self, choice: OrderChoice) -> None:
         """Set the order; changes that concern only files and documents do not make it again."""
+        if self._is_case_left:
+            return  # a field lets go of what was typed as its window closes
         before, self._choice = self._choice, choice
         same_cutter = _cutter_mm(choice) == _cutter_mm(before)
         if choice.makes_alike(before) and same_cutter and not self._problem:
@@ -453,7 +455,11 @@ class ExportPresenter:
         """Order for another printer or router; a printer's program gets a 3MF."""
         printing = chosen if isinstance(chosen, PrintChoice) else None
         milling = chosen if isinstance(chosen, MillingChoice) else None
-        self.edit_choice(replace(self._choice, printing=printing, milling=milling))
+        choice = replace(self._choice, printing=printing, milling=milling)
+        if choice == self._choice:  # the file of that name may have changed
+            self._prepare()
+        else:
+            self.edit_choice(choice)
 
     @property
     def _has_pair(self) -> bool:
