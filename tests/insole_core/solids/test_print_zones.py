@@ -280,20 +280,23 @@ def test_cura_reads_settings_of_each_body(files):
     assert [each["cura:infill_pattern"] for each in read[:3]] == ["grid", "grid", "lines"]
 
 
-@pytest.mark.slow
 def test_prusaslicer_prints_each_zone_at_its_density(left_foot, tmp_path):
-    """Two boxes in heel and arch: the plastic of the infill fills as much of them as asked."""
-    part = part_of(left_foot, most_triangles=8000, most_deviation_mm=0.3)
+    """Two boxes in heel and arch: the plastic of the infill fills as much of them as asked.
+
+    At half the size and coarse, for an insole of full length takes ten seconds to slice.
+    """
+    part = part_of(left_foot, most_triangles=2500, most_deviation_mm=2)
     printed = zoned_part(part, plan(zone("heel", 15), zone("arch", 40))).printed
-    printed = replace(printed, infill=Infill(5, "grid"))
+    printed = replace(printed, infill=Infill(5, "grid"), walls=1, top_layers=1, bottom_layers=1)
     path = tmp_path / "zones.3mf"
-    write_slicer_3mf([placed_print(printed, standing(part.solid))], path, "prusaslicer")
+    half = np.diag([0.5, 0.5, 0.5, 1.0])
+    write_slicer_3mf([placed_print(printed, half @ standing(part.solid))], path, "prusaslicer")
     result = sliced(path, tmp_path, layer_mm=0.35)
     if result is None:
         pytest.skip("the program prusa-slicer is not installed")
     assert result.complaints == ()
     middle = part.solid.bounds_mm.mean(axis=0)[:2]
     for share, asked in ((0.15, 15), (0.45, 40)):
-        at = np.array([0.0, share * left_foot.length_mm]) - middle + BED_MM / 2
-        density = result.density_percent([*(at - 9), 2.0], [*(at + 9), 7.5])
+        at = (np.array([0.0, share * left_foot.length_mm]) - middle) / 2 + BED_MM / 2
+        density = result.density_percent([*(at - 6), 0.8], [*(at + 6), 3.8])
         assert density == pytest.approx(asked, rel=0.15)
