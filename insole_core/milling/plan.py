@@ -25,6 +25,8 @@ _MOST_LEFT_MM = 0.2
 """Material in a hollow of which nothing is said."""
 _LEFT_PITCH_MM = 1.0
 _FAR_MM = 1e3
+_LAND_MM = 2.0
+"""Width along a wall of which the left-over material is not computed."""
 _LEAST_UP = 0.15
 """Share of a normal along z from which a surface is milled from above, and is no wall."""
 
@@ -52,10 +54,17 @@ class LeftOver:
     top_mm: FloatArray
 
     def at(self, points_mm: FloatArray) -> FloatArray:
-        """Return the height of the material (n,) at places (n, 2) in mm, as the side lies."""
+        """Return the height of the material (n,) at places (n, 2) in mm, as the side lies.
+
+        A place on the land along a wall, which no pixel lies on, has that of the nearest pixel.
+        """
+        away, nearest = scipy.ndimage.distance_transform_edt(
+            np.isnan(self.height_mm), return_indices=True
+        )
+        heights = np.where(away * self.pitch_mm <= _LAND_MM, self.height_mm[tuple(nearest)], np.nan)
         pixels = np.rint((points_mm - self.first_mm) / self.pitch_mm).astype(int)
-        rows, columns = np.clip(pixels, 0, np.array(self.height_mm.shape) - 1).T
-        return np.asarray(self.height_mm[rows, columns])
+        rows, columns = np.clip(pixels, 0, np.array(heights.shape) - 1).T
+        return np.asarray(heights[rows, columns])
 
 
 @dataclass(frozen=True, eq=False)

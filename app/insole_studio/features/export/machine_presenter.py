@@ -6,10 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, transform
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.milling.machine import Machine
 from insole_core.milling.plan import MillingPlan
@@ -128,6 +131,19 @@ class MachinePresenter:
     def colors(self, side: Side) -> PartColors | None:
         """Return the colours of a part; None while it has none."""
         return self._colors.get(side)
+
+    def placed_in_block(
+        self, parts: Sequence[Part], insole2block: Sequence[FloatArray]
+    ) -> Sequence[FloatArray]:
+        """Return where the parts lie in the block: as they are milled, else as they are nested."""
+        plan = None if self.made is None else self.made.milling
+        if plan is None:
+            return insole2block
+        return [
+            rigid(np.eye(3), milled.vertices[0] - transform(nested, part.solid.vertices[0]))
+            @ nested
+            for part, milled, nested in zip(parts, plan.solids, insole2block, strict=True)
+        ]
 
     def colors_together(self, insole2block: Mapping[Side, FloatArray]) -> PartColors | None:
         """Return the parts in their colours where they lie in a block."""

@@ -295,8 +295,10 @@ class ExportPresenter:
         self._framed = (key, self._choice.kind) if self.parts else ("", "")
         block, nest = self._choice.block, self._nest
         if key == _NEST and block is not None and nest is not None:
-            sides = [part.side for part in self.parts]
-            colors = self._machine.colors_together(dict(zip(sides, nest.insole2block, strict=True)))
+            placed = self._machine.placed_in_block(self.parts, nest.insole2block)
+            colors = self._machine.colors_together(
+                {part.side: where for part, where in zip(self.parts, placed, strict=True)}
+            )
             both = merged(nest.meshes) if colors is None else colors.mesh
             self._panel.show_part(both, None, None, again, colors)
             self._panel.show_block(block_edges(block), again)
@@ -444,7 +446,8 @@ class ExportPresenter:
 
     def _prepare(self) -> None:
         """Make the zones or the tool paths of the parts."""
-        self._machine.prepare(self.parts, self._order, feet_of(self._record, self._choice))
+        parts = self.parts if self._misfit is None else ()
+        self._machine.prepare(parts, self._order, feet_of(self._record, self._choice))
         self._show_prepared()
 
     def _show_prepared(self) -> None:
@@ -478,9 +481,10 @@ class ExportPresenter:
             return {}
         findings = self._part.findings
         if self._shown == _NEST and self._nest is not None:
+            placed = self._machine.placed_in_block(self.parts, self._nest.insole2block)
             findings = worst_findings(
                 finding.moved(insole2block)
-                for part, insole2block in zip(self.parts, self._nest.insole2block, strict=True)
+                for part, insole2block in zip(self.parts, placed, strict=True)
                 for finding in part.findings
             )
         return {finding.name: finding for finding in findings}
