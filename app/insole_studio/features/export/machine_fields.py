@@ -116,7 +116,8 @@ class MachineFields(QObject):
 
     def show_choice(self, printing: PrintChoice | None, milling: MillingChoice | None) -> None:
         """Show for what an order is made."""
-        self._print = self._print if printing is None else printing
+        # The body weight is the patient's, and another one may come before the next print.
+        self._print = printing or replace(self._print, weight_kg=None)
         how = self._print
         value: str = "" if printing is None else printing.printer
         if milling is not None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -30,28 +31,25 @@ from insole_studio.jobs import Jobs
 from insole_studio.texts import fill, tr
 
 if TYPE_CHECKING:
-    from pathlib import Path
-    from typing import Protocol
-
     from insole_studio.features.export.order_form import OrderForm
 
-    class MachineAsker(Protocol):
-        """Asks the user for files of machines and zones, and tells of a failure."""
-
-        def machine_file(self) -> Path | None:
-            """Let the user choose the file of a router; None if cancelled."""
-
-        def machine_file_to_write(self, name: str) -> Path | None:
-            """Let the user choose where to save the file of a router; None if cancelled."""
-
-        def zones_file(self) -> Path | None:
-            """Let the user choose a file of zones; None if cancelled."""
-
-        def tell(self, error: Exception) -> None:
-            """Tell that something has failed."""
-
-
 PREPARING = "prepare"
+
+
+class MachineAsker(Protocol):
+    """Asks the user for files of machines and zones, and tells of a failure."""
+
+    def machine_file(self) -> Path | None:
+        """Let the user choose the file of a router; None if cancelled."""
+
+    def machine_file_to_write(self, name: str) -> Path | None:
+        """Let the user choose where to save the file of a router; None if cancelled."""
+
+    def zones_file(self) -> Path | None:
+        """Let the user choose a file of zones; None if cancelled."""
+
+    def tell(self, error: Exception) -> None:
+        """Tell that something has failed."""
 
 
 class MachinePresenter:

@@ -41,7 +41,7 @@ from insole_core.workflows.named_files import NamedFiles
 from insole_core.workflows.overwriting import check_overwriting
 from insole_core.workflows.print_order import PrintChoice
 from insole_studio.document.case import Case
-from insole_studio.features.export.machine_presenter import MachinePresenter
+from insole_studio.features.export.machine_presenter import MachineAsker, MachinePresenter
 from insole_studio.features.export.rows import (
     TITLES,
     Buttons,
@@ -65,7 +65,7 @@ _NO_SPOTS = np.zeros((0, 3))
 _NEST = "nest"
 
 
-class OrderAsker(Protocol):
+class OrderAsker(MachineAsker, Protocol):
     """Asks the user for what an order needs, on the window of the stage."""
 
     def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
@@ -77,15 +77,6 @@ class OrderAsker(Protocol):
     def blocks(self, own: Sequence[Block], stock: Sequence[Block]) -> tuple[Block, ...] | None:
         """Let the user edit the clinic's own blocks; None if cancelled."""
 
-    def machine_file(self) -> Path | None:
-        """Let the user choose the file of a router; None if cancelled."""
-
-    def machine_file_to_write(self, name: str) -> Path | None:
-        """Let the user choose where to save the file of a router; None if cancelled."""
-
-    def zones_file(self) -> Path | None:
-        """Let the user choose a file of zones; None if cancelled."""
-
     def responsible(self) -> Responsible:
         """Return who prescribes and makes, as far as it is known."""
 
@@ -94,9 +85,6 @@ class OrderAsker(Protocol):
 
     def ask_missing(self) -> bool:
         """Ask for what a prescription lacks, if anything; False if cancelled."""
-
-    def tell(self, error: Exception) -> None:
-        """Tell that an export has failed."""
 
 
 class ExportPresenter:

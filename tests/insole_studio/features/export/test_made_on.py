@@ -30,6 +30,7 @@ from insole_core.workflows.mill import MillingChoice, clinic_machines
 from insole_core.workflows.print_order import PrintChoice
 from insole_studio.app.application_events import ApplicationEvents
 from insole_studio.document.case import Case
+from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.features.export.stage import ExportStage
 
 SHOP = read_shop()
@@ -266,6 +267,20 @@ def test_bad_zones_are_told_beside_the_fields(
     assert fields.error.text() == ""
     assert "4 walls" in fields.facts.text()
     assert np.isfinite(stage.presenter.parts[0].solid.vertices).all()
+
+
+def test_the_weight_of_one_patient_is_not_that_of_the_next(qtbot: QtBot) -> None:
+    form = OrderForm(Stock(SHOP.blocks, SHOP.materials))
+    qtbot.addWidget(form)
+    fields = form.machine
+    heavy = PrintChoice("orca", weight_kg=120.0)
+    form.show_choice(OrderChoice(suffix=".3mf", printing=heavy), has_pair=False)
+    assert fields.printing() == heavy
+    form.show_choice(OrderChoice(), has_pair=False)
+    fields.show_prescribed_weight(52.0)
+    choose(fields.made_on, "Printer: Orca")
+    assert fields.printing() == PrintChoice("orca")
+    assert fields.weight.value() == 52.0
 
 
 def test_bad_memory_of_a_print_costs_nothing(memory: LastOrder, tmp_path: Path) -> None:
