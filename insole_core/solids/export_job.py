@@ -81,6 +81,11 @@ class Printing:
     printer: Printer
     zoned: Mapping[Side, ZonedPart]
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be known of the zones, each sentence once."""
+        return tuple(dict.fromkeys(note for each in self.zoned.values() for note in each.notes))
+
 
 @dataclass(frozen=True, eq=False)
 class ExportJob:

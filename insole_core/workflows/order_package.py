@@ -40,6 +40,7 @@ from insole_core.solids.order import Part
 from insole_core.solids.shop import Shop
 from insole_core.strict_json import MOST_BYTES
 from insole_core.workflows.make_order import (
+    MadeFor,
     OrderChoice,
     files_of,
     ordered_material,
@@ -70,6 +71,8 @@ class PackedItem:
         Files made elsewhere, such as G-code, and the feet that they are for.
     override
         Accepts failed checks.
+    made
+        From `prepare` of the same parts and choice; None where they are for no machine.
     """
 
     parts: Sequence[Part]
@@ -77,6 +80,7 @@ class PackedItem:
     patient: Patient
     added: Mapping[Path, tuple[Side, ...]]
     override: Override | None = None
+    made: MadeFor | None = None
 
 
 @dataclass(frozen=True)
@@ -222,8 +226,8 @@ def _write_item(item: PackedItem, how: _How, progress: Progress) -> OrderItem:
     named = how.folder / f"{_stem(choice.pseudonym)}{choice.suffix}"
     write_order(
         item.parts, choice, named,
-        shop=how.shop, patient=item.patient, override=item.override, release=how.release,
-        translate=how.translate, progress=progress,
+        shop=how.shop, patient=item.patient, override=item.override, made=item.made,
+        release=how.release, translate=how.translate, progress=progress,
     )  # fmt: skip
     sides = tuple(part.side for part in item.parts)
     files = [

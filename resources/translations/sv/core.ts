@@ -168,6 +168,10 @@
             <translation>En avlastning under varje huvud som bär för mycket; inga hårda kanter.</translation>
         </message>
         <message>
+            <source>A router mills the insole from a block, and none is chosen; choose the block.</source>
+            <translation>En fräsmaskin fräser inlägget ur ett block, och inget är valt; välj blocket.</translation>
+        </message>
+        <message>
             <source>A shared record needs the folder of its large files, on a share that all stations reach; choose it.</source>
             <translation>En delad journal behöver mappen för sina stora filer, på en delad plats som alla stationer når; välj den.</translation>
         </message>
@@ -638,6 +642,10 @@
         <message>
             <source>Drawing the foot</source>
             <translation>Foten ritas</translation>
+        </message>
+        <message>
+            <source>Drawing the piece</source>
+            <translation>Ritar stycket</translation>
         </message>
         <message>
             <source>Drawing the walls before and after</source>
@@ -1136,6 +1144,10 @@
             <translation>Tillverkare</translation>
         </message>
         <message>
+            <source>Making the zones</source>
+            <translation>Gör zonerna</translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation>Marginal</translation>
         </message>
@@ -1240,6 +1252,10 @@
             <translation>Inget avstånd på föremålet mättes; märk dess punkter igen.</translation>
         </message>
         <message>
+            <source>No file of zones is chosen; choose one, or take the table.</source>
+            <translation>Ingen fil med zoner är vald; välj en, eller ta tabellen.</translation>
+        </message>
+        <message>
             <source>No foot can be made from {session}, because none of its views can be used ({reasons}).</source>
             <translation>Ingen fot kan göras av {session}, eftersom ingen av dess vyer kan användas ({reasons}).</translation>
         </message>
@@ -1330,6 +1346,10 @@
         <message>
             <source>Only a .3mf file holds zones and settings for a slicer, and {path} is none; change its suffix, or name no printer.</source>
             <translation>Bara en .3mf-fil rymmer zoner och inställningar för ett skivningsprogram, och {path} är ingen; ändra ändelsen, eller ange ingen skrivare.</translation>
+        </message>
+        <message>
+            <source>Only a 3MF holds zones and settings for a slicer; choose 3MF as the format, or no printer.</source>
+            <translation>Bara en 3MF rymmer zoner och inställningar för ett skivningsprogram; välj 3MF som format, eller ingen skrivare.</translation>
         </message>
         <message>
             <source>Only partly measured: {regions}; see the holes there before designing.</source>
@@ -2636,6 +2656,10 @@
             <translation>Tabellen behöver minst ett material; lägg till ett.</translation>
         </message>
         <message>
+            <source>The table of presets has no "{name}"; choose one of {known}.</source>
+            <translation>Tabellen över utskrifter har ingen ”{name}”; välj en av {known}.</translation>
+        </message>
+        <message>
             <source>The texture {picture} is not beside the scan or cannot be read; the scan has no colours there.</source>
             <translation>Texturen {picture} ligger inte bredvid skanningen eller kan inte läsas; skanningen har inga färger där.</translation>
         </message>
@@ -3468,6 +3492,10 @@
             <translation>balk</translation>
         </message>
         <message>
+            <source>base</source>
+            <translation>bas</translation>
+        </message>
+        <message>
             <source>base form</source>
             <translation>basform</translation>
         </message>
@@ -3974,6 +4002,10 @@
         <message>
             <source>from the shoe size</source>
             <translation>från skostorleken</translation>
+        </message>
+        <message>
+            <source>from {low:g} kPa</source>
+            <translation>från {low:g} kPa</translation>
         </message>
         <message>
             <source>full</source>
@@ -5026,6 +5058,10 @@
         <message>
             <source>oval pad</source>
             <translation>oval pelott</translation>
+        </message>
+        <message>
+            <source>pads</source>
+            <translation>pelotter</translation>
         </message>
         <message>
             <source>page</source>
@@ -6376,6 +6412,10 @@
             <translation>{list}[{number}]</translation>
         </message>
         <message>
+            <source>{low:g} to {high:g} kPa</source>
+            <translation>{low:g} till {high:g} kPa</translation>
+        </message>
+        <message>
             <source>{machine} travels {there:g} mm along {axis}, and the block needs {need:g} mm; take a smaller block.</source>
             <translation>{machine} går {there:g} mm längs {axis}, och blocket behöver {need:g} mm; ta ett mindre block.</translation>
         </message>
@@ -7264,8 +7304,16 @@
             <translation>{width} från första metatarsalbenets mittlinje</translation>
         </message>
         <message>
+            <source>{zone} {density:g} %</source>
+            <translation>{zone} {density:g} %</translation>
+        </message>
+        <message>
             <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>
             <translation>{zone}_end{where} är {end:g}, och måste ligga minst {least:g} bortom {zone}_start ({start:g}), annars får ytan ett steg.</translation>
+        </message>
+        <message>
+            <source>“{zone}”</source>
+            <translation>”{zone}”</translation>
         </message>
     </context>
 </TS>

@@ -4,8 +4,24 @@
     <context>
         <name>studio</name>
         <message>
+            <source>A printer's program gets a 3MF</source>
+            <translation>Skrivarens program får en 3MF</translation>
+        </message>
+        <message>
+            <source>Above</source>
+            <translation>Över</translation>
+        </message>
+        <message>
             <source>Add a block</source>
             <translation>Lägg till ett block</translation>
+        </message>
+        <message>
+            <source>Add a router from its file…</source>
+            <translation>Lägg till en fräsmaskin från dess fil…</translation>
+        </message>
+        <message>
+            <source>Add the clinic's own router from its file, save or remove one</source>
+            <translation>Lägg till klinikens egen fräsmaskin från dess fil, spara eller ta bort en</translation>
         </message>
         <message>
             <source>Address of the maker</source>
@@ -20,8 +36,16 @@
             <translation>Och {count} till.</translation>
         </message>
         <message>
+            <source>Any machine</source>
+            <translation>Valfri maskin</translation>
+        </message>
+        <message>
             <source>At most</source>
             <translation>Högst</translation>
+        </message>
+        <message>
+            <source>At most {left:.2f} mm of material stay in hollows</source>
+            <translation>Högst {left:.2f} mm material blir kvar i fördjupningar</translation>
         </message>
         <message>
             <source>Block</source>
@@ -32,12 +56,20 @@
             <translation>Block som er verkstad har i lager, utöver dem som följer med programmet.</translation>
         </message>
         <message>
+            <source>Body weight</source>
+            <translation>Kroppsvikt</translation>
+        </message>
+        <message>
             <source>Both feet</source>
             <translation>Båda fötterna</translation>
         </message>
         <message>
             <source>Both need {length:.0f} × {width:.0f} × {height:.1f} mm of the block</source>
             <translation>Båda behöver {length:.0f} × {width:.0f} × {height:.1f} mm av blocket</translation>
+        </message>
+        <message>
+            <source>By material and body weight</source>
+            <translation>Efter material och kroppsvikt</translation>
         </message>
         <message>
             <source>Chamfer</source>
@@ -54,6 +86,10 @@
         <message>
             <source>Checks</source>
             <translation>Kontroller</translation>
+        </message>
+        <message>
+            <source>Choose a file of zones…</source>
+            <translation>Välj en fil med zoner…</translation>
         </message>
         <message>
             <source>Choose the folder to put the folder of order {number} into</source>
@@ -90,6 +126,10 @@
         <message>
             <source>Delivery date</source>
             <translation>Leveransdag</translation>
+        </message>
+        <message>
+            <source>Density there</source>
+            <translation>Täthet där</translation>
         </message>
         <message>
             <source>Deviation</source>
@@ -140,6 +180,14 @@
             <translation>Format</translation>
         </message>
         <message>
+            <source>From a file</source>
+            <translation>Från en fil</translation>
+        </message>
+        <message>
+            <source>From the map of pressures</source>
+            <translation>Efter tryckkartan</translation>
+        </message>
+        <message>
             <source>Height of step</source>
             <translation>Steghöjd</translation>
         </message>
@@ -188,12 +236,20 @@
             <translation>Vänster</translation>
         </message>
         <message>
+            <source>Left over</source>
+            <translation>Blir kvar</translation>
+        </message>
+        <message>
             <source>Left: {text}</source>
             <translation>Vänster: {text}</translation>
         </message>
         <message>
             <source>Look there</source>
             <translation>Titta där</translation>
+        </message>
+        <message>
+            <source>Made on</source>
+            <translation>Görs med</translation>
         </message>
         <message>
             <source>Maker of the insole</source>
@@ -210,6 +266,10 @@
         <message>
             <source>Material, right</source>
             <translation>Material, höger</translation>
+        </message>
+        <message>
+            <source>Mill both sides</source>
+            <translation>Fräs båda sidorna</translation>
         </message>
         <message>
             <source>Name of the patient</source>
@@ -308,6 +368,14 @@
             <translation>Ordination för journalen (PDF)</translation>
         </message>
         <message>
+            <source>Print preset</source>
+            <translation>Utskrift</translation>
+        </message>
+        <message>
+            <source>Printer: {name}</source>
+            <translation>Skrivare: {name}</translation>
+        </message>
+        <message>
             <source>Pseudonym</source>
             <translation>Pseudonym</translation>
         </message>
@@ -328,6 +396,10 @@
             <translation>Skäl, för journalen</translation>
         </message>
         <message>
+            <source>Remove {name}</source>
+            <translation>Ta bort {name}</translation>
+        </message>
+        <message>
             <source>Replace them</source>
             <translation>Ersätt dem</translation>
         </message>
@@ -340,12 +412,28 @@
             <translation>Höger: {text}</translation>
         </message>
         <message>
+            <source>Router (*.json)</source>
+            <translation>Fräsmaskin (*.json)</translation>
+        </message>
+        <message>
+            <source>Router: {name}</source>
+            <translation>Fräsmaskin: {name}</translation>
+        </message>
+        <message>
+            <source>Routers…</source>
+            <translation>Fräsmaskiner…</translation>
+        </message>
+        <message>
             <source>STL as text</source>
             <translation>STL som text</translation>
         </message>
         <message>
             <source>Save the blocks</source>
             <translation>Spara blocken</translation>
+        </message>
+        <message>
+            <source>Save the file of {name}…</source>
+            <translation>Spara filen för {name}…</translation>
         </message>
         <message>
             <source>Say whether the files of an order are as they were written</source>
@@ -368,6 +456,18 @@
             <translation>Text</translation>
         </message>
         <message>
+            <source>That of the chosen router</source>
+            <translation>Den valda fräsmaskinens</translation>
+        </message>
+        <message>
+            <source>That of the prescription; {usual:g} kg where it states none</source>
+            <translation>Ordinationens; {usual:g} kg där ingen anges</translation>
+        </message>
+        <message>
+            <source>The block is turned over onto dowels, and the underside is milled too</source>
+            <translation>Blocket vänds på styrpinnar, och undersidan fräses också</translation>
+        </message>
+        <message>
             <source>The font has no letters {letters}; a likeness or “?” stands for them.</source>
             <translation>Typsnittet saknar bokstäverna {letters}; en liknande eller ”?” står i stället.</translation>
         </message>
@@ -382,6 +482,10 @@
         <message>
             <source>The prescription states who prescribes the insole and who makes it, as Annex XIII of the EU regulation on medical devices asks for. The shop does not get it.</source>
             <translation>Ordinationen anger vem som ordinerar inlägget och vem som tillverkar det, som bilaga XIII till EU:s förordning om medicintekniska produkter kräver. Verkstaden får den inte.</translation>
+        </message>
+        <message>
+            <source>The printer's program or the router that gets the files</source>
+            <translation>Skrivarens program eller fräsmaskinen som får filerna</translation>
         </message>
         <message>
             <source>These files are there already: {names}</source>
@@ -428,6 +532,14 @@
             <translation>Skrivs som</translation>
         </message>
         <message>
+            <source>Zones</source>
+            <translation>Zoner</translation>
+        </message>
+        <message>
+            <source>Zones (*.json)</source>
+            <translation>Zoner (*.json)</translation>
+        </message>
+        <message>
             <source>blocks</source>
             <translation>stoppar</translation>
         </message>
@@ -454,6 +566,10 @@
         <message>
             <source>draft {medial:g}° medial, {lateral:g}° lateral</source>
             <translation>släppning {medial:g}° medialt, {lateral:g}° lateralt</translation>
+        </message>
+        <message>
+            <source>elsewhere {density:g} %</source>
+            <translation>för övrigt {density:g} %</translation>
         </message>
         <message>
             <source>is being checked</source>
@@ -488,8 +604,16 @@
             <translation>varnar</translation>
         </message>
         <message>
+            <source>{count} walls</source>
+            <translation>{count} väggar</translation>
+        </message>
+        <message>
             <source>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles</source>
             <translation>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} trianglar</translation>
+        </message>
+        <message>
+            <source>{minutes:.0f} minutes without changes of cutters, {length:.0f} m of path</source>
+            <translation>{minutes:.0f} minuter utan verktygsbyten, {length:.0f} m bana</translation>
         </message>
         <message>
             <source>{value:.0f} mm² cannot be reached by the cutter</source>
@@ -522,6 +646,10 @@
         <message>
             <source>{value:g} mm between the points of the surface</source>
             <translation>{value:g} mm mellan ytans punkter</translation>
+        </message>
+        <message>
+            <source>{walls} walls, {top} layers above and {bottom} below</source>
+            <translation>{walls} väggar, {top} lager upptill och {bottom} nedtill</translation>
         </message>
     </context>
 </TS>

@@ -15,6 +15,7 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.export.order_verification import Verification, verify_order
 from insole_core.export.shop_order import ORDER_FILE
 from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.item_name import key_of
 from insole_core.progress import Progress
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
@@ -22,6 +23,7 @@ from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import Package
+from insole_core.workflows.mill import clinic_machines
 from insole_core.workflows.order_package import Ordered
 from insole_studio.document.case_name import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
@@ -35,6 +37,11 @@ from insole_studio.widgets.fields_dialog import Field
 
 if TYPE_CHECKING:
     from insole_studio.features.export.stage import ExportStage
+
+
+def _machine_files() -> str:
+    return tr("Router (*.json)")
+
 
 CHANNEL = "export"
 LEFT_NOTICE = "order"
@@ -65,14 +72,15 @@ class ExportActions(StageWindow["ExportStage"]):
         from insole_studio.features.export.stage import ExportStage
 
         shop, folder = read_shop(), self._services.paths.settings_folder
-        blocks = ClinicBlocks(folder / "blocks.json")
+        blocks, machines = ClinicBlocks(folder / "blocks.json"), clinic_machines(folder)
         return ExportStage(
             case=self._case,
             rules=ClinicExportRules(folder / "export.json"),
             shop=shop,
             blocks=blocks,
             asker=self,
-            memory=LastOrder(folder / "order.json", shop, blocks),
+            memory=LastOrder(folder / "order.json", shop, blocks, machines),
+            machines=machines,
             dark=self._services.dark,
         )
 
@@ -148,6 +156,18 @@ class ExportActions(StageWindow["ExportStage"]):
         from insole_studio.features.export.blocks_dialog import ask_blocks
 
         return ask_blocks(own, stock, self._over)
+
+    def machine_file(self) -> Path | None:
+        """Let the user choose the file of a router."""
+        return self._questions.file_to_open(_machine_files(), Kept.EXPORTS)
+
+    def machine_file_to_write(self, name: str) -> Path | None:
+        """Let the user choose where to save the file of a router."""
+        return self._questions.file_to_write(f"{key_of(name)}.json", _machine_files(), Kept.EXPORTS)
+
+    def zones_file(self) -> Path | None:
+        """Let the user choose a file of zones."""
+        return self._questions.file_to_open(tr("Zones (*.json)"), Kept.EXPORTS)
 
     def responsible(self) -> Responsible:
         """Return who prescribes and makes, as the settings say."""

@@ -28,6 +28,7 @@ from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
+from insole_core.workflows.mill import clinic_machines
 from insole_core.workflows.order_package import Ordered
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import OrderForm, Stock
@@ -76,6 +77,15 @@ class Chosen:
     def blocks(self, _own: Sequence[Block], _stock: Sequence[Block]) -> None:
         return None
 
+    def machine_file(self) -> Path | None:
+        return self.answer
+
+    def machine_file_to_write(self, _name: str) -> Path | None:
+        return self.answer
+
+    def zones_file(self) -> Path | None:
+        return self.answer
+
     def responsible(self) -> Responsible:
         return self.named
 
@@ -114,6 +124,7 @@ def stage(
         blocks=ClinicBlocks(tmp_path / "config" / "blocks.json"),
         asker=chosen,
         memory=LastOrder(tmp_path / "config" / "order.json", SHOP),
+        machines=clinic_machines(tmp_path / "config"),
         dark=False,
     )
     built.show()
