@@ -276,7 +276,8 @@ def write_order(
         Accepts failed checks. It is recorded in the file of the checks, which is then always
         written.
     made
-        From `prepare` of the same parts and choice; None to do that first.
+        From `prepare` of the same parts and choice; None to do that
+        here, without maps of pressures.
 
     Returns
     -------
@@ -300,9 +301,8 @@ def write_order(
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
     if made is None:
-        if choice.printing is not None or choice.milling is not None:
-            raise ValueError("an order for a printer or a router is prepared first")
-        made = MadeFor()
+        made = prepare(parts, choice, shop, {}, progress.part(0.0, 0.5))
+        progress = progress.part(0.5, 1.0)
     groups = _groups(_laid_out(parts, choice), choice)
     with Transaction() as transaction:
         beside = [opened(place, transaction) for place in places]
