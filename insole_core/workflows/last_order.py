@@ -6,7 +6,7 @@ import json
 import logging
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, get_type_hints
+from typing import Any, get_args, get_type_hints
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import make_output_folder, replacing_file
@@ -17,7 +17,7 @@ from insole_core.milling.machine import Machine
 from insole_core.solids.print_presets import LEAST_PERCENT, MOST_PERCENT
 from insole_core.solids.shop import Block, Shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
-from insole_core.workflows.make_order import OrderChoice
+from insole_core.workflows.make_order import OrderChoice, Package
 from insole_core.workflows.mill import MillingChoice
 from insole_core.workflows.named_files import NamedFiles
 from insole_core.workflows.print_order import PrintChoice
@@ -122,6 +122,8 @@ def _is_possible(name: str, value: object) -> bool:
     """Return whether a form could have held a value."""
     if name == "suffix":
         return value in SUFFIXES
+    if name == "package":
+        return value in get_args(Package)
     if isinstance(value, str):
         return len(value) <= _LONGEST
     if name in _LIMITS and isinstance(value, int | float):

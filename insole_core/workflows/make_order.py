@@ -6,18 +6,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
 from insole_core.errors import DesignError, InputError
-from insole_core.export.shop_order import OrderTerms
+from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.messages import Translate
 from insole_core.milling.plan import MillingPlan
 from insole_core.pressure.laid_map import PressureMap
 from insole_core.progress import SILENT, Progress
@@ -26,6 +28,7 @@ from insole_core.solids.export_job import (
     ExportJob,
     ExportPaths,
     Printing,
+    drawn_parts,
     opened,
     run_export_job,
 )
@@ -40,6 +43,10 @@ from insole_core.workflows.mill import MillingChoice, plan_job, write_program
 from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.print_order import PrintChoice, zoned_print
 
+if TYPE_CHECKING:
+    from insole_core.export.insole_drawing import DrawnInsole
+
+Package: TypeAlias = Literal["", "zip", "folder"]
 _SIDE_WORDS = ("left", "right", "pair")
 
 
@@ -78,6 +85,8 @@ class OrderChoice:
         Which papers are written.
     terms
         Quantity, colour and so on, for the shop.
+    package
+        Whether all is written as one order, in an archive or a folder; empty for single files.
     """
 
     kind: Kind = "insole"
@@ -101,6 +110,7 @@ class OrderChoice:
     prescription: bool = False
     checks: bool = False
     terms: OrderTerms = field(default_factory=OrderTerms)
+    package: Package = ""
 
     def makes_alike(self, other: OrderChoice) -> bool:
         """Return whether both give the same solids; papers and formats do not matter."""
@@ -112,7 +122,7 @@ class OrderChoice:
         return replace(
             self, suffix="", ascii_stl=False, layered=False, material="", own_materials={},
             printing=None, milling=None,
-            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(),
+            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(), package="",
             pseudonym=self.pseudonym if relief else "", text=self.text if relief else "",
         )  # fmt: skip
 
@@ -258,6 +268,8 @@ def write_order(
     responsible: Responsible = NOBODY,
     override: Override | None = None,
     made: MadeFor | None = None,
+    release: Release | None = None,
+    translate: Translate = str,
     progress: Progress = SILENT,
 ) -> tuple[Path, ...]:
     """Write the parts with their papers: all of them or nothing.
@@ -278,6 +290,10 @@ def write_order(
     made
         From `prepare` of the same parts and choice; None to do that
         here, without maps of pressures.
+    release
+        Number, revision and who released it, for the drawing.
+    translate
+        Into the language of the papers.
 
     Returns
     -------
@@ -304,6 +320,7 @@ def write_order(
         made = prepare(parts, choice, shop, {}, progress.part(0.0, 0.5))
         progress = progress.part(0.5, 1.0)
     groups = _groups(_laid_out(parts, choice), choice)
+    drawn = drawn_parts(parts, translate) if choice.job_sheet else ()
     with Transaction() as transaction:
         beside = [opened(place, transaction) for place in places]
         steps = progress.parts(len(groups))
@@ -315,7 +332,9 @@ def write_order(
                 patient=patient,
                 responsible=responsible,
                 override=override,
-                ordered=parts,
+                drawn=drawn,
+                release=release or Release(),
+                translate=translate,
                 printing=made.printing,
             )
             run_export_job(job, place, temporary, step.part(0.0, 0.8))
@@ -340,8 +359,10 @@ def _export_job(
     patient: Patient,
     responsible: Responsible,
     override: Override | None,
-    ordered: Sequence[Part],
     printing: Printing | None,
+    drawn: tuple[DrawnInsole, ...],
+    release: Release,
+    translate: Translate,
 ) -> ExportJob:
     """Return the job that writes the parts of one file with their papers."""
     return ExportJob(
@@ -355,8 +376,10 @@ def _export_job(
         override=override,
         ascii_stl=choice.ascii_stl,
         terms=choice.terms,
-        ordered=tuple(ordered),
         printing=printing,
+        drawn=drawn,
+        release=release,
+        translate=translate,
     )
 
 

@@ -60,6 +60,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "add_to_record",
             "export",
             "print_outline",
+            "verify_order",
             SEPARATOR,
             "quit",
         ),

@@ -300,8 +300,8 @@
             <translation>Valfritt nummer</translation>
         </message>
         <message>
-            <source>Approved by</source>
-            <translation>Godkänd av</translation>
+            <source>Approved: date and signature</source>
+            <translation>Godkänt: datum och underskrift</translation>
         </message>
         <message>
             <source>Arch fill</source>
@@ -354,6 +354,10 @@
         <message>
             <source>Base</source>
             <translation>Bas</translation>
+        </message>
+        <message>
+            <source>Base form</source>
+            <translation>Grundform</translation>
         </message>
         <message>
             <source>Base layer</source>
@@ -466,6 +470,10 @@
         <message>
             <source>Checking: {check}</source>
             <translation>Kontrollerar: {check}</translation>
+        </message>
+        <message>
+            <source>Checks before export</source>
+            <translation>Kontroller före export</translation>
         </message>
         <message>
             <source>Clinic</source>
@@ -644,10 +652,6 @@
             <translation>Ritar väggarna före och efter</translation>
         </message>
         <message>
-            <source>Drawn by</source>
-            <translation>Ritad av</translation>
-        </message>
-        <message>
             <source>Drawn outline</source>
             <translation>Ritad kontur</translation>
         </message>
@@ -694,6 +698,10 @@
         <message>
             <source>Every capture needs a raw number and a distance; measure the missing ones.</source>
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
+        </message>
+        <message>
+            <source>Expansion</source>
+            <translation>Vidgning</translation>
         </message>
         <message>
             <source>Exporting orders</source>
@@ -928,6 +936,10 @@
             <translation>Hälsporreurtag</translation>
         </message>
         <message>
+            <source>Heights from above</source>
+            <translation>Höjder ovanifrån</translation>
+        </message>
+        <message>
             <source>Heights of sole and insole in mm, seen from above</source>
             <translation>Höjder av fotsula och inlägg i mm, sedda uppifrån</translation>
         </message>
@@ -950,6 +962,10 @@
         <message>
             <source>In the view {view} {reason}.</source>
             <translation>I vyn {view}: {reason}.</translation>
+        </message>
+        <message>
+            <source>Insole</source>
+            <translation>Inlägg</translation>
         </message>
         <message>
             <source>Insole Studio, from the usual values of the device</source>
@@ -990,6 +1006,10 @@
         <message>
             <source>Its motor does not run, because its audio firmware is not loaded; tilt it by hand.</source>
             <translation>Dess motor går inte, eftersom ljuddelens fasta program inte är laddat; luta den för hand.</translation>
+        </message>
+        <message>
+            <source>Job sheet for custom insoles</source>
+            <translation>Arbetsblad för individuella inlägg</translation>
         </message>
         <message>
             <source>Joining the views</source>
@@ -1052,6 +1072,10 @@
             <translation>Materialets minsta tjocklek vid framkanten</translation>
         </message>
         <message>
+            <source>Least thickness, without the rim</source>
+            <translation>Minsta tjocklek, utan kanten</translation>
+        </message>
+        <message>
             <source>Leaving one wall out needs captures at {least} distances or more, but there are {count}; capture more.</source>
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
         </message>
@@ -1110,6 +1134,10 @@
         <message>
             <source>Looking for the board on {capture}</source>
             <translation>Söker brädet på {capture}</translation>
+        </message>
+        <message>
+            <source>Made with</source>
+            <translation>Framställt med</translation>
         </message>
         <message>
             <source>Maker</source>
@@ -1352,6 +1380,10 @@
             <translation>OpenGL {version}, {renderer}</translation>
         </message>
         <message>
+            <source>Order number</source>
+            <translation>Beställningsnummer</translation>
+        </message>
+        <message>
             <source>Order {number}: {count} files that may name the patient</source>
             <translation>Beställning {number}: {count} filer som kan nämna patienten</translation>
         </message>
@@ -1408,6 +1440,18 @@
             <translation>Ort, datum, underskrift</translation>
         </message>
         <message>
+            <source>Places are given in the frame of the file, which the page of the block shows. A red cross marks the worst place of a check that failed.</source>
+            <translation>Lägen anges i filens koordinater, som sidan om blocket visar. Ett rött kryss visar det sämsta stället för en kontroll som inte klarades.</translation>
+        </message>
+        <message>
+            <source>Places are given in the frame of the file: the origin is the corner of the block at the lower left of the drawing, x runs to the right along its width, y upwards along its length, z = 0 is its bottom. A red cross marks the worst place of a check that failed.</source>
+            <translation>Lägen anges i filens koordinater: origo är blockets hörn nere till vänster i ritningen, x går åt höger längs bredden, y uppåt längs längden, och z = 0 är undersidan. Ett rött kryss visar det sämsta stället för en kontroll som inte klarades.</translation>
+        </message>
+        <message>
+            <source>Places are given in the frame of the file: y runs from heel to toes, x = 0 is the foot's axis, z = 0 the plane that the piece stands on. A red cross marks the worst place of a check that failed.</source>
+            <translation>Lägen anges i filens koordinater: y går från häl till tår, x = 0 är fotens axel och z = 0 planet som arbetsstycket står på. Ett rött kryss visar det sämsta stället för en kontroll som inte klarades.</translation>
+        </message>
+        <message>
             <source>Placing the view {view}</source>
             <translation>Placerar vyn {view}</translation>
         </message>
@@ -1430,6 +1474,10 @@
         <message>
             <source>Posts, pads and corrections</source>
             <translation>Stöd, pelotter och korrigeringar</translation>
+        </message>
+        <message>
+            <source>Prescribed thickness</source>
+            <translation>Ordinerad tjocklek</translation>
         </message>
         <message>
             <source>Prescriber</source>
@@ -1458,6 +1506,10 @@
         <message>
             <source>Program</source>
             <translation>Program</translation>
+        </message>
+        <message>
+            <source>Projection</source>
+            <translation>Projektion</translation>
         </message>
         <message>
             <source>Pseudonym</source>
@@ -1532,6 +1584,14 @@
             <translation>Förfinar ytan</translation>
         </message>
         <message>
+            <source>Released against a blocking rule by {author}, {at}: {reason}</source>
+            <translation>Frisläppt trots en spärrande regel av {author}, {at}: {reason}</translation>
+        </message>
+        <message>
+            <source>Released by</source>
+            <translation>Frisläppt av</translation>
+        </message>
+        <message>
             <source>Relief at the base of the 5th metatarsal</source>
             <translation>Avlastning vid femte metatarsalbenets bas</translation>
         </message>
@@ -1598,6 +1658,10 @@
         <message>
             <source>Reverse Morton's extension</source>
             <translation>Omvänd Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>Revision</translation>
         </message>
         <message>
             <source>Right insole</source>
@@ -1678,6 +1742,10 @@
         <message>
             <source>Shaping the foot</source>
             <translation>Formar foten</translation>
+        </message>
+        <message>
+            <source>Sheet</source>
+            <translation>Blad</translation>
         </message>
         <message>
             <source>Shoe size</source>
@@ -1772,6 +1840,10 @@
             <translation>Telfer/OpenFO (3,0); över 95 kg klinikens egen bedömning</translation>
         </message>
         <message>
+            <source>The "{name}" of the order must be one line of at most {most} characters; shorten it.</source>
+            <translation>Beställningens ”{name}” måste vara en rad med högst {most} tecken; korta den.</translation>
+        </message>
+        <message>
             <source>The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the two, or check the side.</source>
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
@@ -1842,6 +1914,10 @@
         <message>
             <source>The block is {there:g} mm high, and the piece needs {need:.1f} mm in it; take a higher block.</source>
             <translation>Blocket är {there:g} mm högt, och stycket behöver {need:.1f} mm; ta ett högre block.</translation>
+        </message>
+        <message>
+            <source>The block, seen from above</source>
+            <translation>Blocket, sett ovanifrån</translation>
         </message>
         <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
@@ -2026,6 +2102,10 @@
         <message>
             <source>The file does not say the {what} of its numbers; state it.</source>
             <translation>Filen anger inte sina tals {what}; ange det.</translation>
+        </message>
+        <message>
+            <source>The file named above, with this SHA-256, belongs to this sheet. All lengths are in millimetres.</source>
+            <translation>Filen som nämns ovan, med denna SHA-256, hör till detta blad. Alla längder är i millimeter.</translation>
         </message>
         <message>
             <source>The file of colours {library} is not beside the scan or cannot be read; the scan has no colours.</source>
@@ -2254,6 +2334,10 @@
         <message>
             <source>The order has a file {name} already; give this one another name.</source>
             <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
+        </message>
+        <message>
+            <source>The order has no number; give it one.</source>
+            <translation>Beställningen har inget nummer; ge den ett.</translation>
         </message>
         <message>
             <source>The order holds nothing; name at least one case.</source>
@@ -3052,6 +3136,10 @@
             <translation>Undersida</translation>
         </message>
         <message>
+            <source>Units</source>
+            <translation>Enheter</translation>
+        </message>
+        <message>
             <source>Up to 10 in the shoe; above 6.4 under the full sole, half of it at the heads.</source>
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>
@@ -3126,6 +3214,10 @@
         <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
+        </message>
+        <message>
+            <source>Where each part lies</source>
+            <translation>Var varje del ligger</translation>
         </message>
         <message>
             <source>Width</source>
@@ -4376,6 +4468,10 @@
             <translation>dess huvud innehåller ”{text}”</translation>
         </message>
         <message>
+            <source>its heel towards y = 0</source>
+            <translation>hälen mot y = 0</translation>
+        </message>
+        <message>
             <source>its lines do not hold the same number of columns, three or more</source>
             <translation>dess rader har inte samma antal kolumner, tre eller fler</translation>
         </message>
@@ -4740,8 +4836,16 @@
             <translation>Verkstadens namn</translation>
         </message>
         <message>
+            <source>name of who released the order</source>
+            <translation>namnet på den som frisläppte beställningen</translation>
+        </message>
+        <message>
             <source>name the same point twice</source>
             <translation>namnger samma punkt två gånger</translation>
+        </message>
+        <message>
+            <source>named at each view</source>
+            <translation>anges vid varje vy</translation>
         </message>
         <message>
             <source>names "{unknown}", which no marker in manifest.json has</source>
@@ -4850,6 +4954,10 @@
         <message>
             <source>notes</source>
             <translation>anteckningar</translation>
+        </message>
+        <message>
+            <source>number</source>
+            <translation>nummer</translation>
         </message>
         <message>
             <source>number of an order</source>
@@ -5122,6 +5230,10 @@
         <message>
             <source>refused</source>
             <translation>avvisade</translation>
+        </message>
+        <message>
+            <source>released by</source>
+            <translation>frisläppt av</translation>
         </message>
         <message>
             <source>relief at the base of the 5th metatarsal</source>
@@ -5692,6 +5804,10 @@
             <translation>vriden {turn_deg:.0f}° liknar den sig själv inom {apart_mm:.1f} mm; flytta några markörer ett par knoppar så att den blir mindre regelbunden</translation>
         </message>
         <message>
+            <source>turned, so that its toes point to y = 0</source>
+            <translation>vänd, så att tårna pekar mot y = 0</translation>
+        </message>
+        <message>
             <source>twice in the file</source>
             <translation>två gånger i filen</translation>
         </message>
@@ -6020,6 +6136,10 @@
             <translation>{days:.0f} dagar gammal</translation>
         </message>
         <message>
+            <source>{deviation:.3f} mm at most</source>
+            <translation>högst {deviation:.3f} mm</translation>
+        </message>
+        <message>
             <source>{dpi:g} dots per inch are none of a scanner; they must be {low:g} to {high:g}.</source>
             <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
         </message>
@@ -6278,6 +6398,10 @@
         <message>
             <source>{least:g} to {most:g} {unit}</source>
             <translation>{least:g} till {most:g} {unit}</translation>
+        </message>
+        <message>
+            <source>{length:.1f} × {width:.1f} × {height:.1f} mm</source>
+            <translation>{length:.1f} × {width:.1f} × {height:.1f} mm</translation>
         </message>
         <message>
             <source>{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} mm, and {allowed_mm:g} mm are allowed; allow more triangles or more deviation.</source>
@@ -7098,6 +7222,10 @@
         <message>
             <source>{view} is left out: {reason}.</source>
             <translation>{view} utelämnas: {reason}.</translation>
+        </message>
+        <message>
+            <source>{volume:.1f} cm³</source>
+            <translation>{volume:.1f} cm³</translation>
         </message>
         <message>
             <source>{weight} kg</source>

@@ -28,6 +28,14 @@
             <translation>Tillverkarens adress</translation>
         </message>
         <message>
+            <source>An order holds all files for the shop, and a list by which they can be verified</source>
+            <translation>En beställning innehåller alla filer till verkstaden och en lista som de kan kontrolleras mot</translation>
+        </message>
+        <message>
+            <source>And {count} more.</source>
+            <translation>Och {count} till.</translation>
+        </message>
+        <message>
             <source>Any machine</source>
             <translation>Valfri maskin</translation>
         </message>
@@ -84,6 +92,10 @@
             <translation>Välj en fil med zoner…</translation>
         </message>
         <message>
+            <source>Choose the folder to put the folder of order {number} into</source>
+            <translation>Välj mappen som mappen för beställning {number} ska läggas i</translation>
+        </message>
+        <message>
             <source>Clinic, if any</source>
             <translation>Mottagning, om någon</translation>
         </message>
@@ -92,8 +104,16 @@
             <translation>Sluten kropp</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Färg</translation>
+        </message>
+        <message>
             <source>Contact surface in a block</source>
             <translation>Kontaktytan i ett block</translation>
+        </message>
+        <message>
+            <source>Cover</source>
+            <translation>Överdrag</translation>
         </message>
         <message>
             <source>Cutter ⌀</source>
@@ -102,6 +122,10 @@
         <message>
             <source>Delete this block</source>
             <translation>Ta bort blocket</translation>
+        </message>
+        <message>
+            <source>Delivery date</source>
+            <translation>Leveransdag</translation>
         </message>
         <message>
             <source>Density there</source>
@@ -182,6 +206,10 @@
         <message>
             <source>Insole, trimmed</source>
             <translation>Inlägg, beskuret</translation>
+        </message>
+        <message>
+            <source>It names the patient and never goes into an order; write it with single files</source>
+            <translation>Den nämner patienten och läggs aldrig i en beställning; skriv den med enskilda filer</translation>
         </message>
         <message>
             <source>It stays {before}.</source>
@@ -268,8 +296,24 @@
             <translation>På undersidan</translation>
         </message>
         <message>
+            <source>One order, as a folder</source>
+            <translation>En beställning, som mapp</translation>
+        </message>
+        <message>
+            <source>One order, as a zip archive</source>
+            <translation>En beställning, som zip-arkiv</translation>
+        </message>
+        <message>
             <source>Order</source>
             <translation>Beställning</translation>
+        </message>
+        <message>
+            <source>Order {number} is complete and unchanged: {count} files.</source>
+            <translation>Beställning {number} är fullständig och oförändrad: {count} filer.</translation>
+        </message>
+        <message>
+            <source>Order {number} is not as it was written; do not make it:</source>
+            <translation>Beställning {number} är inte som den skrevs; tillverka den inte:</translation>
         </message>
         <message>
             <source>Outcome of the checks (JSON)</source>
@@ -288,6 +332,10 @@
             <translation>Egna block…</translation>
         </message>
         <message>
+            <source>Pairs</source>
+            <translation>Par</translation>
+        </message>
+        <message>
             <source>Papers</source>
             <translation>Papper</translation>
         </message>
@@ -298,6 +346,10 @@
         <message>
             <source>Piece</source>
             <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Pieces</source>
+            <translation>Stycken</translation>
         </message>
         <message>
             <source>Prescriber</source>
@@ -330,6 +382,10 @@
         <message>
             <source>Pseudonym, side and date</source>
             <translation>Pseudonym, sida och datum</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Antal</translation>
         </message>
         <message>
             <source>Raised</source>
@@ -378,6 +434,14 @@
         <message>
             <source>Save the file of {name}…</source>
             <translation>Spara filen för {name}…</translation>
+        </message>
+        <message>
+            <source>Say whether the files of an order are as they were written</source>
+            <translation>Säg om filerna i en beställning är som de skrevs</translation>
+        </message>
+        <message>
+            <source>Single files</source>
+            <translation>Enskilda filer</translation>
         </message>
         <message>
             <source>Something unexpected happened; nothing was written. Please report it.</source>
@@ -440,8 +504,16 @@
             <translation>Använd dessa</translation>
         </message>
         <message>
+            <source>Verify order…</source>
+            <translation>Kontrollera beställning…</translation>
+        </message>
+        <message>
             <source>Walls</source>
             <translation>Väggar</translation>
+        </message>
+        <message>
+            <source>What is glued on top</source>
+            <translation>Vad som limmas ovanpå</translation>
         </message>
         <message>
             <source>What the shop knows the patient by; without one, the order number {number}</source>
@@ -454,6 +526,10 @@
         <message>
             <source>Writing the order of the case before was stopped.</source>
             <translation>Skrivningen av det förra fallets beställning avbröts.</translation>
+        </message>
+        <message>
+            <source>Written as</source>
+            <translation>Skrivs som</translation>
         </message>
         <message>
             <source>Zones</source>

@@ -29,6 +29,7 @@ from insole_core.solids.solid import Kind
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.features.export.machine_fields import MachineFields
 from insole_studio.features.export.rows import OrderedFoot
+from insole_studio.features.export.terms_fields import TermsFields
 from insole_studio.texts import localised, tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
@@ -134,6 +135,7 @@ class OrderForm(QWidget):
         self.responsible.setToolTip(tr("Who stands on the prescription"))
         self.responsible.clicked.connect(self.responsible_requested)
         self.checks = QCheckBox(tr("Outcome of the checks (JSON)"))
+        self.terms = TermsFields(self)
         self._choice = OrderChoice()
         self._own_format = self._choice.suffix
         """What is chosen while it is for no printer."""
@@ -179,6 +181,14 @@ class OrderForm(QWidget):
             if self.text.toPlainText() != choice.text:
                 self.text.setPlainText(choice.text)
             self.machine.show_choice(choice.printing, choice.milling)
+        self.terms.show_terms(choice.terms, choice.package)
+        self.terms.name_quantity(self._form, is_pair=has_pair and choice.both)
+        self.prescription.setEnabled(not choice.package)
+        self.prescription.setToolTip(
+            tr("It names the patient and never goes into an order; write it with single files")
+            if choice.package
+            else ""
+        )
         self.both.setVisible(has_pair)
         is_print = choice.printing is not None
         self.format.setEnabled(not is_print)
@@ -250,6 +260,8 @@ class OrderForm(QWidget):
             job_sheet=self.job_sheet.isChecked(),
             prescription=self.prescription.isChecked(),
             checks=self.checks.isChecked(),
+            terms=self.terms.terms(),
+            package=self.terms.chosen_package(),
         )
 
     def _boxes(self, choice: OrderChoice) -> list[tuple[QCheckBox, bool]]:
@@ -286,6 +298,7 @@ class OrderForm(QWidget):
             (tr("At most"), self.triangles), (tr("Deviation"), self.deviation),
             (tr("Pseudonym"), self.pseudonym), (tr("On the bottom"), self.relief),
             (tr("Text"), self.text),
+            *self.terms.rows,
         ]  # fmt: skip
         for name, field in rows:
             self._form.addRow(name, field)
@@ -309,6 +322,7 @@ class OrderForm(QWidget):
             box.toggled.connect(self._pass_on)
         for side, material in self.materials.items():
             material.edited.connect(partial(self.material_edited.emit, side))
+        self.terms.edited.connect(self._pass_on)
         self.pseudonym.textEdited.connect(self._pass_on)
         self.text.textChanged.connect(self._pass_on)
 

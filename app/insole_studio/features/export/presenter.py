@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.days import read_day
 from insole_core.errors import InsoleError
+from insole_core.export.shop_order import OrderTerms
 from insole_core.export.solid_file import merged
 from insole_core.geometry.side import Side
 from insole_core.milling.machine import Machine
@@ -28,6 +30,7 @@ from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import (
     OrderChoice,
+    Package,
     block_edges,
     both_prescribed,
     feet_of,
@@ -38,6 +41,12 @@ from insole_core.workflows.make_order import (
 )
 from insole_core.workflows.mill import MillingChoice
 from insole_core.workflows.named_files import NamedFiles
+from insole_core.workflows.order_package import (
+    Ordered,
+    PackedItem,
+    files_of_package,
+    write_package,
+)
 from insole_core.workflows.overwriting import check_overwriting
 from insole_core.workflows.print_order import PrintChoice
 from insole_studio.document.case import Case
@@ -55,7 +64,7 @@ from insole_studio.features.export.rows import (
     summary_of_nest,
 )
 from insole_studio.jobs import JobProgress, Jobs
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
     from insole_studio.features.export.view import ExportView
@@ -70,6 +79,9 @@ class OrderAsker(MachineAsker, Protocol):
 
     def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
         """Let the user choose a file, given the word for the side; None if cancelled."""
+
+    def package_path(self, number: str, package: Package) -> Path | None:
+        """Let the user choose where an order of a number is written; None if cancelled."""
 
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be overwritten."""
@@ -111,7 +123,7 @@ class ExportPresenter:
     machines
         Storage of the routers.
     exported
-        Called with the exported record and the paths of the files.
+        Called with the exported record and what was ordered.
     """
 
     def __init__(
@@ -126,7 +138,7 @@ class ExportPresenter:
         asker: OrderAsker,
         memory: LastOrder,
         machines: NamedFiles[Machine],
-        exported: Callable[[CaseRecord, Sequence[Path]], None],
+        exported: Callable[[CaseRecord, Ordered], None],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
         self._store, self._shop = rules, shop
@@ -146,6 +158,8 @@ class ExportPresenter:
         self._chosen: CheckName | None = None
         self._reason = ""
         self._problem = ""
+        self._refused_day = ""
+        """Why the delivery date that is typed cannot be right."""
         self._is_case_left = False
         self._complaint = ""
         """Why the clinic's rules could not be read."""
@@ -161,6 +175,7 @@ class ExportPresenter:
         panel.choice_edited.connect(self.edit_choice)
         panel.material_edited.connect(self.edit_material)
         panel.blocks_requested.connect(self.edit_blocks)
+        panel.deliver_on_edited.connect(self.edit_deliver_on)
         panel.responsible_requested.connect(asker.ask_responsible)
         panel.cutter_edited.connect(self.edit_cutter)
         panel.rule_edited.connect(self.edit_rule)
@@ -212,6 +227,26 @@ class ExportPresenter:
         if foot is not None and foot.design.shell is None:
             choice = replace(choice, material=material)
         self.edit_choice(choice)
+
+    def edit_deliver_on(self, text: str) -> None:
+        """Set the delivery date; one that cannot be right is told, and keeps from exporting."""
+        if self._is_case_left:
+            return  # the field lets go of what was typed as its window closes
+        today = date.today()
+        try:
+            day = read_day("visit", text, today)
+            terms = replace(self._choice.terms, deliver_on=date.fromisoformat(day) if day else None)
+            terms.check(today)
+        except InsoleError as error:
+            self._refused_day = str(error)
+            self._panel.show_error(self._refused_day)
+            self._show_buttons()
+            return
+        if self._refused_day:
+            self._refused_day = ""
+            self._panel.show_error(self._problem)
+        self.edit_choice(replace(self._choice, terms=terms))
+        self._show_buttons()
 
     def edit_blocks(self) -> None:
         """Let the user edit the clinic's own blocks; one that is new is chosen."""
@@ -314,7 +349,18 @@ class ExportPresenter:
 
     def ask_export(self) -> None:
         """Let the user choose a file, and export."""
+        self._panel.read_day()
+        if self._refused_day:
+            return
         order = self._order
+        try:
+            order.terms.check(date.today())
+        except InsoleError as error:
+            self._asker.tell(error)
+            return
+        if order.package:
+            self._ask_package(order.package)
+            return
         if order.prescription and not self._asker.ask_missing():
             return
         path = self._asker.path(order.pseudonym, word_of(self.parts, order), order.suffix)
@@ -324,6 +370,38 @@ class ExportPresenter:
         there = [file for file in files if file.exists()]
         if not there or self._asker.may_replace(there):
             self.export_to(path)
+
+    def _ask_package(self, package: Package) -> None:
+        """Let the user choose where the order is written, and write it."""
+        path = self._asker.package_path(self._number, package)
+        if path is not None and (not path.exists() or self._asker.may_replace([path])):
+            self.export_package_to(path)
+
+    def export_package_to(self, path: Path) -> None:
+        """Write the order with all its files as one folder or archive, in the background."""
+        record, choice, number = self._record, self._order, self._number
+        item = PackedItem(
+            self.parts, choice, record.patient, {}, self._override(), self._machine.made
+        )
+        author, clinic = self._case.author, self._asker.responsible().clinic
+
+        def write(progress: Progress) -> tuple[Path, ...]:
+            check_overwriting((path,), record.source_paths)
+            order = write_package(
+                [item], path,
+                number=number, shop=self._shop, now=datetime.now().astimezone(), clinic=clinic,
+                released_by=author, translate=translate_core_message, progress=progress,
+            )  # fmt: skip
+            return files_of_package(path, order)
+
+        def done(paths: tuple[Path, ...]) -> None:
+            if not self._is_case_left:
+                self._number_order()
+            self._tell_written(record, choice, (path,), Ordered(paths, choice.terms, number))
+
+        self._panel.show_error("")
+        self._jobs.start(WRITING, write, done, self._fail)
+        self._show_buttons()
 
     def export_to(self, path: Path) -> None:
         """Write the file and its documents in the background."""
@@ -337,20 +415,24 @@ class ExportPresenter:
             return write_order(
                 parts, choice, path,
                 shop=self._shop, patient=record.patient, responsible=responsible,
-                override=override, made=made, progress=progress,
+                override=override, made=made, translate=translate_core_message, progress=progress,
             )  # fmt: skip
 
         def done(paths: tuple[Path, ...]) -> None:
-            names = ", ".join(written.name for written in paths)
-            self._panel.show_summary(tr("Exported {name}").format(name=names))
-            self._remember(choice)
-            is_left = self._is_case_left
-            exported = record if is_left else self._noted(record, choice.pseudonym)
-            self._exported(exported, paths)
+            self._tell_written(record, choice, paths, Ordered(paths, choice.terms))
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._fail)
         self._show_buttons()
+
+    def _tell_written(
+        self, record: CaseRecord, choice: OrderChoice, shown: Sequence[Path], ordered: Ordered
+    ) -> None:
+        names = ", ".join(written.name for written in shown)
+        self._panel.show_summary(tr("Exported {name}").format(name=names))
+        self._remember(choice)
+        exported = record if self._is_case_left else self._noted(record, choice.pseudonym)
+        self._exported(exported, ordered)
 
     def _noted(self, record: CaseRecord, pseudonym: str) -> CaseRecord:
         """Keep in the case what the workshop knows it by; return the record that was exported."""
@@ -399,9 +481,9 @@ class ExportPresenter:
     def _begin_order(self) -> None:
         """Begin an order for the open case: nothing of the patient before is kept."""
         record = self._case.record
-        self._number = new_order_number(date.today())
-        self._panel.show_order_number(self._number, is_sample=record.patient.is_sample)
-        self._reason = ""
+        self._number_order()
+        self._reason, self._refused_day = "", ""
+        self._panel.forget_day()
         self._choice = replace(
             self._choice,
             both=both_prescribed(record),
@@ -409,7 +491,14 @@ class ExportPresenter:
             text="",
             own_materials={},
             printing=self._choice.printing and replace(self._choice.printing, weight_kg=None),
+            terms=OrderTerms(),
         )
+
+    def _number_order(self) -> None:
+        """Draw the number of the next order."""
+        self._number = new_order_number(date.today())
+        is_sample = self._case.record.patient.is_sample
+        self._panel.show_order_number(self._number, is_sample=is_sample)
 
     def _follow(self) -> None:
         """Make the order again unless only what does not shape it has changed."""
@@ -587,10 +676,11 @@ class ExportPresenter:
         busy = self._jobs.is_running()
         if not busy:
             self._panel.show_progress(0.0, "")
+        complaint = self._problem or self._refused_day
         may = (not self._blocked or bool(self._reason)) and self._misfit is None
         self._panel.show_buttons(
             Buttons(
-                export=not busy and self._machine.made is not None and may and not self._problem,
+                export=not busy and self._machine.made is not None and may and not complaint,
                 cancel=busy,
                 reason=self._blocked,
             )

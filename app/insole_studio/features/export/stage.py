@@ -48,7 +48,7 @@ class ExportStage(StageFrame):
 
     closed = Signal()
     exported = Signal(object, object)
-    """Emitted with the exported record and the paths of the files."""
+    """Emitted with the exported record and an `Ordered`."""
 
     def __init__(
         self,

@@ -44,6 +44,7 @@ class ExportView(QWidget):
     material_edited = Signal(object, str)
     blocks_requested = Signal()
     responsible_requested = Signal()
+    deliver_on_edited = Signal(str)
     cutter_edited = Signal(float)
     rule_edited = Signal(str, str, float)
     check_chosen = Signal(str)
@@ -59,6 +60,7 @@ class ExportView(QWidget):
         self.form.material_edited.connect(self.material_edited)
         self.form.blocks_requested.connect(self.blocks_requested)
         self.form.responsible_requested.connect(self.responsible_requested)
+        self.form.terms.deliver_on_edited.connect(self.deliver_on_edited)
         self.form.cutter.edited.connect(self.cutter_edited)
         self.model = ModelView(Subject.INSOLE, "", dark)
         self.model.preset_requested.connect(self.model.look_from)
@@ -111,6 +113,14 @@ class ExportView(QWidget):
     def show_order_number(self, number: str, *, is_sample: bool) -> None:
         """Show what the order is called without a pseudonym; a sample is always called one."""
         self.form.show_order_number(number, is_sample=is_sample)
+
+    def read_day(self) -> None:
+        """Emit what is typed as the delivery date."""
+        self.form.terms.pass_on_day()
+
+    def forget_day(self) -> None:
+        """Empty the delivery date, whatever is typed there."""
+        self.form.terms.forget_day()
 
     def show_checks(self, rows: Sequence[CheckRow]) -> None:
         """Show the checks."""
