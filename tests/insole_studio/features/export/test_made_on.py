@@ -48,6 +48,9 @@ class Asker:
     def path(self, _pseudonym: str, _word: str, _suffix: str) -> Path | None:
         return self.answer
 
+    def package_path(self, _number: str, _package: str) -> Path | None:
+        return self.answer
+
     def machine_file(self) -> Path | None:
         return self.answer
 
@@ -215,6 +218,12 @@ def test_a_router_gets_its_program_beside_the_solid(
     settle()
     assert sorted(path.name for path in tmp_path.glob("anna*")) == ["anna-left.nc", "anna-left.stl"]
     assert "\nG1 X" in (tmp_path / "anna-left.nc").read_text()
+    asker.answer = tmp_path / "order.zip"
+    stage.presenter.edit_choice(replace(stage.view.form.choice(), package="zip"))
+    stage.view.export.click()
+    settle()
+    with zipfile.ZipFile(asker.answer) as archive:
+        assert any(name.endswith("-left.nc") for name in archive.namelist())
     loaded = memory.load().milling
     assert loaded is not None
     assert (loaded.machine.name, loaded.both_sides) == ("GRBL", False)
