@@ -288,7 +288,8 @@ def write_order(
         Accepts failed checks. It is recorded in the file of the checks, which is then always
         written.
     made
-        From `prepare` of the same parts and choice; None to do that first.
+        From `prepare` of the same parts and choice; None to do that
+        here, without maps of pressures.
     release
         Number, revision and who released it, for the drawing.
     translate
@@ -316,9 +317,8 @@ def write_order(
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
     if made is None:
-        if choice.printing is not None or choice.milling is not None:
-            raise ValueError("an order for a printer or a router is prepared first")
-        made = MadeFor()
+        made = prepare(parts, choice, shop, {}, progress.part(0.0, 0.5))
+        progress = progress.part(0.5, 1.0)
     groups = _groups(_laid_out(parts, choice), choice)
     drawn = drawn_parts(parts, translate) if choice.job_sheet else ()
     with Transaction() as transaction:
@@ -359,10 +359,10 @@ def _export_job(
     patient: Patient,
     responsible: Responsible,
     override: Override | None,
+    printing: Printing | None,
     drawn: tuple[DrawnInsole, ...],
     release: Release,
     translate: Translate,
-    printing: Printing | None,
 ) -> ExportJob:
     """Return the job that writes the parts of one file with their papers."""
     return ExportJob(
@@ -376,10 +376,10 @@ def _export_job(
         override=override,
         ascii_stl=choice.ascii_stl,
         terms=choice.terms,
+        printing=printing,
         drawn=drawn,
         release=release,
         translate=translate,
-        printing=printing,
     )
 
 

@@ -72,7 +72,7 @@ class PackedItem:
     override
         Accepts failed checks.
     made
-        From `prepare` of the same parts and choice; None where they are for no machine.
+        Zones or tool paths, from `prepare`; None to make them when the order is written.
     """
 
     parts: Sequence[Part]

@@ -415,8 +415,7 @@ class ExportPresenter:
             return write_order(
                 parts, choice, path,
                 shop=self._shop, patient=record.patient, responsible=responsible,
-                override=override, made=made, translate=translate_core_message,
-                progress=progress,
+                override=override, made=made, translate=translate_core_message, progress=progress,
             )  # fmt: skip
 
         def done(paths: tuple[Path, ...]) -> None:
@@ -491,8 +490,8 @@ class ExportPresenter:
             pseudonym=record.patient.pseudonym,
             text="",
             own_materials={},
-            terms=OrderTerms(),
             printing=self._choice.printing and replace(self._choice.printing, weight_kg=None),
+            terms=OrderTerms(),
         )
 
     def _number_order(self) -> None:
