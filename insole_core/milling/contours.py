@@ -56,8 +56,9 @@ def contour(
     for solid, step in zip(solids, progress.parts(len(solids)), strict=True):
         step.step(0.0, "Cutting round the piece")
         loops = _loops(solid, machine, bottom_mm)
-        _require_room(loops[-1][1], block_mm, machine)
-        tabs = _tab_places(loops[-1][1], machine) if with_tabs else np.empty((0, 2))
+        outline = max((loop for _, loop in loops), key=_area)
+        _require_room(outline, block_mm, machine)
+        tabs = _tab_places(outline, machine) if with_tabs else np.empty((0, 2))
         for level, loop in loops:
             line = _densified(loop)
             path = np.column_stack([line, _with_tabs(line, level, bottom_mm, tabs, machine)])
@@ -69,9 +70,9 @@ def contour(
 def _loops(
     solid: TriangleMesh, machine: Machine, bottom_mm: float
 ) -> list[tuple[float, FloatArray]]:
-    """Return the levels, mm, from above, each with the closed way (n, 2) of the cutter's axis.
+    """Return closed ways (n, 2) of the cutter's axis with their levels, mm, from above.
 
-    At every level the cutter stays off all that is above it.
+    At every level the cutter stays off all that is above it, and goes round each part of it.
     """
     how = machine.contour
     body = manifold3d.Manifold(
@@ -80,7 +81,7 @@ def _loops(
     top = float(solid.bounds_mm[1, 2])
     count = max(int(np.ceil((top - bottom_mm) / how.step_down_mm)), 1)
     seen = manifold3d.CrossSection()
-    loops = []
+    loops: list[tuple[float, FloatArray]] = []
     sections = max(int(np.ceil(how.step_down_mm / _SECTION_MM)), 1)
     heights = bottom_mm + (top - bottom_mm) * np.arange(count * sections - 1, -1, -1) / (
         count * sections
@@ -92,9 +93,14 @@ def _loops(
         if number % sections:
             continue
         grown = seen.offset(how.cutter.radius_mm + 2 * _CHORD_MM, circular_segments=_ARC_PIECES)
-        outer = max(map(np.asarray, grown.simplify(_CHORD_MM).to_polygons()), key=_area)
-        loops.append((float(height), np.concatenate([outer, outer[:1]])))
+        loops.extend((float(height), loop) for loop in _outer_loops(grown.simplify(_CHORD_MM)))
     return loops
+
+
+def _outer_loops(section: manifold3d.CrossSection) -> list[FloatArray]:
+    """Return the closed outlines (n, 2) of all parts of a section, without holes."""
+    polygons = [np.asarray(polygon) for polygon in section.to_polygons()]
+    return [np.concatenate([one, one[:1]]) for one in polygons if _area(one) > 0]
 
 
 def _with_tabs(

@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.machine import Cutter
 from insole_core.milling.surface import Surface
+from insole_core.milling.triangles import raise_to_triangles
 
 STEEPEST = np.tan(np.radians(75.0))
 """Of a path: beside a rim the cutter does not fall along the wall, which the contour cuts."""
 
+_BENT_MM = 0.006
+"""By which a ball sinks into edges between their samples."""
+_LONGEST_NORMAL = 1.015
+"""To which the normals at the corners of a triangle are stretched, so that it does not sink in."""
+
 
 def tip_heights(
-    surface: Surface, cutter: Cutter, lines: IntArray, allowance_mm: float = 0.0
+    surface: Surface,
+    cutter: Cutter,
+    lines: IntArray,
+    allowance_mm: float = 0.0,
+    every: int = 1,
 ) -> FloatArray:
     """Compute the lowest tip of a cutter that keeps an allowance from the surface.
 
@@ -26,6 +34,8 @@ def tip_heights(
     ----------
     lines : (k,) int64
         Indices of the grid's lines along which the cutter goes.
+    every
+        Of the nodes round the cutter's axis, along x and y, that are looked at.
 
     Returns
     -------
@@ -33,22 +43,22 @@ def tip_heights(
         Above the bottom of the block, at the nodes of each line.
     """
     radius = cutter.radius_mm + allowance_mm
-    reach = int(radius / surface.step_mm)
+    reach = int(radius / surface.step_mm / every) * every
     ring = np.pad(surface.heights_mm, reach, constant_values=np.float32(surface.floor_mm))
     ny = surface.inside.shape[1]
-    lift = np.float32(-np.inf)
-    tips = np.full((len(lines), ny), lift)
-    for i in range(-reach, reach + 1):
+    tips = np.full((len(lines), ny), -np.inf, np.float32)
+    level = np.empty_like(tips)
+    for i in range(-reach, reach + 1, every):
         row = ring[lines + i + reach]
-        for j in range(reach + 1):
+        for j in range(0, reach + 1, every):
             distance2 = (i * i + j * j) * surface.step_mm**2
             if distance2 > radius**2:
                 break
-            cap = np.float32(_cap(cutter, radius, distance2))
-            level = row[:, reach + j : reach + j + ny]
-            if j:
-                level = np.maximum(level, row[:, reach - j : reach - j + ny])
-            np.maximum(tips, level + cap, out=tips)
+            np.maximum(
+                row[:, reach + j : reach + j + ny], row[:, reach - j : reach - j + ny], out=level
+            )
+            level += np.float32(_cap(cutter, radius, distance2))
+            np.maximum(tips, level, out=tips)
     return np.asarray(tips, float)
 
 
@@ -59,52 +69,99 @@ def _cap(cutter: Cutter, radius_mm: float, distance2: FloatArray | float) -> Flo
     return np.asarray(np.sqrt(radius_mm**2 - distance2) - cutter.radius_mm)
 
 
-def finishing_heights(surface: Surface, cutter: Cutter, lines: IntArray) -> FloatArray:
-    """Compute the tips of a ball-nose cutter that leaves the surface, as `tip_heights`.
+def finishing_heights(surface: Surface, cutter: Cutter) -> FloatArray:
+    """Compute the tips (nx, ny), mm, of a ball-nose cutter that leaves the surface.
 
-    Between its nodes the path neither cuts off the arcs that the ball describes round an edge, nor
-    misses what rises between the nodes of the grid.
+    Triangles, sharp edges and their ends are touched by themselves, so that nothing rises between
+    the nodes of the grid. Between its nodes the path does not cut off the arcs that the ball
+    describes round an edge.
     """
-    tips = tip_heights(_beside_walls(surface), cutter, lines)
-    _touch_edges(surface, cutter, lines, tips)
-    # The ball may touch half a diagonal beside a node; so much higher is what it would touch there.
-    tips += surface.step_mm**2 / (4 * cutter.radius_mm)
+    every_line = np.arange(len(surface.x_mm))
+    tips = tip_heights(surface, cutter, every_line, every=2)
+    for solid in surface.solids:
+        _touch_faces(solid, surface, cutter, tips)
+    _touch_edges(surface, cutter, tips)
+    _touch_peaks(surface, cutter, tips)
     slope = STEEPEST * surface.step_mm * np.arange(tips.shape[1])
     falling = np.maximum.accumulate(tips + slope, axis=1) - slope
     rising = np.maximum.accumulate((tips - slope)[:, ::-1], axis=1)[:, ::-1] + slope
     return _over_arcs(np.maximum(falling, rising))
 
 
-def _beside_walls(surface: Surface) -> Surface:
-    """Return the surface with its walls one node farther out.
+def _touch_faces(solid: TriangleMesh, surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
+    """Raise tips (nx, ny) to where the ball touches the triangles of a solid.
 
-    A wall falls by much between two nodes, and the ball must keep off all of it.
+    Its centre lies on the triangles moved by the radius along their normals; along the normals at
+    the corners, there is no gap between them, and the ball sinks into an edge by no more than it
+    is bent.
     """
-    highest = cv2.dilate(surface.heights_mm, np.ones((3, 3), np.uint8))
-    steep = highest - surface.heights_mm > STEEPEST * np.sqrt(2) * surface.step_mm
-    heights = np.where(steep, highest, surface.heights_mm)
-    return replace(surface, heights_mm=heights)
+    upward = solid.triangle_normals[:, 2] > 0
+    triangles = solid.triangles[upward]
+    corners = solid.vertices[triangles] - [0, 0, cutter.radius_mm]
+    bent = solid.vertex_normals[triangles]
+    # Between corners with other normals the mean normal is shorter, and the ball would sink in.
+    shorter = np.linalg.norm(bent.mean(axis=1), axis=1)
+    bent = bent * np.minimum(1.002 / np.maximum(shorter, 0.5), _LONGEST_NORMAL)[:, None, None]
+    for normals in (solid.triangle_normals[upward][:, None], bent):
+        moved = corners + cutter.radius_mm * normals
+        raise_to_triangles(moved, surface.first_mm, surface.step_mm, tips)
 
 
-def _touch_edges(surface: Surface, cutter: Cutter, lines: IntArray, tips: FloatArray) -> None:
-    """Raise tips (k, ny) where the ball would cut into the edges; the lines are evenly spaced."""
-    radius, step = cutter.radius_mm, surface.step_mm
-    if len(lines) < 2:
-        return
-    spacing = float(lines[1] - lines[0]) * step
-    place = surface.edges_mm[:, :2] - surface.first_mm
-    first_line = np.ceil((place[:, 0] - lines[0] * step - radius) / spacing).astype(int)
-    first_node = np.ceil((place[:, 1] - radius) / step).astype(int)
-    for i in range(int(2 * radius / spacing) + 1):
-        line = first_line + i
-        across = (line * spacing + lines[0] * step - place[:, 0]) ** 2
-        reached = np.flatnonzero((line >= 0) & (line < len(lines)) & (across <= radius**2))
-        for j in range(int(2 * radius / step) + 1):
-            node = first_node[reached] + j
-            distance2 = across[reached] + (node * step - place[reached, 1]) ** 2
-            near = (node >= 0) & (node < tips.shape[1]) & (distance2 <= radius**2)
-            cap = _cap(cutter, radius, distance2[near]) + surface.edges_mm[reached[near], 2]
-            np.maximum.at(tips, (line[reached[near]], node[near]), cap)
+def _touch_edges(surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
+    """Raise tips (nx, ny) where the ball would cut into the edges.
+
+    On an edge the ball's centre turns from the normal of one side to that of the other; only the
+    nodes round this arc are touched.
+    """
+    radius, step = cutter.radius_mm + _BENT_MM, surface.step_mm
+    first, second = np.moveaxis(surface.edge_normals, 1, 0)
+    across = np.linalg.norm(first[:, :2] - second[:, :2], axis=1)
+    counts = np.ceil(1.5 * radius * across / step).astype(int) + 1
+    edge = np.repeat(np.arange(len(counts)), counts)
+    within = np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)
+    share = (within / np.maximum(counts - 1, 1)[edge])[:, None]
+    normal = first[edge] * (1 - share) + second[edge] * share
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    edge, normal = edge[normal[:, 2] > 0], normal[normal[:, 2] > 0]
+    place = (surface.edges_mm[edge, :2] - surface.first_mm) / step
+    nearest = np.rint(place + normal[:, :2] * (radius / step)).astype(int)
+    within_grid = ((nearest >= 0) & (nearest < tips.shape)).all(axis=1)
+    nearest = nearest[within_grid]
+    off = (nearest - place[within_grid]) * step
+    height = surface.edges_mm[edge[within_grid], 2] - cutter.radius_mm
+    border = np.pad(tips, 1)
+    flat, ny = border.ravel(), border.shape[1]
+    middle = (nearest[:, 0] + 1) * ny + nearest[:, 1] + 1
+    for i in (-1, 0, 1):
+        across2 = radius**2 - (off[:, 0] + i * step) ** 2
+        for j in (-1, 0, 1):
+            left2 = across2 - (off[:, 1] + j * step) ** 2
+            tip = np.where(left2 >= 0, height + np.sqrt(np.maximum(left2, 0)), -np.inf)
+            np.maximum.at(flat, middle + (i * ny + j), tip)
+    tips[:] = border[1:-1, 1:-1]
+
+
+def _touch_peaks(surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
+    """Raise tips (nx, ny) where the ball would cut into the ends of edges, from any side."""
+    radius, step = cutter.radius_mm + _BENT_MM, surface.step_mm
+    place = (surface.peaks_mm[:, :2] - surface.first_mm) / step
+    height = surface.peaks_mm[:, 2] - cutter.radius_mm
+    reach = int(radius / step) + 1
+    nearest = np.rint(place).astype(int) + reach
+    off = (nearest - reach - place) * step
+    border = np.pad(tips, reach)
+    ny = border.shape[1]
+    first, flat = nearest[:, 0] * ny + nearest[:, 1], border.ravel()
+    inside = ((nearest >= reach) & (nearest < np.array(tips.shape) + reach)).all(axis=1)
+    first, off, height = first[inside], off[inside], height[inside]
+    for i in range(-reach, reach + 1):
+        across2 = radius**2 - (off[:, 0] + i * step) ** 2
+        for j in range(-reach, reach + 1):
+            left2 = across2 - (off[:, 1] + j * step) ** 2
+            near = np.flatnonzero(left2 >= 0)
+            if len(near):
+                np.maximum.at(flat, first[near] + (i * ny + j), height[near] + np.sqrt(left2[near]))
+    tips[:] = border[reach:-reach, reach:-reach]
 
 
 def _over_arcs(tips: FloatArray) -> FloatArray:

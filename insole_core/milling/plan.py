@@ -11,6 +11,7 @@ import scipy
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.milling.contours import contour, dowel_holes
 from insole_core.milling.drop_cutter import STEEPEST, tip_heights
@@ -29,6 +30,14 @@ _LAND_MM = 2.0
 """Width along a wall of which the left-over material is not computed."""
 _LEAST_UP = 0.15
 """Share of a normal along z from which a surface is milled from above, and is no wall."""
+_HOLLOW = {
+    "medial": 'The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from '
+    "the heel on the medial side: {left:.1f} mm stay there; take a thinner one.",
+    "middle": 'The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from '
+    "the heel in the middle: {left:.1f} mm stay there; take a thinner one.",
+    "lateral": 'The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from '
+    "the heel on the lateral side: {left:.1f} mm stay there; take a thinner one.",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +74,14 @@ class LeftOver:
         pixels = np.rint((points_mm - self.first_mm) / self.pitch_mm).astype(int)
         rows, columns = np.clip(pixels, 0, np.array(heights.shape) - 1).T
         return np.asarray(heights[rows, columns])
+
+
+@dataclass(frozen=True)
+class FootInBlock:
+    """For which foot a solid is, and whether its toes point to the end of the block at y = 0."""
+
+    side: Side
+    is_turned: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,6 +148,7 @@ def plan_milling(
     machine: Machine,
     *,
     both_sides: bool = False,
+    feet: Sequence[FootInBlock] = (),
     progress: Progress = SILENT,
 ) -> MillingPlan:
     """Compute the tool paths of solids in a block.
@@ -145,6 +163,8 @@ def plan_milling(
     both_sides
         Whether the block is turned, so that the underside is milled too. The solids then lie
         `skin_mm` above its bottom.
+    feet
+        For which foot each solid is; then places in notes are said by heel and side.
 
     Raises
     ------
@@ -162,7 +182,7 @@ def plan_milling(
         side="foot side", bottom_mm=0.0, with_tabs=True,
         progress=halves[0],
     )  # fmt: skip
-        return _plan(machine, block_mm, lying, operations, [left])
+        return _plan(machine, block_mm, lying, operations=operations, left_over=[left], feet=feet)
     surface = _sampled(lying, block_mm, machine)
     web = min(lift + machine.contour.tab_height_mm, _lowest_rim(surface))
     dowels = dowel_holes(machine, surface, block_mm)
@@ -178,7 +198,10 @@ def plan_milling(
         side="underside", bottom_mm=under, with_tabs=True,
         progress=halves[1],
     )  # fmt: skip
-    return _plan(machine, block_mm, lying, [dowels, *first, *second], [left, below])
+    return _plan(
+        machine, block_mm, lying,
+        operations=[dowels, *first, *second], left_over=[left, below], feet=feet,
+    )  # fmt: skip
 
 
 def turned_over(
@@ -199,10 +222,13 @@ def _plan(
     machine: Machine,
     block_mm: tuple[float, float, float],
     solids: Sequence[TriangleMesh],
+    *,
     operations: Sequence[Operation],
     left_over: Sequence[LeftOver],
+    feet: Sequence[FootInBlock],
 ) -> MillingPlan:
-    notes = [note for left in left_over if (note := _hollow(left, machine)) is not None]
+    hollows = [_hollow(left, machine, block_mm, solids, feet) for left in left_over]
+    notes = [note for note in hollows if note is not None]
     return MillingPlan(
         machine, block_mm, tuple(solids), tuple(operations), tuple(left_over), tuple(notes)
     )
@@ -330,7 +356,7 @@ def _left_over(surface: Surface, machine: Machine, side: SideName) -> LeftOver:
     )
     coarse = replace(
         surface, step_mm=surface.step_mm * every, heights_mm=heights[tuple(nearest)],
-        inside=within, edges_mm=np.empty((0, 3)), floor_mm=-_FAR_MM,
+        inside=within, floor_mm=-_FAR_MM,
     )  # fmt: skip
     cutter = machine.finishing.cutter
     lines = np.arange(within.shape[0])
@@ -355,18 +381,46 @@ def _off_the_walls(surface: Surface, every: int) -> BoolArray:
     return np.asarray(scipy.ndimage.binary_erosion(flat, iterations=2)[::every, ::every])
 
 
-def _hollow(left: LeftOver, machine: Machine) -> Message | None:
+def _hollow(
+    left: LeftOver,
+    machine: Machine,
+    block_mm: tuple[float, float, float],
+    solids: Sequence[TriangleMesh],
+    feet: Sequence[FootInBlock],
+) -> Message | None:
     """Say where the cutter is too thick for a hollow."""
     if not (left.height_mm > _MOST_LEFT_MM).any():
         return None
     place = np.unravel_index(np.nanargmax(left.height_mm), left.height_mm.shape)
     x, y = left.first_mm + np.array(place) * left.pitch_mm
+    words: dict[str, str | float] = {
+        "cutter": machine.finishing.cutter.name,
+        "side": Message(left.side),
+        "left": float(left.height_mm[place]),
+    }
+    if left.side == "underside":
+        by_length = machine.both_sides.flip == "length"
+        x, y = (block_mm[0] - x, y) if by_length else (x, block_mm[1] - y)
+    for solid, foot in zip(solids, feet, strict=False):
+        low, high = solid.bounds_mm[:, :2]
+        if (low <= [x, y]).all() and ([x, y] <= high).all():
+            from_heel = high[1] - y if foot.is_turned else y - low[1]
+            return Message(
+                _HOLLOW[_region(float(x), low, high, foot)], **words, heel=float(from_heel)
+            )
     return Message(
         'The cutter "{cutter}" is too thick for a hollow of the {side} at x = {x:.0f} mm, '
         "y = {y:.0f} mm of the block: {left:.1f} mm stay there; take a thinner one.",
-        cutter=machine.finishing.cutter.name,
-        side=Message(left.side),
+        **words,
         x=float(x),
         y=float(y),
-        left=float(left.height_mm[place]),
     )
+
+
+def _region(x_mm: float, low_mm: FloatArray, high_mm: FloatArray, foot: FootInBlock) -> str:
+    """Return which third of a solid's width a place lies in."""
+    share = (x_mm - low_mm[0]) / (high_mm[0] - low_mm[0]) - 0.5
+    medial = share * foot.side.medial_sign * (-1 if foot.is_turned else 1)
+    if abs(medial) < 1 / 6:
+        return "middle"
+    return "medial" if medial > 0 else "lateral"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.milling.added_lines import added_lines
 from insole_core.milling.drop_cutter import finishing_heights, tip_heights
 from insole_core.milling.machine import Cutter, Machine
 from insole_core.milling.surface import Surface
@@ -24,7 +25,11 @@ _CLOSE_MM = 0.003
 _CLEARANCE_MM = 1.0
 """Above material that is known to be gone, down to which a rapid move goes."""
 _LINK_LINES = 1
+_LINK_MM = 12.0
+"""Longest way between two pieces that is quicker beside the surface than above the block."""
 _LEAST_CUT_MM = 0.05
+_GONE = 10**6
+"""Node of pieces that have been followed, far from all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,8 +53,10 @@ class _Raster:
     def points(self, run: _Run, heights_mm: FloatArray, needed: BoolArray) -> FloatArray:
         """Return the points (n, 3) of a run, along y."""
         nodes = run.start + np.flatnonzero(needed[run.line, run.start : run.end + 1])
-        x = np.full(len(nodes), self.surface.x_mm[self.lines[run.line]])
-        points = np.column_stack([x, self.surface.y_mm[nodes], heights_mm[run.line, nodes]])
+        points = np.empty((len(nodes), 3))
+        points[:, 0] = self.surface.x_mm[self.lines[run.line]]
+        points[:, 1] = self.surface.y_mm[nodes]
+        points[:, 2] = heights_mm[run.line, nodes]
         return without_collinear(points)
 
     def link_height(self, line: int, other: int, nodes: tuple[int, int]) -> float:
@@ -106,15 +113,77 @@ def roughing(
 def finishing(
     surface: Surface, machine: Machine, block_height_mm: float, side: SideName
 ) -> Operation:
-    """Leave the surface in lines, a little over its rim."""
+    """Leave the surface in lines, a little over its rim.
+
+    Where evenly spaced lines would leave more than their ridges (in a crease between two of them,
+    or on a slope across them), pieces of lines are added between them.
+    """
     how = machine.finishing
     lines = _lines(surface, how.step_over_mm)
-    tips = np.minimum(finishing_heights(surface, how.cutter, lines), block_height_mm)
-    raster = _Raster(surface, how.cutter, lines, tips)
-    active = surface.beside_mm[lines] <= how.cutter.radius_mm * 0.8
+    tips = np.minimum(finishing_heights(surface, how.cutter), block_height_mm)
+    allowed = surface.beside_mm <= how.cutter.radius_mm * 0.8
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
-    _follow(raster, tips, active, writer, close_mm=_CLOSE_MM, clear_mm=None)
+    raster = _Raster(surface, how.cutter, lines, tips[lines])
+    _follow(raster, tips[lines], allowed[lines], writer, close_mm=_CLOSE_MM, clear_mm=None)
+    added = added_lines(surface, tips, how) & allowed
+    whole = _Raster(surface, how.cutter, np.arange(len(tips)), tips)
+    _follow_pieces(whole, added, allowed, writer)
     return writer.operation("finishing", side, how.cutter)
+
+
+def _follow_pieces(
+    raster: _Raster, added: BoolArray, allowed: BoolArray, writer: PathWriter
+) -> None:
+    """Write pieces of lines, after the whole lines, always the nearest one next.
+
+    From one to the next the cutter stays above all tips of the rectangle that both span, where the
+    lines have been.
+    """
+    runs = _runs(added)
+    if not runs:
+        return
+    tips, step = raster.tips_mm, raster.surface.step_mm
+    needed = needed_nodes(tips, added, _CLOSE_MM)
+    ends = np.array([[[run.line, run.start], [run.line, run.end]] for run in runs])
+    waiting = ends.copy()
+    here: IntArray | None = None
+    for _ in runs:
+        number, turned = _nearest(waiting, here)
+        waiting[number] = _GONE
+        start, end = ends[number][::-1] if turned else ends[number]
+        points = raster.points(runs[number], tips, needed)
+        points = points[::-1] if turned else points
+        link = None if here is None else _link(tips, allowed, here, start, step)
+        if link is None:
+            reach = int(raster.cutter.radius_mm / step)
+            round_it = tuple(slice(max(node - reach, 0), node + reach + 1) for node in start)
+            writer.start(points, float(tips[round_it].max()) + _CLEARANCE_MM)
+        else:
+            across = np.stack([writer.last_mm, points[0]])
+            across[:, 2] = link
+            writer.go_on(np.concatenate([across, points]))
+        here = end
+
+
+def _nearest(ends: IntArray, here: IntArray | None) -> tuple[int, bool]:
+    """Return the piece (n, 2, 2: its ends) that begins next to a node, and whether at its end."""
+    if here is None:
+        return 0, False
+    distance = np.abs(ends[:, :, 0] - here[0])
+    distance += np.abs(ends[:, :, 1] - here[1])
+    number, end = divmod(int(distance.argmin()), 2)
+    return number, bool(end)
+
+
+def _link(
+    tips: FloatArray, allowed: BoolArray, here: IntArray, there: IntArray, step_mm: float
+) -> float | None:
+    """Return the height of a way from one node to another; None where the cutter lifts."""
+    low, high = np.minimum(here, there), np.maximum(here, there) + 1
+    if (high - low).max() * step_mm > _LINK_MM:
+        return None
+    spanned = slice(low[0], high[0]), slice(low[1], high[1])
+    return float(tips[spanned].max()) + _CLOSE_MM if allowed[spanned].all() else None
 
 
 def _lines(surface: Surface, step_over_mm: float) -> IntArray:

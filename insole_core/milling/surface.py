@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import cv2
@@ -11,14 +11,12 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.ray_casting import RayCaster
+from insole_core.milling.triangles import raise_to_triangles
 
-_SHARP_DEG = 8.0
-"""Between nodes of the grid an edge sharper than this is touched by samples of its own."""
-_FLAT_MM = 0.008
-"""An edge that rises less above the grid needs no samples."""
-_OFF_LATTICE = 1.7e-3
-"""Rays beside the round numbers on which the edges of triangles lie."""
+_SHARP_DEG = 5.0
+"""An edge that is bent by more is touched by samples of its own."""
+_EVEN_DEG = 1.0
+"""The same, where a sharp edge meets it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +35,10 @@ class Surface:
         Where a solid is.
     edges_mm : (k, 3) float64
         Samples of the sharp edges, no farther apart than the nodes.
+    edge_normals : (k, 2, 3) float64
+        Of the surface on both sides of each.
+    peaks_mm : (m, 3) float64
+        Ends of the sharp edges.
     """
 
     step_mm: float
@@ -44,14 +46,17 @@ class Surface:
     heights_mm: Float32Array
     inside: BoolArray
     edges_mm: FloatArray
+    edge_normals: FloatArray
+    peaks_mm: FloatArray
+    solids: tuple[TriangleMesh, ...]
     floor_mm: float
 
-    @property
+    @cached_property
     def x_mm(self) -> FloatArray:
         """(nx,) places of the lines."""
         return np.asarray(self.first_mm[0] + self.step_mm * np.arange(self.inside.shape[0]))
 
-    @property
+    @cached_property
     def y_mm(self) -> FloatArray:
         """(ny,) places of the nodes of a line."""
         return np.asarray(self.first_mm[1] + self.step_mm * np.arange(self.inside.shape[1]))
@@ -71,7 +76,7 @@ class Surface:
     def with_floor(self, floor_mm: float) -> Surface:
         """Return the surface with another height beside the solids."""
         heights = np.where(self.inside, self.heights_mm, np.float32(floor_mm))
-        return Surface(self.step_mm, self.first_mm, heights, self.inside, self.edges_mm, floor_mm)
+        return replace(self, heights_mm=heights, floor_mm=floor_mm)
 
 
 def sample_surface(
@@ -97,49 +102,26 @@ def sample_surface(
     low = np.maximum(bounds[:, 0].min(axis=0) - margin_mm, 0.0)
     high = np.minimum(bounds[:, 1].max(axis=0) + margin_mm, np.array(block_mm[:2]))
     count = np.floor((high - low) / step_mm).astype(int) + 1
-    heights = np.full(tuple(count), np.nan, np.float32)
+    seen = np.full(tuple(count), -np.inf, np.float32)
     for solid in solids:
-        _cast(solid, low, step_mm, heights)
-    inside = np.isfinite(heights)
-    heights[~inside] = 0
-    edges = np.concatenate([_sharp_edges(solid, step_mm) for solid in solids])
-    edges = edges[_rise(edges, low, step_mm, heights) > _FLAT_MM]
-    return Surface(step_mm, low, heights, inside, edges, 0.0)
+        _sample_heights(solid, low, step_mm, seen)
+    inside = seen > -np.inf
+    heights = np.where(inside, seen, np.float32(0))
+    parts = [_sharp_edges(solid, step_mm) for solid in solids]
+    edges, normals, peaks = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return Surface(step_mm, low, heights, inside, edges, normals, peaks, tuple(solids), 0.0)
 
 
-def _rise(
-    places: FloatArray, first_mm: FloatArray, step_mm: float, heights: Float32Array
-) -> FloatArray:
-    """Return by how much places (n, 3) lie above the heights of the grid round them."""
-    node = (places[:, :2] - first_mm) / step_mm
-    low = np.clip(np.floor(node).astype(int), 0, np.array(heights.shape) - 2)
-    i, j = low.T
-    u, v = (node - low).T
-    along = heights[i, j] * (1 - v) + heights[i, j + 1] * v
-    beyond = heights[i + 1, j] * (1 - v) + heights[i + 1, j + 1] * v
-    return np.asarray(places[:, 2] - along * (1 - u) - beyond * u)
+def _sample_heights(
+    solid: TriangleMesh, first_mm: FloatArray, step_mm: float, heights: Float32Array
+) -> None:
+    """Raise the heights of the grid to those of one solid."""
+    upward = solid.triangle_normals[:, 2] > 0
+    raise_to_triangles(solid.vertices[solid.triangles[upward]], first_mm, step_mm, heights)
 
 
-def _cast(solid: TriangleMesh, first_mm: FloatArray, step_mm: float, heights: Float32Array) -> None:
-    """Fill in the heights of one solid where it is the highest."""
-    low, high = (solid.bounds_mm[:, :2] - first_mm) / step_mm
-    start = np.maximum(np.floor(low).astype(int), 0)
-    end = np.minimum(np.ceil(high).astype(int) + 1, heights.shape)
-    nodes = np.stack(
-        np.meshgrid(*(np.arange(a, b) for a, b in zip(start, end, strict=True)), indexing="ij"), -1
-    )
-    flat = first_mm + step_mm * nodes.reshape(-1, 2) + _OFF_LATTICE * step_mm
-    origins = np.column_stack([flat, np.full(len(flat), solid.bounds_mm[1, 2] + 10)])
-    hits = RayCaster(solid).cast(origins, np.broadcast_to([0.0, 0, -1], origins.shape))
-    seen = np.full(len(flat), np.nan, np.float32)
-    corners = solid.vertices[solid.triangles[hits.triangle], 2]
-    seen[hits.ray] = (hits.weights * corners).sum(axis=1)
-    part = heights[start[0] : end[0], start[1] : end[1]]
-    np.fmax(part, seen.reshape(part.shape), out=part)
-
-
-def _sharp_edges(solid: TriangleMesh, step_mm: float) -> FloatArray:
-    """Return samples (k, 3) of the edges at which the surface bends."""
+def _sharp_edges(solid: TriangleMesh, step_mm: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return samples (k, 3) of the ridges, normals (k, 2, 3) beside them, and their ends (m, 3)."""
     count = len(solid.vertices)
     start = solid.triangles.astype(np.int64)
     ends = np.sort(np.stack([start, np.roll(start, -1, axis=1)], axis=-1), axis=-1).reshape(-1, 2)
@@ -150,10 +132,20 @@ def _sharp_edges(solid: TriangleMesh, step_mm: float) -> FloatArray:
     normals = solid.triangle_normals
     cosine = (normals[first // 3] * normals[second // 3]).sum(axis=1)
     upward = np.maximum(normals[first // 3, 2], normals[second // 3, 2]) > 0
-    sharp = first[(cosine < np.cos(np.radians(_SHARP_DEG))) & upward]
+    opposite = solid.vertices[solid.triangles[second // 3, (second % 3 + 2) % 3]]
+    fall = ((opposite - solid.vertices[ends[first, 0]]) * normals[first // 3]).sum(axis=1)
+    convex = upward & (fall < 0)
+    bent = convex & (cosine < np.cos(np.radians(_SHARP_DEG)))
+    at_peak = np.zeros(count, bool)
+    at_peak[ends[first[bent]]] = True
+    beside = at_peak[ends[first]].any(axis=1) & (cosine < np.cos(np.radians(_EVEN_DEG)))
+    ridge = bent | (convex & beside)
+    sharp = first[ridge]
+    sides = np.stack([normals[first // 3], normals[second // 3]], axis=1)[ridge]
     a, b = np.moveaxis(solid.vertices[ends[sharp]], 1, 0)
     pieces = np.ceil(np.linalg.norm(b - a, axis=1) / step_mm).astype(int) + 1
     edge = np.repeat(np.arange(len(a)), pieces)
     within = np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
     share = (within / np.maximum(pieces - 1, 1)[edge])[:, None]
-    return np.asarray(a[edge] * (1 - share) + b[edge] * share)
+    samples = a[edge] * (1 - share) + b[edge] * share
+    return samples, sides[edge], solid.vertices[at_peak]

@@ -80,6 +80,11 @@ class PathWriter:
         """Whether there is no run yet."""
         return not self._points
 
+    @property
+    def last_mm(self) -> FloatArray:
+        """(3,) where the cutter is."""
+        return np.asarray(self._points[-1][-1])
+
     def start(self, run_mm: FloatArray, clear_mm: float | None = None) -> None:
         """Go to a run (n, 3) above the block, and follow it.
 
@@ -162,10 +167,13 @@ def without_collinear(points_mm: FloatArray) -> FloatArray:
     """Leave out points (n, d) of a polyline that lie on the straight line of their neighbours."""
     if len(points_mm) < 3:
         return points_mm
-    before, after = np.diff(points_mm[:-1], axis=0), np.diff(points_mm[1:], axis=0)
-    lengths = np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
-    bends = (before * after).sum(axis=1) < (1 - _STRAIGHT) * lengths
-    return np.asarray(points_mm[np.concatenate([[True], bends, [True]])])
+    pieces = points_mm[1:] - points_mm[:-1]
+    before, after = pieces[:-1], pieces[1:]
+    length2 = np.einsum("ij,ij->i", pieces, pieces)
+    turn = np.einsum("ij,ij->i", before, after)
+    kept = np.ones(len(points_mm), bool)
+    kept[1:-1] = turn < (1 - _STRAIGHT) * np.sqrt(length2[:-1] * length2[1:])
+    return np.asarray(points_mm[kept])
 
 
 def total_minutes(operations: Iterable[Operation], rapid_mm_min: float) -> float:

@@ -39,6 +39,18 @@ class Nest:
         x, y, z = self.size_mm
         return max(x - width, y - length, z - block_mm[2])
 
+    def in_middle_of(self, block_mm: tuple[float, float, float]) -> Nest:
+        """Return the solids in the middle of a block (length, width, height), on its bottom."""
+        length, width = sorted(block_mm[:2], reverse=True)
+        shift = rigid(
+            np.eye(3), np.array([width - self.size_mm[0], length - self.size_mm[1], 0]) / 2
+        )
+        return Nest(
+            tuple(mesh.transformed(shift) for mesh in self.meshes),
+            tuple(shift @ a2b for a2b in self.insole2block),
+            self.size_mm,
+        )
+
     def sentence(self, block_mm: tuple[float, float, float]) -> Message:
         """Say what the pair needs of a block (length, width, height), and what there is."""
         length, width = sorted(block_mm[:2], reverse=True)
@@ -64,7 +76,7 @@ def nest_pair(
     gap_mm: float = 12.0,
     margin_mm: float = 4.0,
 ) -> Nest:
-    """Place two solids side by side in a block that is large enough.
+    """Place two solids side by side in the middle of a block that is large enough.
 
     Parameters
     ----------
@@ -89,7 +101,7 @@ def nest_pair(
     nest = closest_nest(left, right, gap_mm=gap_mm, margin_mm=margin_mm)
     if nest.excess_mm(block_mm) > 0:
         raise DesignError(nest.sentence(block_mm))
-    return nest
+    return nest.in_middle_of(block_mm)
 
 
 def closest_nest(

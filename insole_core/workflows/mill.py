@@ -14,7 +14,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.milling.gcode import gcode
 from insole_core.milling.machine import Machine, read_machine, write_machine
-from insole_core.milling.plan import MillingPlan, plan_milling
+from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.progress import SILENT, Progress
 from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportJob
@@ -115,9 +115,13 @@ def plan_job(
     """
     length, width = sorted(block.size_mm[:2], reverse=True)
     block_mm = (width, length, block.size_mm[2])
-    placed = [each.part.solid.transformed(each.insole2file) for each in job.placed()]
-    solids = _in_the_middle(placed, block_mm)
-    return plan_milling(solids, block_mm, machine, both_sides=both_sides, progress=progress)
+    placed = job.placed()
+    solids = [each.part.solid.transformed(each.insole2file) for each in placed]
+    feet = [FootInBlock(each.part.side, bool(each.insole2file[1, 1] < 0)) for each in placed]
+    return plan_milling(
+        _in_the_middle(solids, block_mm), block_mm, machine,
+        both_sides=both_sides, feet=feet, progress=progress,
+    )  # fmt: skip
 
 
 def _in_the_middle(

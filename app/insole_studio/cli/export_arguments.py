@@ -16,6 +16,7 @@ from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
+    from insole_core.geometry.mesh import TriangleMesh
     from insole_core.insole.build import Insole
     from insole_core.milling.machine import Machine
     from insole_core.milling.plan import MillingPlan
@@ -201,9 +202,20 @@ def _facts(plan: MillingPlan) -> list[str]:
     ]
     return [
         *lines,
+        *(_place(plan, solid) for solid in plan.solids),
         f"{plan.machine.name}: {plan.length_m:.0f} m of path, {plan.minutes:.0f} minutes without "
         f"changes of cutters; at most {plan.most_left_mm:.2f} mm stay in hollows.",
     ]
+
+
+def _place(plan: MillingPlan, solid: TriangleMesh) -> str:
+    """Say where a solid lies, from the zero that the operator sets."""
+    from insole_core.milling.gcode import in_machine
+
+    corners = in_machine(solid.bounds_mm, plan)
+    (x, y, _), (right, far, _) = corners.min(axis=0), corners.max(axis=0)
+    across, along = f"x = {x:.1f} to {right:.1f} mm", f"y = {y:.1f} to {far:.1f} mm"
+    return f"From the zero, a piece lies at {across}, {along}."
 
 
 def _material(insole: Insole, arguments: argparse.Namespace) -> str:

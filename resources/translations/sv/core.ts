@@ -2028,6 +2028,18 @@
             <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side} vid x = {x:.0f} mm, y = {y:.0f} mm i blocket: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
         </message>
         <message>
+            <source>The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from the heel in the middle: {left:.1f} mm stay there; take a thinner one.</source>
+            <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side}, {heel:.0f} mm från hälen i mitten: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
+        </message>
+        <message>
+            <source>The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from the heel on the lateral side: {left:.1f} mm stay there; take a thinner one.</source>
+            <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side}, {heel:.0f} mm från hälen på utsidan: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
+        </message>
+        <message>
+            <source>The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from the heel on the medial side: {left:.1f} mm stay there; take a thinner one.</source>
+            <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side}, {heel:.0f} mm från hälen på insidan: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
+        </message>
+        <message>
             <source>The cutter "{cutter}" reaches {reach:g} mm, and must go {depth:.1f} mm deep; take a lower block or a longer cutter.</source>
             <translation>Fräsen ”{cutter}” når {reach:g} mm och måste gå {depth:.1f} mm djupt; ta ett lägre block eller en längre fräs.</translation>
         </message>

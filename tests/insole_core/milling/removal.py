@@ -126,17 +126,18 @@ class Removal:
         return np.floor(samples[:, :2] / self.pitch_mm).astype(int)
 
     def _feed(self, tool: Tool, starts: FloatArray, ends: FloatArray) -> None:
-        samples = self._samples(starts, ends, self.pitch_mm / 2)
+        samples = self._samples(starts, ends, 0.2 if tool.shape == "flat" else 0.1)
         samples = samples[samples[:, 2] < self.block_mm[2]]
         pixels = self._pixels(samples)
+        left = self.heights.ravel()
         for i, j in zip(*self._offsets(tool), strict=True):
             a, b = pixels[:, 0] + i, pixels[:, 1] + j
-            within = (a >= 0) & (a < len(self.x_mm)) & (b >= 0) & (b < len(self.y_mm))
-            a, b, tip = a[within], b[within], samples[within]
-            distance2 = (self.x_mm[a] - tip[:, 0]) ** 2 + (self.y_mm[b] - tip[:, 1]) ** 2
+            u, v = (a + 0.5) * self.pitch_mm - samples[:, 0], (b + 0.5) * self.pitch_mm
+            distance2 = u * u + (v - samples[:, 1]) ** 2
             hit = distance2 <= tool.radius_mm**2
-            bottom = tip[hit, 2] + tool.height(distance2[hit])
-            np.minimum.at(self.heights, (a[hit], b[hit]), bottom)
+            hit &= (a >= 0) & (a < len(self.x_mm)) & (b >= 0) & (b < len(self.y_mm))
+            pixel = a[hit] * len(self.y_mm) + b[hit]
+            np.minimum.at(left, pixel, samples[hit, 2] + tool.height(distance2[hit]))
 
     def _rapid(self, tool: Tool, starts: FloatArray, ends: FloatArray) -> None:
         samples = self._samples(starts, ends, self.pitch_mm)

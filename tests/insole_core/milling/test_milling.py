@@ -18,12 +18,13 @@ import scipy
 
 from insole_core.errors import DesignError, InputError, OutputError
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.ray_casting import RayCaster
+from insole_core.geometry.side import Side
 from insole_core.milling.gcode import gcode, origin_mm
 from insole_core.milling.machine import Machine, read_machine, write_machine
-from insole_core.milling.plan import MillingPlan, plan_milling, turned_over
+from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling, turned_over
 from insole_core.resources import resource_path
 from insole_core.workflows.mill import write_program
+from tests.insole_core.milling.judgement import judge, seen_from_above
 from tests.insole_core.milling.removal import Removal, Tool
 
 FloatArray = npt.NDArray[np.float64]
@@ -76,38 +77,13 @@ def left_of(plan: MillingPlan, text: str, pitch_mm: float = 0.4) -> Removal:
     return removal
 
 
-def seen_from_above(mesh: TriangleMesh, removal: Removal) -> tuple[FloatArray, FloatArray]:
-    """Return heights and cosines of the slope at the pixels; NaN beside the mesh."""
-    places = np.stack(np.meshgrid(removal.x_mm, removal.y_mm, indexing="ij"), -1).reshape(-1, 2)
-    origins = np.column_stack([places + 1e-5, np.full(len(places), 100.0)])
-    hits = RayCaster(mesh).cast(origins, np.broadcast_to([0.0, 0, -1], origins.shape))
-    heights, cosine = np.full(len(places), np.nan), np.full(len(places), np.nan)
-    heights[hits.ray] = (hits.weights * mesh.vertices[mesh.triangles[hits.triangle], 2]).sum(axis=1)
-    cosine[hits.ray] = np.abs(mesh.triangle_normals[hits.triangle, 2])
-    shape = removal.heights.shape
-    return heights.reshape(shape), cosine.reshape(shape)
-
-
-def least_near(mesh: TriangleMesh, removal: Removal, by_mm: float) -> FloatArray:
-    """Return the least height within a distance of each pixel along x and y; NaN at the rim."""
-    shifts = by_mm * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
-    moved = [TriangleMesh(mesh.vertices + shift, mesh.triangles) for shift in shifts]
-    return np.asarray(np.min([seen_from_above(each, removal)[0] for each in moved], axis=0))
-
-
-def cusp_mm(cosine: FloatArray, how: Machine) -> FloatArray:
-    """Return the height of the ridges that a ball leaves between its lines on a slope."""
-    radius = how.finishing.cutter.radius_mm
-    half = how.finishing.step_over_mm / 2 / np.maximum(cosine, 0.3)
-    return np.asarray(radius - np.sqrt(radius**2 - half**2))
-
-
-def check_side(mesh: TriangleMesh, left: FloatArray, removal: Removal, how: Machine) -> None:
-    asked, cosine = seen_from_above(mesh, removal)
-    normal = (left - asked) * cosine
-    assert np.nanmin(left - least_near(mesh, removal, GOUGE_MM)) > -GOUGE_MM
-    within = scipy.ndimage.binary_erosion(np.isfinite(asked), iterations=4)
-    assert (normal - cusp_mm(cosine, how))[within].max() < SURPLUS_MM
+def check_side(
+    mesh: TriangleMesh, left: FloatArray, removal: Removal, how: Machine, floor_mm: float
+) -> None:
+    found = judge(mesh, left, removal, how, floor_mm)
+    assert found.gouge_mm < GOUGE_MM
+    assert found.surplus_mm < SURPLUS_MM
+    assert found.beside_mm < SURPLUS_MM
 
 
 def check_moves(removal: Removal, how: Machine) -> None:
@@ -130,7 +106,7 @@ def test_one_side_is_left_as_asked_and_held_by_tabs():
     how = replace(how, contour=replace(how.contour, tabs=4))
     plan = plan_milling([piece], BLOCK_MM, how)
     removal = left_of(plan, gcode(plan, "A-1"))
-    check_side(piece, removal.heights, removal, how)
+    check_side(piece, removal.heights, removal, how, how.contour.tab_height_mm)
     check_moves(removal, how)
     ring = ring_round(piece, removal)
     tabs, count = scipy.ndimage.label(ring & (removal.heights > 0.01))
@@ -148,11 +124,13 @@ def test_both_sides_meet_in_the_turned_block():
     lift = np.array([0, 0, how.both_sides.skin_mm])
     lying = TriangleMesh(piece.vertices + lift, piece.triangles)
     first, second = removal.sides
-    check_side(lying, first, removal, how)
-    check_side(turned_over(lying, BLOCK_MM, "length"), second, removal, how)
+    web = how.both_sides.skin_mm + how.contour.tab_height_mm
+    check_side(lying, first, removal, how, web)
+    turned = turned_over(lying, BLOCK_MM, "length")
+    check_side(turned, second, removal, how, BLOCK_MM[2] - how.both_sides.skin_mm)
     # What is left between the two sides is the web, of which only the tabs remain.
     below = np.flip(BLOCK_MM[2] - first, axis=0)
-    ring = ring_round(turned_over(lying, BLOCK_MM, "length"), removal)
+    ring = ring_round(turned, removal)
     thick = np.where(ring, second - below, 0)
     assert thick.max() == pytest.approx(how.contour.tab_height_mm, abs=0.05)
     assert (thick > 0.01).sum() < 0.8 * ring.sum()
@@ -249,6 +227,13 @@ def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
     (note,) = plan.notes
     assert '"6 mm ball nose" is too thick for a hollow' in note
     assert "x = 40 mm" in note
+    for side, turned, words in (
+        (Side.LEFT, False, "from the heel in the middle"),
+        (Side.RIGHT, True, "from the heel in the middle"),
+    ):
+        feet = [FootInBlock(side, turned)]
+        (said,) = plan_milling([solid(groove=True)], BLOCK_MM, machine(), feet=feet).notes
+        assert words in said
     deepest = np.nanmax(plan.left_over[0].height_mm)
     on_piece = plan.left_on(0)
     tight = plan.solids[0].vertices[on_piece > 0.8 * deepest]

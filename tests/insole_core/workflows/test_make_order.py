@@ -110,7 +110,8 @@ def test_places_of_a_nested_pair_are_those_of_the_file(record: CaseRecord, tmp_p
     text = text_of_pdf(tmp_path / "o-pair-job-sheet.pdf")
     x, y, _ = worst["place_mm"]
     assert f"x = {x:.0f} mm, y = {y:.0f} mm" in text.replace("\n", " ")
-    left, _ = closest_nest(*(part.solid for part in parts)).meshes
+    nest = closest_nest(*(part.solid for part in parts))
+    left, _ = nest.in_middle_of(block_of("EVA pair").size_mm).meshes
     (low, _, _), (high, _, _) = left.bounds_mm
     assert f"x {low:.1f} " in text
     assert f" {high:.1f}, y" in text
@@ -361,6 +362,6 @@ def test_a_nested_job_of_the_command_line_is_that_of_the_window(record: CaseReco
     choice = OrderChoice(both=True, block=block_of("EVA pair"), most_triangles=None)
     parts = make_parts(record, choice, read_rules().only(("watertight",)))
     job = ExportJob(parts, SHOP, block=choice.block)
-    nest = closest_nest(*(part.solid for part in parts))
+    nest = closest_nest(*(part.solid for part in parts)).in_middle_of(block_of("EVA pair").size_mm)
     for placed, a2b in zip(job.placed(), nest.insole2block, strict=True):
         np.testing.assert_allclose(placed.insole2file, a2b)

@@ -598,8 +598,11 @@ class ExportPresenter:
 
     def _take(self, parts: tuple[Part, ...]) -> None:
         self.parts = parts
-        is_nested = len(parts) == 2 and self._choice.block is not None
-        self._nest = closest_nest(*(part.solid for part in parts)) if is_nested else None
+        block = self._choice.block
+        is_nested = len(parts) == 2 and block is not None
+        self._nest = None
+        if is_nested and block is not None:
+            self._nest = closest_nest(*(part.solid for part in parts)).in_middle_of(block.size_mm)
         names = {str(part.side): side_text(part) for part in parts}
         if is_nested:
             names[_NEST] = tr("In the block")
