@@ -11,6 +11,7 @@ import subprocess
 from dataclasses import replace
 from pathlib import Path
 
+import manifold3d
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -114,6 +115,24 @@ def test_one_side_is_left_as_asked_and_held_by_tabs():
     assert removal.heights[ring].max() == pytest.approx(how.contour.tab_height_mm, abs=0.01)
     across = [np.ptp(np.argwhere(tabs == n + 1), axis=0).max() * 0.4 for n in range(count)]
     assert all(how.contour.tab_length_mm - 1 < size < 16 for size in across)
+
+
+def test_the_wall_of_a_lower_part_is_cut_from_its_own_top():
+    tall = manifold3d.Manifold.cylinder(20, 14, 13.3, 48).translate((38, 30, 0))
+    low = manifold3d.Manifold.cylinder(14, 12, 11.5, 48).translate((40, 72, 0))
+    bridge = manifold3d.Manifold.cube((6, 40, 5)).translate((36, 30, 0))
+    body = (tall + low + bridge).to_mesh()
+    piece = TriangleMesh(
+        np.asarray(body.vert_properties[:, :3], float), np.asarray(body.tri_verts, np.int32)
+    )
+    how = machine()
+    plan = plan_milling([piece], BLOCK_MM, how)
+    removal = left_of(plan, gcode(plan), 0.6)
+    found = judge(piece, removal.heights, removal, how, how.contour.tab_height_mm)
+    assert found.gouge_mm < GOUGE_MM
+    i, j = np.nonzero(found.surpluses > SURPLUS_MM)
+    round_low = np.hypot(removal.x_mm[i] - 40, removal.y_mm[j] - 72) > 10
+    assert not (round_low & (removal.y_mm[j] > 66)).any()
 
 
 def test_both_sides_meet_in_the_turned_block():

@@ -132,6 +132,9 @@ def test_pair_in_one_block(left, right):
         assert np.linalg.det(a2b[:3, :3]) == pytest.approx(1)
         assert mesh.volume_mm3 == pytest.approx(original.volume_mm3, rel=1e-9)
     assert nest.size_mm[0] < 2 * 110 + 20
+    low = np.min([mesh.bounds_mm[0] for mesh in nest.meshes], axis=0)
+    high = np.max([mesh.bounds_mm[1] for mesh in nest.meshes], axis=0)
+    np.testing.assert_allclose((low + high)[:2], (220, 340))
 
 
 def test_block_too_small_for_a_pair(left, right):
