@@ -143,7 +143,7 @@ def _in_shoe(foot: Foot, outline: Outline, curve: FloatArray, side: Side | None)
         return curve
     key = outline, curve.tobytes()
     return foot.derived.get(
-        "outline in its shoe",
+        "in shoe",
         key,
         lambda: trimmed_to(curve, _inside(foot, outline, shoe, side), shoe),
     )

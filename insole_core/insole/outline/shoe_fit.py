@@ -50,6 +50,16 @@ class ShoeFit:
         most = float(self.over_mm.max())
         return most if most > _LEAST_MM else 0.0
 
+    def wider(self) -> list[FloatArray]:
+        """Return the pieces (k, 2) of the outline that lie outside."""
+        outside = self.over_mm > _LEAST_MM
+        if outside.all() or not outside.any():
+            return [self.outline] if outside.any() else []
+        start = int(np.flatnonzero(~outside)[0])
+        edge, outside = np.roll(self.outline, -start, axis=0), np.roll(outside, -start)
+        ends = np.flatnonzero(np.diff(outside.astype(np.int8), append=0))
+        return [edge[first + 1 : last + 1] for first, last in ends.reshape(-1, 2)]
+
     @property
     def widest_place(self) -> FloatArray:
         """(2,) point of the outline that is farthest outside."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from insole_core.errors import DesignError
+from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
@@ -15,7 +16,7 @@ from insole_core.insole.outline.insole_outline import insole_outline, shoe_insid
 from insole_core.insole.outline.shoe_fit import fit_in
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_kinds import pad_name
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.prescription.design import InsoleDesign, Pelott
 from insole_core.insole.prescription.design_warning import DesignWarning
 from insole_core.messages import Message
 
@@ -27,7 +28,13 @@ _ENDS = 0.1
 
 def shoe_warnings(insole: Insole, landmarks: Landmarks) -> Iterator[DesignWarning]:
     """Yield the warnings about an insole in its shoe; none if no shoe is named."""
-    foot, design = insole.foot, insole.design
+    return warnings_in_shoe(insole.foot, insole.design, landmarks)
+
+
+def warnings_in_shoe(
+    foot: Foot, design: InsoleDesign, landmarks: Landmarks
+) -> Iterator[DesignWarning]:
+    """Yield the same of an insole that is not built yet."""
     shoe, inside = design.outline.shoe, shoe_inside(foot, design.outline)
     if shoe is None or inside is None:
         return
