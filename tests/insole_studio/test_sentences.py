@@ -30,6 +30,7 @@ from insole_core.insole.pads.pad_shapes import PAD_SHAPES
 from insole_core.insole.prescription.design import Correction, InsoleDesign, Shell
 from insole_core.insole.prescription.design_differences import LABELS, WORDS
 from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
@@ -72,6 +73,8 @@ PAPER_TEXTS = {
     for text in paper_texts(paper).values()
 }
 """Texts of the papers that are written in the language of the program."""
+SHOES = {system.name for system in read_shoe_table().systems} | read_shoe_table().widths_mm.keys()
+"""Names in the table of shoe sizes."""
 PRESCRIBED = (
     {name[0].upper() + name[1:] for name in PAD_NAMES.values()}
     | {
@@ -299,7 +302,7 @@ def test_nothing_is_translated_that_nobody_says() -> None:
         if isinstance(node, ast.Constant)
     }
     unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK - LIBRARY - MATERIALS
-    unused -= PAPER_TEXTS | PRESCRIBED
+    unused -= PAPER_TEXTS | PRESCRIBED | SHOES
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
 
 

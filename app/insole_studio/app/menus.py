@@ -123,6 +123,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "choose_device",
             "toggle_as_scanned",
             "edit_materials",
+            "choose_shoe",
             SEPARATOR,
             "add_posting",
             "add_forefoot_twist",

@@ -40,6 +40,10 @@
             <translation>”{view}” kan inte vara namnet på en vy; använd 1 till 32 av tecknen a-z, 0-9 och _.</translation>
         </message>
         <message>
+            <source>"{words}" is no shoe size; write system and size, such as "EU 42".</source>
+            <translation>”{words}” är ingen skostorlek; skriv system och storlek, till exempel ”EU 42”.</translation>
+        </message>
+        <message>
             <source>0°</source>
             <translation>0°</translation>
         </message>
@@ -178,6 +182,10 @@
         <message>
             <source>A shift fits one distance; calibrate depth to colour to be right at all.</source>
             <translation>En förskjutning stämmer på ett avstånd; kalibrera djup mot färg för att det ska stämma på alla.</translation>
+        </message>
+        <message>
+            <source>A shoe is {least:g} to {most:g} mm wide inside at the ball, and not {width:g} mm; put in the width in millimetres.</source>
+            <translation>En sko är {least:g} till {most:g} mm bred invändigt vid trampdynan, och inte {width:g} mm; ange bredden i millimeter.</translation>
         </message>
         <message>
             <source>A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of {needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.</source>
@@ -1264,6 +1272,10 @@
             <translation>Inget fotavtryck framträder på bilden; välj en bild med jämn bakgrund, eller lägg den för hand.</translation>
         </message>
         <message>
+            <source>No last is chosen yet; choose its file.</source>
+            <translation>Ingen läst är vald än; välj dess fil.</translation>
+        </message>
+        <message>
             <source>No part of this foot faces the ground, so no contact surface can be made; check the pose of the scan.</source>
             <translation>Ingen del av foten vetter mot underlaget, så ingen kontaktyta kan göras; kontrollera skanningens läge.</translation>
         </message>
@@ -1326,6 +1338,10 @@
         <message>
             <source>Nothing links {groups}: each was measured on its own, and their place to each other stays as planned.</source>
             <translation>Inget förbinder {groups}: var och en mättes för sig, och deras läge till varandra förblir som planerat.</translation>
+        </message>
+        <message>
+            <source>Nothing of the insole lies in the shoe "{shoe}"; choose the right shoe.</source>
+            <translation>Inget av inlägget ligger i skon ”{shoe}”; välj rätt sko.</translation>
         </message>
         <message>
             <source>Nothing was written to {place}: its disk is full, or takes no more from you; free some space and try again.</source>
@@ -1748,6 +1764,10 @@
             <translation>Blad</translation>
         </message>
         <message>
+            <source>Shoe</source>
+            <translation>Sko</translation>
+        </message>
+        <message>
             <source>Shoe size</source>
             <translation>Skostorlek</translation>
         </message>
@@ -2164,6 +2184,10 @@
             <translation>Foten är klar</translation>
         </message>
         <message>
+            <source>The foot is {longer:.0f} mm longer than the shoe {shoe} is inside; check the size.</source>
+            <translation>Foten är {longer:.0f} mm längre än skon {shoe} är invändigt; kontrollera storleken.</translation>
+        </message>
+        <message>
             <source>The foot lies as heel, toe and sole were clicked.</source>
             <translation>Foten ligger så som häl, tå och sula klickades.</translation>
         </message>
@@ -2256,8 +2280,16 @@
             <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
+            <source>The inside of the shoe crosses itself; choose the shoe again.</source>
+            <translation>Skons insida korsar sig själv; välj skon igen.</translation>
+        </message>
+        <message>
             <source>The insole does not reach the zone {zone}.</source>
             <translation>Inlägget når inte till zonen {zone}.</translation>
+        </message>
+        <message>
+            <source>The insole is up to {over:.1f} mm wider than the shoe {shoe}, {place}; trim it to the shoe, or take another size.</source>
+            <translation>Inlägget är upp till {over:.1f} mm bredare än skon {shoe}, {place}; skär det efter skon eller ta en annan storlek.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
@@ -2588,6 +2620,14 @@
             <translation>Avtryckets form skiljer inte vänster från höger; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>The shoe is {length:.0f} mm long and {width:.0f} mm wide inside, as no shoe is; choose it again.</source>
+            <translation>Skon är {length:.0f} mm lång och {width:.0f} mm bred invändigt, som ingen sko är; välj den igen.</translation>
+        </message>
+        <message>
+            <source>The shoe {shoe} leaves {room:.0f} mm before the toes of this foot, and 10 to 15 mm are usual; check the size.</source>
+            <translation>Skon {shoe} lämnar {room:.0f} mm framför den här fotens tår, och 10 till 15 mm är vanligt; kontrollera storleken.</translation>
+        </message>
+        <message>
             <source>The size does not tell the unit: the foot is {length_mm:.0f} mm long in {unit}, and about {other_mm:.0f} mm in {other_unit}; say in which unit the file is.</source>
             <translation>Storleken visar inte enheten: foten är {length_mm:.0f} mm lång i {unit} och omkring {other_mm:.0f} mm i {other_unit}; ange filens enhet.</translation>
         </message>
@@ -2836,6 +2876,10 @@
             <translation>Elementet ({pad}) ligger till {share:.0%} på ett annat ({other_pad}), och höjderna läggs ihop.</translation>
         </message>
         <message>
+            <source>The {pad} reaches {over:.0f} mm beyond the shoe {shoe} and is cut there; move it or make it smaller.</source>
+            <translation>Elementet {pad} når {over:.0f} mm utanför skon {shoe} och skärs av där; flytta det eller gör det mindre.</translation>
+        </message>
+        <message>
             <source>The {side} foot is asked for, by --side, --other or the prescription, but {path} was recorded as the {recorded} foot; correct the call.</source>
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>
@@ -2956,12 +3000,24 @@
             <translation>Det finns ingen skärm att öppna ett fönster på; starta Insole Studio vid datorns skrivbord. Vad som fungerar utan säger insole-studio --help.</translation>
         </message>
         <message>
+            <source>There is no size {size:g} in {system}, which goes from {least:g} to {greatest:g}; check size and system.</source>
+            <translation>Det finns ingen storlek {size:g} i {system}, som går från {least:g} till {greatest:g}; kontrollera storlek och system.</translation>
+        </message>
+        <message>
             <source>There is no step {number}; choose one from 1 to {count}.</source>
             <translation>Det finns inget steg {number}; välj ett från 1 till {count}.</translation>
         </message>
         <message>
             <source>There is no such account any more; look at the list again.</source>
             <translation>Kontot finns inte längre; titta i listan igen.</translation>
+        </message>
+        <message>
+            <source>There is no system of shoe sizes "{name}"; there are {known}.</source>
+            <translation>Det finns inget system för skostorlekar som heter ”{name}”; det finns {known}.</translation>
+        </message>
+        <message>
+            <source>There is no width "{width}" of a shoe; there are {known}.</source>
+            <translation>Det finns ingen skobredd ”{width}”; det finns {known}.</translation>
         </message>
         <message>
             <source>There is nobody to erase with the pseudonym {pseudonym}; it stands on the patient's page.</source>
@@ -3142,6 +3198,18 @@
         <message>
             <source>UCBL, child</source>
             <translation>UCBL, barn</translation>
+        </message>
+        <message>
+            <source>UK child</source>
+            <translation>UK barn</translation>
+        </message>
+        <message>
+            <source>US men</source>
+            <translation>US herr</translation>
+        </message>
+        <message>
+            <source>US women</source>
+            <translation>US dam</translation>
         </message>
         <message>
             <source>Underside</source>
@@ -3466,6 +3534,14 @@
         <message>
             <source>as scanned</source>
             <translation>som skannad</translation>
+        </message>
+        <message>
+            <source>at the heel</source>
+            <translation>vid hälen</translation>
+        </message>
+        <message>
+            <source>at the toes</source>
+            <translation>vid tårna</translation>
         </message>
         <message>
             <source>b of the depth</source>
@@ -3860,6 +3936,10 @@
             <translation>exporterad</translation>
         </message>
         <message>
+            <source>extra wide</source>
+            <translation>extra bred</translation>
+        </message>
+        <message>
             <source>extrinsic</source>
             <translation>extern</translation>
         </message>
@@ -4032,12 +4112,20 @@
             <translation>förnamn</translation>
         </message>
         <message>
+            <source>gives a length that no shoe has; check step and least size</source>
+            <translation>ger en längd som ingen sko har; kontrollera steg och minsta storlek</translation>
+        </message>
+        <message>
             <source>granted to whoever sits at this computer</source>
             <translation>ges till den som sitter vid datorn</translation>
         </message>
         <message>
             <source>greatest width of the heel at 10 to 22 % of the length</source>
             <translation>hälens största bredd vid 10 till 22 % av längden</translation>
+        </message>
+        <message>
+            <source>has a lateral border on the medial side; change the two</source>
+            <translation>har en lateral kant på den mediala sidan; byt de två</translation>
         </message>
         <message>
             <source>has more than {most} corners</source>
@@ -4800,12 +4888,20 @@
             <translation>måste ha min under max i x, y och z</translation>
         </message>
         <message>
+            <source>must hold at least 8 stations, from along 0 at the heel to 1 at the toes</source>
+            <translation>måste hålla minst 8 stationer, från along 0 vid hälen till 1 vid tårna</translation>
+        </message>
+        <message>
             <source>must hold at least one item</source>
             <translation>måste ha minst en post</translation>
         </message>
         <message>
             <source>must hold at least one prescription</source>
             <translation>måste innehålla minst en ordination</translation>
+        </message>
+        <message>
+            <source>must hold one of the name "regular"</source>
+            <translation>måste hålla en med namnet ”regular”</translation>
         </message>
         <message>
             <source>must name a file beside sensor.json</source>
@@ -5242,6 +5338,10 @@
         <message>
             <source>refused</source>
             <translation>avvisade</translation>
+        </message>
+        <message>
+            <source>regular</source>
+            <translation>normal</translation>
         </message>
         <message>
             <source>released by</source>
@@ -5924,6 +6024,10 @@
             <translation>vilken fot det är</translation>
         </message>
         <message>
+            <source>wide</source>
+            <translation>bred</translation>
+        </message>
+        <message>
             <source>width</source>
             <translation>bredd</translation>
         </message>
@@ -6356,6 +6460,14 @@
             <translation>{free:.1f} GB ledigt</translation>
         </message>
         <message>
+            <source>{from_heel:.0f} mm from the heel on the lateral side</source>
+            <translation>{from_heel:.0f} mm från hälen på den laterala sidan</translation>
+        </message>
+        <message>
+            <source>{from_heel:.0f} mm from the heel on the medial side</source>
+            <translation>{from_heel:.0f} mm från hälen på den mediala sidan</translation>
+        </message>
+        <message>
             <source>{given} distances are given, but {folder} holds {count} captures; give one distance for each, in the order of their names.</source>
             <translation>{given} avstånd är angivna, men {folder} innehåller {count} tagningar; ange ett avstånd för var och en, i namnens ordning.</translation>
         </message>
@@ -6456,6 +6568,10 @@
             <translation>{name} kan inte läsas ({reason}); kontrollera disken och behörigheterna.</translation>
         </message>
         <message>
+            <source>{name} does not look like a last: no sole of a shoe is found on it; hand in the last as a surface with its sole.</source>
+            <translation>{name} ser inte ut som en läst: ingen skosula hittas på den; lämna in lästen som en yta med sin sula.</translation>
+        </message>
+        <message>
             <source>{name} has no colours, so no dots can be found; pick the points instead.</source>
             <translation>{name} har inga färger, så inga prickar kan hittas; välj punkterna i stället.</translation>
         </message>
@@ -6486,6 +6602,10 @@
         <message>
             <source>{name} holds two feet, and there is another scan beside it; choose the feet that are meant.</source>
             <translation>{name} innehåller två fötter, och bredvid finns ytterligare en skanning; välj de fötter som avses.</translation>
+        </message>
+        <message>
+            <source>{name} is a last for the {last_side} foot, and the insole is for the {side} one; choose the other last of the pair.</source>
+            <translation>{name} är en läst för {last_side} fot, och inlägget är för {side}; välj parets andra läst.</translation>
         </message>
         <message>
             <source>{name} is damaged; restore it from a backup.</source>
@@ -6542,6 +6662,10 @@
         <message>
             <source>{name} {values}{unit}</source>
             <translation>{name} {values}{unit}</translation>
+        </message>
+        <message>
+            <source>{name}, trimmed to it</source>
+            <translation>{name}, efter vilken det skärs</translation>
         </message>
         <message>
             <source>{name}: "{key}" must hold {what}; calibrate the sensor again.</source>
