@@ -1,20 +1,26 @@
 """Random designs with zones through the real PrusaSlicer: without repair, and zones obeyed.
 
-python -m benchmarks.slicing [number of designs] [number of those whose zones are measured]
+python -m benchmarks.slicing [number of designs] [of which zones are measured] [number of the first]
+
+A design depends on its number alone, so that a long run may be made in pieces: `40 0 120` takes the
+designs 120 to 159, of which none below 0 is measured.
 """
 
 from __future__ import annotations
 
 import sys
 import tempfile
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from benchmarks._printed_density import BED_MM, sliced
 from benchmarks._random_designs import DESIGNS_PER_FOOT, random_design, random_foot
+from insole_core.errors import InsoleError
 from insole_core.export.slicer_3mf import Infill, write_slicer_3mf
+from insole_core.foot.foot import Foot
 from insole_core.insole.build import build_insole
 from insole_core.solids.export_job import standing
 from insole_core.solids.export_rules import read_rules
@@ -25,42 +31,70 @@ from insole_core.solids.zone_bodies import placed_print, zoned_part
 _WITHIN = 0.15
 
 
+@dataclass(frozen=True)
+class Outcome:
+    """What the slicer said of a design, and how far each measured zone is from what was asked."""
+
+    complaints: tuple[str, ...]
+    away: tuple[float, ...] = ()
+
+
 def main() -> None:
-    designs = int(sys.argv[1]) if len(sys.argv) > 1 else 200
-    measured = int(sys.argv[2]) if len(sys.argv) > 2 else 20
-    rng = np.random.default_rng(0)
-    rules = read_rules()
-    faulty, obeyed, boxes, worst = 0, 0, 0, 0.0
+    """Slice the designs, and print a line of each and of all."""
+    designs, measured, first = (
+        int(sys.argv[place]) if len(sys.argv) > place else usual
+        for place, usual in ((1, 200), (2, 20), (3, 0))
+    )
+    outcomes = []
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "insole.3mf"
-        for number in range(designs):
-            if number % DESIGNS_PER_FOOT == 0:
-                foot = random_foot(number)
-            design = random_design(foot, rng)
-            if number < measured:
-                design = replace(design, thickness_mm=10.0, bottom="flat")
-            part = make_part(build_insole(foot, design), Order(), rules)
-            heel, arch = (float(rng.uniform(*limits)) for limits in ((10, 25), (30, 60)))
-            zones = (Zone("heel", Infill(heel, "grid")), Zone("arch", Infill(arch, "grid")))
-            plan = PrintPlan(2, 3, 3, Infill(20, "grid"), zones)
-            printed = placed_print(zoned_part(part, plan).printed, standing(part.solid))
-            write_slicer_3mf([printed], path, "prusaslicer")
-            result = sliced(path, Path(folder))
-            if result is None:
-                raise SystemExit("the program prusa-slicer is not installed")
-            faulty += bool(result.complaints)
-            for said in result.complaints:
-                print(f"design {number}: {said}")
-            if number >= measured:
-                continue
-            middle = part.solid.bounds_mm.mean(axis=0)[:2]
-            for share, asked in ((0.15, heel), (0.45, arch)):
-                at = np.array([0.0, share * foot.length_mm]) - middle + BED_MM / 2
-                density = result.density_percent([*(at - 9), 2.0], [*(at + 9), 6.0])
-                away = abs(density / asked - 1)
-                boxes, obeyed, worst = boxes + 1, obeyed + (away <= _WITHIN), max(worst, away)
-            print(f"design {number}: {obeyed} of {boxes} zones obeyed, worst {worst:.1%} away")
-    print(f"{designs} designs, {faulty} with complaints; {obeyed} of {boxes} zones obeyed")
+        for number in range(first, first + designs):
+            if number == first or number % DESIGNS_PER_FOOT == 0:
+                foot = random_foot(number - number % DESIGNS_PER_FOOT)
+            outcome = _outcome(number, foot, Path(folder), is_measured=number < measured)
+            outcomes.append(outcome)
+            said = "; ".join(outcome.complaints) or "no complaint"
+            away = "".join(f", a zone {share:.1%} away" for share in outcome.away)
+            print(f"design {number}: {said}{away}", flush=True)
+    deviations = [share for outcome in outcomes for share in outcome.away]
+    faulty = sum(bool(outcome.complaints) for outcome in outcomes)
+    obeyed = sum(share <= _WITHIN for share in deviations)
+    print(
+        f"designs {first} to {first + designs - 1}: {faulty} with complaints; {obeyed} of "
+        f"{len(deviations)} zones obeyed, worst {max(deviations, default=0):.1%} away"
+    )
+
+
+def _outcome(number: int, foot: Foot, folder: Path, *, is_measured: bool) -> Outcome:
+    rng = np.random.default_rng([0, number])
+    design = random_design(foot, rng)
+    if is_measured:
+        design = replace(design, thickness_mm=10.0, bottom="flat")
+    asked = [float(rng.uniform(*limits)) for limits in ((10, 25), (30, 60))]
+    zones = (Zone("heel", Infill(asked[0], "grid")), Zone("arch", Infill(asked[1], "grid")))
+    plan = PrintPlan(2, 3, 3, Infill(20, "grid"), zones)
+    path = folder / "insole.3mf"
+    try:
+        part = make_part(build_insole(foot, design), Order(), read_rules())
+        printed = placed_print(zoned_part(part, plan).printed, standing(part.solid))
+    except InsoleError as error:
+        return Outcome((f"not made: {error}",))
+    write_slicer_3mf([printed], path, "prusaslicer")
+    result = sliced(path, folder)
+    if result is None:
+        raise SystemExit("the program prusa-slicer is not installed")
+    if not is_measured:
+        return Outcome(result.complaints)
+    middle = part.solid.bounds_mm.mean(axis=0)[:2]
+    away = []
+    for share, percent in zip((0.15, 0.45), asked, strict=True):
+        at = np.array([0.0, share * foot.length_mm]) - middle + BED_MM / 2
+        density = result.density_percent(_corner(at - 9, 2.0), _corner(at + 9, 6.0))
+        away.append(abs(density / percent - 1))
+    return Outcome(result.complaints, tuple(away))
+
+
+def _corner(at: Sequence[float], height_mm: float) -> list[float]:
+    return [*at, height_mm]
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -10,8 +11,9 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array
-from insole_core.reconstruct.fusion.matching_error import Network, matching_error
-from insole_core.reconstruct.fusion.neighbourhood import FEATURES, neighbourhoods
+from insole_core.reconstruct.fusion.familiarity import Familiarity
+from insole_core.reconstruct.fusion.matching_error import MatchingModel, matching_error
+from insole_core.reconstruct.fusion.neighbourhood import FEATURES, mirrored, neighbourhoods
 from training.network import drawn, fit
 from training.views import Example, simulate_examples
 
@@ -23,6 +25,7 @@ _TOES, _TOE_SHARE = 5.0, 0.3
 """How many times likelier a pixel of the toes is drawn than another."""
 _LEAST_COSINE = 0.15
 _OUTLIER_RAW = 8.0
+_BLOCK = 20_000
 _HELD_BACK = 0.08
 """Fraction of the feet that is held out from training."""
 
@@ -31,16 +34,17 @@ def main() -> None:
     """Train the weights that the product ships."""
     parser = argparse.ArgumentParser(prog="python -m training", description=__doc__)
     parser.add_argument("folder", type=Path, help="keeps the simulated views")
-    parser.add_argument("--feet", type=int, default=150)
+    parser.add_argument("--feet", type=int, default=190)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor() as pool:
         feet = pool.map(_simulated, [arguments.folder] * arguments.feet, range(arguments.feet))
         paths = [path for foot in feet for path in foot]
     held_back = round(len(paths) * _HELD_BACK)
-    network = _learn(paths[:-held_back])
-    _report(network, paths[-held_back:])
-    _save(network)
+    model = _learn(paths[:-held_back])
+    _report(model, paths[-held_back:])
+    _WEIGHTS.parent.mkdir(exist_ok=True)
+    model.save(_WEIGHTS)
 
 
 def _simulated(folder: Path, seed: int) -> list[Path]:
@@ -53,14 +57,14 @@ def _simulated(folder: Path, seed: int) -> list[Path]:
     return paths
 
 
-def _learn(paths: list[Path]) -> Network:
+def _learn(paths: list[Path]) -> MatchingModel:
     rng = np.random.default_rng(15)
     shown = [_samples(Example.load(path), "top" not in path.stem, rng) for path in paths]
     features, errors = (np.concatenate(parts) for parts in zip(*shown, strict=True))
     print(
         f"{len(errors)} pixels of {len(paths)} views, rms error {_rms(errors):.3f} raw", flush=True
     )
-    return fit(
+    network = fit(
         drawn((FEATURES, *_HIDDEN, 1), rng),
         features,
         errors,
@@ -68,6 +72,15 @@ def _learn(paths: list[Path]) -> Network:
         rng=rng,
         report=lambda epoch, loss: print(f"epoch {epoch}: rms {np.sqrt(loss):.3f}", flush=True),
     )
+    return MatchingModel(network, Familiarity.of(_both_ways(features)))
+
+
+def _both_ways(features: np.ndarray) -> Iterator[Float32Array]:
+    """Return the features in blocks, each also as on the mirrored foot."""
+    for start in range(0, len(features), _BLOCK):
+        block = features[start : start + _BLOCK].astype(np.float32)
+        yield block
+        yield mirrored(block)
 
 
 def _samples(
@@ -89,13 +102,13 @@ def _samples(
     return features.astype(np.float16), error[rows, columns].astype(np.float32)
 
 
-def _report(network: Network, paths: list[Path]) -> None:
+def _report(model: MatchingModel, paths: list[Path]) -> None:
     """Print the remaining errors on feet that were held out from training."""
     before, after = [], []
     for example in map(Example.load, paths):
         error = example.raw - example.true_raw
         seen = (np.abs(error) < _OUTLIER_RAW) & (example.cosine > _LEAST_COSINE)
-        left = error - matching_error(example.raw, example.shading, example.pixel_mm, network)
+        left = error - matching_error(example.raw, example.shading, example.pixel_mm, model)
         before.append(error[seen])
         after.append(left[seen])
     words = "feet that nothing was learnt from: rms error"
@@ -104,13 +117,6 @@ def _report(network: Network, paths: list[Path]) -> None:
 
 def _rms(values: np.ndarray) -> float:
     return float(np.sqrt(np.mean(np.square(values))))
-
-
-def _save(network: Network) -> None:
-    arrays = {f"weights_{i}": one.astype(np.float16) for i, one in enumerate(network.weights)}
-    arrays |= {f"biases_{i}": one.astype(np.float16) for i, one in enumerate(network.biases)}
-    _WEIGHTS.parent.mkdir(exist_ok=True)
-    np.savez_compressed(_WEIGHTS, allow_pickle=False, **arrays)
 
 
 if __name__ == "__main__":

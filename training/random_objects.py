@@ -10,23 +10,49 @@ from insole_core.geometry.transforms import rotation_about
 
 _STEPS = 240
 _GREY = 160
+_STEPPED = 0.5
+"""Fraction of the objects that have steps."""
 
 
 def varied_thing(rng: np.random.Generator) -> TriangleMesh:
-    """Draw a random superellipsoid between a ball and a box or a plate, mm."""
+    """Draw a ball, a box, a plate or something between them, or several on top of each other, mm.
+
+    The steps between them look to a sensor like the grooves between toes, and are none.
+    """
     half_mm = rng.uniform((25, 40, 8), (60, 110, 60))
     roundness = 2 / rng.uniform(2, 12)
+    things = [_superellipsoid(half_mm, roundness)]
+    if rng.random() < _STEPPED:
+        things += _steps(half_mm, rng)
+    turn = np.eye(3)
+    for axis, degrees in zip(np.eye(3), rng.normal(0, 30, 3), strict=True):
+        turn = turn @ rotation_about(axis, degrees).T
+    places = np.concatenate(things) @ turn + rng.uniform((-15, -30, 20), (15, 30, 60))
+    one = _lattice(_STEPS, 2 * _STEPS)
+    triangles = np.concatenate([one + n * len(things[0]) for n in range(len(things))])
+    colors = np.full((len(places), 3), _GREY, np.uint8)
+    return TriangleMesh(places, triangles.astype(np.int32), colors)
+
+
+def _steps(half_mm: FloatArray, rng: np.random.Generator) -> list[FloatArray]:
+    """Draw smaller bodies on the lower side of one, each a step of 2 to 25 mm below the last."""
+    steps, below_mm = [], 0.0
+    for _ in range(rng.integers(1, 4)):
+        below_mm += rng.uniform(2, 25)
+        smaller = half_mm * [rng.uniform(0.4, 1.05), rng.uniform(0.2, 0.8), 1]
+        aside = half_mm * [*rng.uniform(-0.4, 0.4, 2), 0]
+        steps.append(_superellipsoid(smaller, 2 / rng.uniform(4, 16)) + aside - [0, 0, below_mm])
+    return steps
+
+
+def _superellipsoid(half_mm: FloatArray, roundness: float) -> FloatArray:
+    """Return points (n, 3) on closed rings, from the lower pole to the upper one."""
     around = np.linspace(-np.pi, np.pi, 2 * _STEPS, endpoint=False)
     up = np.linspace(-np.pi / 2, np.pi / 2, _STEPS)
     latitude, longitude = (axis.ravel() for axis in np.meshgrid(up, around, indexing="ij"))
     level, height = (_power(wave(latitude), roundness) for wave in (np.cos, np.sin))
     x, y = (_power(wave(longitude), roundness) * level for wave in (np.cos, np.sin))
-    places = np.column_stack([x, y, height]) * half_mm
-    for axis, degrees in zip(np.eye(3), rng.normal(0, 30, 3), strict=True):
-        places = places @ rotation_about(axis, degrees).T
-    middle = rng.uniform((-15, -30, 20), (15, 30, 60))
-    colors = np.full((len(places), 3), _GREY, np.uint8)
-    return TriangleMesh(places + middle, _lattice(_STEPS, 2 * _STEPS), colors)
+    return np.asarray(np.column_stack([x, y, height]) * half_mm)
 
 
 def _power(wave: FloatArray, exponent: float) -> FloatArray:

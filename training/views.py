@@ -14,7 +14,7 @@ from insole_core.geometry.transforms import rotation_about
 from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
 from insole_core.recording.box import Box
 from insole_core.sensing.frames import average_raw
-from insole_core.simulate.block_matching import record_matched_depth
+from insole_core.simulate.block_matching import Matcher, record_matched_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.poses import look_at
 from insole_core.simulate.ray_caster import SceneCaster
@@ -24,8 +24,10 @@ from training.light import varied_shading
 from training.random_objects import varied_thing
 
 _FRAMES = 6
-_NO_FOOT = 6
+_NO_FOOT = 5
 """Every how many-th object is not a foot."""
+_NARROW = 0.5
+"""Fraction of devices with the window that fits real sensors best."""
 _SOLE_MM, _ACHILLES_MM = np.array([0.0, 12.0, 5.0]), np.array([0.0, -112.0, 96.0])
 _VOLUME = Box((-80.0, -160.0, -40.0), (80.0, 160.0, 165.0))
 _OUTLINE_MM = 0.8
@@ -86,10 +88,19 @@ def simulate_examples(seed: int) -> dict[str, Example]:
     examples = {}
     for name, pose in poses.items():
         device = make_device(name, (), distance_mm, (640, 480), rng)
-        recording = record_matched_depth(scene, device, pose, rng, things=foot.vertices)
+        recording = record_matched_depth(
+            scene, device, pose, rng, things=foot.vertices, matcher=_matcher(rng)
+        )
         average = average_raw(recording.frame(rng) for _ in range(_FRAMES))
         examples[name] = _example(average.raw, device, pose, alone, rng)
     return examples
+
+
+def _matcher(rng: np.random.Generator) -> Matcher:
+    """Draw a device's matcher: like real ones, or with a larger window and more noise."""
+    window_px = (7, 9) if rng.random() < _NARROW else (9, 9)
+    noise = rng.uniform(0.6, 1.1)
+    return Matcher(window_px, rng.uniform(0.15, 0.3), 0.27 * noise, 0.09 * noise)
 
 
 def _stand(

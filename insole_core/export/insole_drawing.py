@@ -12,20 +12,20 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Final, Literal
 
+import cv2
 import numpy as np
 from contourpy import LineType, contour_generator
 from PIL import Image
 from reportlab.lib import colors
 from reportlab.lib.units import mm
-from reportlab.lib.utils import ImageReader
-from reportlab.pdfgen.canvas import Canvas
+from reportlab.lib.utils import ImageReader, simpleSplit
+from reportlab.pdfgen.canvas import FILL_EVEN_ODD, Canvas
 from reportlab.pdfgen.pathobject import PDFPathObject
 from reportlab.platypus import Flowable
 
 from insole_core.export.lettering import as_written
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.height_map import HeightMap
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 
 SCALES: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)
@@ -37,10 +37,17 @@ _THICK_PT, _LINE_PT, _FINE_PT = 0.9, 0.45, 0.25
 _TEXT_PT, _SMALL_PT = 7.0, 6.0
 _ARROW_MM: Final = 1.6
 _CONTOUR_STEP_MM: Final = 2.0
-_GAP_MM: Final = 7.0
-_TITLE_MM: Final = 34.0
+_STRAIGHT_MM: Final = 0.05
+"""From a height line to what is drawn of it: thinner than the line itself."""
+_ROW_MM: Final = 3.8
+_BESIDE_MM: Final = 9.0
+"""On the paper between two thicknesses that can be read."""
+_TITLE_MM: Final = 38.0
+_RIM_MM: Final = 4.0
+"""Width of the rim of a section, which is dimensioned by its height."""
 
 View = Literal["top", "bottom"]
+VIEWS: Final[tuple[View, View]] = ("top", "bottom")
 
 
 @dataclass(frozen=True)
@@ -49,13 +56,66 @@ class Element:
 
     Parameters
     ----------
+    name
+        A word of words.json that stands before the text; may be empty.
     place_mm
         x and y in the frame of the drawing; None for what has no one place.
     """
 
     number: int
+    name: str
     text: str
     place_mm: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """The face of a plane cut through a solid.
+
+    Parameters
+    ----------
+    at_mm
+        Place of the plane.
+    polygons : (n, 2) float64 each, mm
+        Place along the cut, and height.
+    """
+
+    at_mm: float
+    polygons: tuple[FloatArray, ...]
+
+    @cached_property
+    def ends_mm(self) -> tuple[float, float]:
+        """Least and greatest place along the cut."""
+        places = np.concatenate([polygon[:, 0] for polygon in self.polygons])
+        return float(places.min()), float(places.max())
+
+    def heights_mm(self, along_mm: float) -> tuple[float, float]:
+        """Return the lowest and highest place of the face above a place along the cut."""
+        found = []
+        for polygon in self.polygons:
+            ends = np.roll(polygon, -1, axis=0)
+            before, behind = polygon[:, 0] - along_mm, ends[:, 0] - along_mm
+            cut = (before < 0) != (behind < 0)
+            share = before[cut] / (before[cut] - behind[cut])
+            found.append(polygon[cut, 1] + share * (ends[cut, 1] - polygon[cut, 1]))
+        heights = np.concatenate(found)
+        return float(heights.min()), float(heights.max())
+
+    def thinnest_mm(self) -> float:
+        """Return the place along the cut where the face is thinnest, its rims left out."""
+        low, high = self.ends_mm
+        places = np.arange(low + _RIM_MM, high - _RIM_MM, 1.0)
+        if not len(places):
+            return (low + high) / 2
+        return float(places[np.argmin([np.ptp(self.heights_mm(place)) for place in places])])
+
+    def rim_mm(self, end: Literal[0, 1]) -> float:
+        """Return the greatest height near an end of the cut."""
+        near = (
+            polygon[np.abs(polygon[:, 0] - self.ends_mm[end]) < _RIM_MM, 1]
+            for polygon in self.polygons
+        )
+        return float(np.concatenate(list(near)).max())
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,30 +124,34 @@ class DrawnInsole:
 
     Parameters
     ----------
+    bounds_mm : (2, 3) float64
+        Least and greatest corner of the solid.
     heights
-        Of the solid.
+        Of the solid, for shading and height lines alone.
+    outline : (n, 2) float64 each, mm
+        Of the solid from above: x, y.
+    profile : (n, 2) float64 each, mm
+        Of the solid from its side: y, z.
+    sections
+        Across, by their letters in `STATIONS`.
+    lengthwise
+        In the plane x = 0.
     """
 
     side: Side
-    solid: TriangleMesh
+    bounds_mm: FloatArray
     heights: HeightMap
+    outline: tuple[FloatArray, ...]
+    profile: tuple[FloatArray, ...]
+    sections: Mapping[str, Section]
+    lengthwise: Section
     elements: tuple[Element, ...] = ()
 
-    @cached_property
+    @property
     def size_mm(self) -> tuple[float, float, float]:
         """Width, length and height of the solid."""
-        width, length, height = (self.solid.bounds_mm[1] - self.solid.bounds_mm[0]).tolist()
+        width, length, height = (self.bounds_mm[1] - self.bounds_mm[0]).tolist()
         return width, length, height
-
-    def x_range_mm(self, y_mm: float) -> tuple[float, float]:
-        """Return the least and greatest x of the solid in a plane across it."""
-        edges = self.solid.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-        starts, ends = (self.solid.vertices[edges[:, end]] for end in (0, 1))
-        before, behind = starts[:, 1] - y_mm, ends[:, 1] - y_mm
-        cut = before * behind < 0
-        share = before[cut] / (before[cut] - behind[cut])
-        x = starts[cut, 0] + share * (ends[cut, 0] - starts[cut, 0])
-        return float(x.min()), float(x.max())
 
     @property
     def inside(self) -> BoolArray:
@@ -104,10 +168,33 @@ class DrawnInsole:
         """Places of the rows, (ny,)."""
         return self.heights.first_mm[1] + np.arange(float(self.heights.top_mm.shape[0]))
 
-    def station_y_mm(self, share: float) -> float:
-        """Return the place of a section across, on a row of the height map."""
-        rows = np.flatnonzero(self.inside.any(axis=1))
-        return float(self.y_mm[int(rows[0] + share * np.ptp(rows))])
+    @cached_property
+    def seen(self) -> Mapping[View, Seen]:
+        """Shading and height lines from above and below; the pages of an order share them."""
+        return {view: Seen.of(self, view) for view in VIEWS}
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """A surface from above or below.
+
+    Parameters
+    ----------
+    shading
+        From the middle of the first pixel to that of the last one.
+    height_lines : (n, 2) float64 each, mm
+        x, y of lines of equal height.
+    """
+
+    shading: Image.Image
+    height_lines: tuple[FloatArray, ...]
+
+    @classmethod
+    def of(cls, piece: DrawnInsole, view: View) -> Seen:
+        """Light a surface, and find its height lines."""
+        heights_mm = piece.heights.top_mm if view == "top" else piece.heights.bottom_mm
+        shading = _shading(heights_mm, mirrored=view == "bottom")
+        return cls(shading, tuple(_height_lines(piece, heights_mm)))
 
 
 class _Page(Flowable):  # type: ignore[misc, unused-ignore]
@@ -168,8 +255,7 @@ class ViewsPage(_Page):
         column = self._width_mm / count
         longest = max(piece.size_mm[1] for piece in self._pieces) / self._scale
         low = self._height_mm - 18 - longest
-        views: tuple[View, ...] = ("top", "bottom")
-        cells = [(piece, view) for piece in self._pieces for view in views]
+        cells = [(piece, view) for piece in self._pieces for view in VIEWS]
         for number, (piece, view) in enumerate(cells):
             centre = (number + 0.5) * column
             word = self._word("top" if view == "top" else "bottom view")
@@ -187,17 +273,37 @@ class ViewsPage(_Page):
     def _draw_table(self, pen: _Pen, top: float) -> None:
         """List the elements by the numbers of the top views; what finds no room is counted."""
         pen.text(6, top, self._word("posts and pads"), bold=True)
-        rows: list[tuple[str, str]] = []
+        rows: list[tuple[str, str, str]] = []
         for piece in self._pieces:
-            rows.append((self._word(str(piece.side)), "" if piece.elements else "–"))
-            rows += _wrapped(piece.elements, self._width_mm - 24)
-        room = max(int((top - _TITLE_MM - 16) / 3.6), 1)
-        for number, (label, text) in enumerate(rows[:room]):
-            y = top - 4.5 - 3.6 * number
-            pen.text(8, y, label)
-            pen.text(14, y, text)
+            side = self._word(str(piece.side))
+            lines = list(self._lines(piece.elements)) or [("–", "–")]
+            rows += [(side if not number else "", *line) for number, line in enumerate(lines)]
+        top -= 2.0
+        room = int((top - _TITLE_MM - 12) / _ROW_MM)
         if len(rows) > room:
-            pen.text(14, top - 4.5 - 3.6 * room, f"+{len(rows) - room}")
+            rows = [*rows[: max(room - 1, 0)], ("", "", f"+{len(rows) - room + 1}")]
+        right = self._width_mm - 6
+        pen.line_width(_FINE_PT)
+        for number, (side, label, text) in enumerate(rows):
+            y = top - _ROW_MM * (number + 1)
+            if side or not number:
+                pen.line((6, y + _ROW_MM), (right, y + _ROW_MM))
+            pen.text(7, y + 1, side)
+            pen.text(28, y + 1, label, right=True)
+            pen.text(31, y + 1, text)
+        bottom = top - _ROW_MM * len(rows)
+        pen.line((6, bottom), (right, bottom))
+        for x in (6.0, 22.0, 29.5, right):
+            pen.line((x, top), (x, bottom))
+
+    def _lines(self, elements: Sequence[Element]) -> Iterator[tuple[str, str]]:
+        """Yield the lines of the table: the number at the first one of each element."""
+        for element in elements:
+            named = f"{self._word(element.name)}: " if element.name else ""
+            label = str(element.number)
+            for line in _wrapped(named + element.text, self._width_mm - 40):
+                yield label, line
+                label = ""
 
     def _draw_plan(
         self, pen: _Pen, piece: DrawnInsole, view: View, at: tuple[float, float]
@@ -206,31 +312,28 @@ class ViewsPage(_Page):
         scale = self._scale
         sign = 1.0 if view == "top" else -1.0
         width, length, _ = piece.size_mm
-        inside = piece.inside
-        middle = float(piece.x_mm[inside.any(axis=0)].mean())
-        first = float(piece.y_mm[inside.any(axis=1)][0])
+        middle, first = piece.bounds_mm.mean(axis=0)[0], piece.bounds_mm[0, 1]
 
         def place(xy_mm: FloatArray) -> FloatArray:
             """Return places on the paper."""
             x = at[0] + sign * (xy_mm[:, 0] - middle) / scale
             return np.column_stack([x, at[1] + (xy_mm[:, 1] - first) / scale])
 
-        outline = [place(line) for line in _outline(piece)]
-        heights = piece.heights.top_mm if view == "top" else piece.heights.bottom_mm
+        outline = [place(closed(line)) for line in piece.outline]
         corners = place(
             np.array([[piece.x_mm[0], piece.y_mm[0]], [piece.x_mm[-1], piece.y_mm[-1]]])
         )
-        pen.shaded(_shading(heights, mirrored=view == "bottom"), corners, outline)
+        pen.shaded(piece.seen[view].shading, corners, outline)
         pen.line_width(_FINE_PT, _THIN)
-        for line in _height_lines(piece, heights):
+        for line in piece.seen[view].height_lines:
             pen.polyline(place(line))
         pen.line_width(_THICK_PT)
         for line in outline:
             pen.polyline(line)
         half = width / scale / 2
         if view == "top":
-            for letter, _, share in STATIONS:
-                y = at[1] + (piece.station_y_mm(share) - first) / scale
+            for letter, section in piece.sections.items():
+                y = at[1] + (section.at_mm - first) / scale
                 pen.section_mark(at[0] - half - 2.5, at[0] + half + 2.5, y, letter)
             for element in piece.elements:
                 if element.place_mm is not None:
@@ -249,18 +352,15 @@ class ViewsPage(_Page):
         toes_right = (piece.side.medial_sign > 0) == medial
         sign = 1.0 if toes_right else -1.0
         at = at[0] + 3.5 * sign, at[1]  # leaves room for the dimension behind the heel
-        rows = np.flatnonzero(piece.inside.any(axis=1))
-        y_mm = piece.y_mm[rows]
-        top, bottom = piece.heights.top_mm[rows], piece.heights.bottom_mm[rows]
-        along = at[0] + sign * (y_mm - y_mm.mean()) / scale
-        high, low = np.nanmax(top, axis=1) / scale, np.nanmin(bottom, axis=1) / scale
-        points = np.column_stack(
-            [np.r_[along, along[::-1]], at[1] + np.r_[high, low[::-1]]]
-        )  # fmt: skip
+        middle = piece.bounds_mm.mean(axis=0)[1]
         pen.line_width(_THICK_PT)
-        pen.polygon(points, _SHADE)
+        for polygon in piece.profile:
+            along = at[0] + sign * (polygon[:, 0] - middle) / scale
+            pen.polygon(np.column_stack([along, at[1] + polygon[:, 1] / scale]), _SHADE)
         pen.line_width(_LINE_PT)
-        near = _edge_heights(top, from_right=toes_right)
+        rows = np.flatnonzero(piece.inside.any(axis=1))
+        near = _edge_heights(piece.heights.top_mm[rows], from_right=toes_right)
+        along = at[0] + sign * (piece.y_mm[rows] - middle) / scale
         pen.polyline(np.column_stack([along, at[1] + near / scale]))
         word = self._word("medial" if medial else "lateral")
         heading = f"{self._word(str(piece.side))}, {word}"
@@ -307,34 +407,30 @@ class SectionsPage(_Page):
         self, pen: _Pen, letter: str, name: str, share: float, at: tuple[float, float]
     ) -> None:
         piece, scale = self._piece, self._across
-        row = round(piece.station_y_mm(share) - piece.y_mm[0])
-        columns = np.flatnonzero(piece.inside[row])
-        x = piece.x_mm[columns]
-        top, bottom = piece.heights.top_mm[row, columns], piece.heights.bottom_mm[row, columns]
-        left_mm, right_mm = piece.x_range_mm(piece.station_y_mm(share) + 1e-4)  # beside vertices
+        section = piece.sections[letter]
+        left_mm, right_mm = section.ends_mm
         width = right_mm - left_mm
-        y_mm = f"y={piece.station_y_mm(share):.0f}"
-        heading = "   ".join((f"{letter}–{letter}", self._word(name), y_mm))
-        x = np.clip(x, left_mm, right_mm)
-        x[[0, -1]] = left_mm, right_mm
-        place = at[0] + (x - (left_mm + right_mm) / 2) / scale
+        heading = "   ".join((f"{letter}–{letter}", self._word(name), f"y={section.at_mm:.0f}"))
+
+        def place(along_mm: float) -> float:
+            """Return a place along the cut on the paper."""
+            return at[0] + (along_mm - (left_mm + right_mm) / 2) / scale
+
         pen.text(at[0], at[1] + piece.size_mm[2] / scale + 4, heading, bold=True, centred=True)
-        pen.section(place, at[1] + top / scale, at[1] + bottom / scale)
-        pen.dimension((place[0], at[1]), (place[-1], at[1]), width, -5)
-        for index, offset in ((0, 4.0), (len(x) - 1, -4.0)):
-            edge = slice(0, 4) if index == 0 else slice(-4, None)
-            height = float(top[edge].max())
-            pen.dimension(
-                (place[index], at[1]), (place[index], at[1] + height / scale), height, offset
-            )
-        lowest = 4 + int(np.argmin((top - bottom)[4:-4])) if len(x) > 12 else len(x) // 2
-        for column in dict.fromkeys((len(x) // 2, lowest)):
-            pen.thickness(
-                place[column],
-                at[1] + bottom[column] / scale,
-                at[1] + top[column] / scale,
-                top[column] - bottom[column],
-            )
+        pen.section(_on_paper(section, scale, place(0.0), at[1]))
+        pen.dimension((place(left_mm), at[1]), (place(right_mm), at[1]), width, -5)
+        ends: tuple[tuple[Literal[0, 1], float, float], ...] = (
+            (0, left_mm, 4.0), (1, right_mm, -4.0),
+        )  # fmt: skip
+        for end, along_mm, offset in ends:
+            height, x = section.rim_mm(end), place(along_mm)
+            pen.dimension((x, at[1]), (x, at[1] + height / scale), height, offset)
+        thinnest, middle = section.thinnest_mm(), (left_mm + right_mm) / 2
+        shown = [thinnest]
+        if abs(middle - thinnest) / scale > _BESIDE_MM:
+            shown.append(middle)
+        for along_mm in shown:
+            pen.thickness(section.heights_mm(along_mm), scale, (place(along_mm), at[1]))
         words = (self._word("lateral"), self._word("medial"))
         left, right = words if piece.side is Side.LEFT else words[::-1]
         pen.text(at[0] - width / scale / 2 - 18, at[1] + 1, left, size=_SMALL_PT, right=True)
@@ -342,39 +438,35 @@ class SectionsPage(_Page):
 
     def _draw_along(self, pen: _Pen, at: tuple[float, float]) -> None:
         """Draw the section along the axis of the foot, x = 0, the heel at the left."""
-        piece, scale = self._piece, self._along
-        column = int(np.argmin(np.abs(piece.x_mm)))
-        rows = np.flatnonzero(piece.inside[:, column])
-        y = piece.y_mm[rows]
-        top, bottom = piece.heights.top_mm[rows, column], piece.heights.bottom_mm[rows, column]
-        place = at[0] + (y - y.mean()) / scale
+        piece, scale, section = self._piece, self._along, self._piece.lengthwise
+        heel_mm, toes_mm = section.ends_mm
+        origin = at[0] - (heel_mm + toes_mm) / 2 / scale
         heading = "   ".join(("D–D", self._word("along the axis"), "x=0"))
         pen.text(at[0], at[1] + piece.size_mm[2] / scale + 4, heading, bold=True, centred=True)
-        pen.section(place, at[1] + top / scale, at[1] + bottom / scale)
-        for letter, _, share in STATIONS:
-            index = int(np.argmin(np.abs(y - piece.station_y_mm(share))))
-            pen.thickness(
-                place[index],
-                at[1] + bottom[index] / scale,
-                at[1] + top[index] / scale,
-                top[index] - bottom[index],
-            )
-            pen.text(place[index], at[1] - 6.8, letter, size=_SMALL_PT, centred=True)
-        pen.text(place[0] - 3, at[1] + 1, self._word("heel"), size=_SMALL_PT, right=True)
-        pen.text(place[-1] + 3, at[1] + 1, self._word("toes"), size=_SMALL_PT)
+        pen.section(_on_paper(section, scale, origin, at[1]))
+        for letter, across in piece.sections.items():
+            x = origin + across.at_mm / scale
+            if heel_mm < across.at_mm < toes_mm:
+                pen.thickness(section.heights_mm(across.at_mm), scale, (x, at[1]))
+            pen.text(x, at[1] - 6.8, letter, size=_SMALL_PT, centred=True)
+        heel, toes = origin + heel_mm / scale - 3, origin + toes_mm / scale + 3
+        pen.text(heel, at[1] + 1, self._word("heel"), size=_SMALL_PT, right=True)
+        pen.text(toes, at[1] + 1, self._word("toes"), size=_SMALL_PT)
 
 
-def _wrapped(elements: Sequence[Element], width_mm: float) -> Iterator[tuple[str, str]]:
-    """Yield the lines of the table: the number at the first one of each element."""
-    most = int(width_mm / 1.32)
-    for element in elements:
-        label, line = str(element.number), ""
-        for word in element.text.split():
-            if line and len(line) + 1 + len(word) > most:
-                yield label, line
-                label, line = "", ""
-            line = f"{line} {word}".strip()
-        yield label, line
+def _on_paper(section: Section, scale: float, x: float, y: float) -> list[FloatArray]:
+    """Return the closed polygons of a section on the paper, its origin at (x, y)."""
+    return [closed(polygon) / scale + [x, y] for polygon in section.polygons]
+
+
+def closed(polygon: FloatArray) -> FloatArray:
+    """Return a polygon with its first point at its end again."""
+    return np.vstack([polygon, polygon[:1]])
+
+
+def _wrapped(text: str, width_mm: float) -> list[str]:
+    """Return the lines that a text takes in the letters of the table."""
+    return list(simpleSplit(text, "DejaVuSans", _TEXT_PT, width_mm * mm))
 
 
 def _scale_for(length_mm: float, room_mm: float) -> float:
@@ -396,19 +488,6 @@ def _views_scale(pieces: Sequence[DrawnInsole], size_mm: tuple[float, float]) ->
     return max(wanted)
 
 
-def _outline(piece: DrawnInsole) -> list[FloatArray]:
-    """Return the outline seen from above, (n, 2) each, smoothed below the pixel."""
-    from scipy.ndimage import gaussian_filter
-
-    padded = np.pad(piece.inside.astype(float), 3)
-    x = piece.x_mm[0] - 3 + np.arange(float(padded.shape[1]))
-    y = piece.y_mm[0] - 3 + np.arange(float(padded.shape[0]))
-    lines = contour_generator(
-        x, y, gaussian_filter(padded, 0.8), line_type=LineType.Separate
-    ).lines(0.5)  # fmt: skip
-    return [np.asarray(line, float) for line in lines]
-
-
 def _height_lines(piece: DrawnInsole, heights_mm: FloatArray) -> Iterator[FloatArray]:
     """Yield lines of equal height, (n, 2) each."""
     from scipy.ndimage import gaussian_filter
@@ -421,7 +500,8 @@ def _height_lines(piece: DrawnInsole, heights_mm: FloatArray) -> Iterator[FloatA
     low, high = np.nanmin(smooth), np.nanmax(smooth)
     for level in np.arange(np.ceil(low / _CONTOUR_STEP_MM + 0.1), high / _CONTOUR_STEP_MM):
         for line in found.lines(level * _CONTOUR_STEP_MM):
-            yield np.asarray(line, float)
+            points = np.asarray(line, np.float32)[:, None]
+            yield np.asarray(cv2.approxPolyDP(points, _STRAIGHT_MM, False)[:, 0], float)
 
 
 def _shading(heights_mm: FloatArray, *, mirrored: bool) -> Image.Image:
@@ -457,9 +537,9 @@ def _edge_heights(top_mm: FloatArray, *, from_right: bool) -> FloatArray:
 def _draw_title_block(
     pen: _Pen, width_mm: float, title: Mapping[str, str], words: Mapping[str, str]
 ) -> None:
-    """Draw the title block in rows of four at the bottom, then fields to sign."""
+    """Draw the title block in rows of four at the bottom, the last field to sign."""
     cells = [(words.get(key, key), words.get(text, text)) for key, text in title.items()]
-    cells += [(words.get(key, key), " ") for key in ("drawn", "approved")]  # to be signed
+    cells.append((words.get("approved", "approved"), " "))
     columns = 4
     rows = -(-len(cells) // columns)
     height, width = _TITLE_MM / rows, width_mm / columns
@@ -467,9 +547,10 @@ def _draw_title_block(
     for number, (name, text) in enumerate(cells):
         row, column = divmod(number, columns)
         x, y = column * width, _TITLE_MM - (row + 1) * height
-        pen.box(x, y, width, height)
-        pen.text(x + 1, y + height - 2.6, name, size=5.0)
-        pen.fitted(x + 1.2, y + 1.7, text or "–", width - 2)
+        is_last = number == len(cells) - 1
+        pen.box(x, y, width_mm - x if is_last else width, height)
+        pen.text(x + 1, y + height - 2.4, name, size=5.0)
+        pen.fitted(x + 1.2, y + 1.4, text or "–", width - 2)
 
 
 class _Pen:
@@ -570,8 +651,12 @@ class _Pen:
             beside = x - np.sign(offset) * 1.2
             self.text(beside, (start[1] + end[1]) / 2 - 0.9, text, right=offset > 0)
 
-    def thickness(self, x: float, low: float, high: float, value_mm: float) -> None:
-        """Draw a thickness: arrows from outside onto both faces, the number above."""
+    def thickness(
+        self, heights_mm: tuple[float, float], scale: float, at: tuple[float, float]
+    ) -> None:
+        """Draw a thickness over a place: arrows from outside onto both faces, the number above."""
+        x, (low, high) = at[0], (at[1] + height / scale for height in heights_mm)
+        value_mm = heights_mm[1] - heights_mm[0]
         self.line_width(_FINE_PT, _BLUE)
         for tip, away in ((high, 1.0), (low, -1.0)):
             self._arrow((x, tip + 4 * away), (x, tip))
@@ -579,20 +664,23 @@ class _Pen:
         self.text(x + 0.8, high + 2.4, f"{value_mm:.1f}")
         self._canvas.setFillColor(_INK)
 
-    def section(self, place: FloatArray, top: FloatArray, bottom: FloatArray) -> None:
+    def section(self, polygons: Sequence[FloatArray]) -> None:
         """Draw a cut face with hatching."""
-        points = np.column_stack([np.r_[place, place[::-1]], np.r_[top, bottom[::-1]]])
         self._canvas.saveState()
-        path = self._path(points)
-        path.close()
-        self._canvas.clipPath(path, stroke=0, fill=0)
+        path = self._canvas.beginPath()
+        for polygon in polygons:
+            self._add(path, polygon)
+            path.close()
+        self._canvas.clipPath(path, stroke=0, fill=0, fillMode=FILL_EVEN_ODD)
         self.line_width(_FINE_PT, _THIN)
+        points = np.concatenate(polygons)
         low, high = points.min(axis=0), points.max(axis=0)
         for x in np.arange(low[0] - (high[1] - low[1]), high[0], 2.0):
             self.line((x, low[1]), (x + high[1] - low[1], high[1]))
         self._canvas.restoreState()
         self.line_width(_THICK_PT)
-        self.polyline(np.vstack([points, points[:1]]))
+        for polygon in polygons:
+            self.polyline(polygon)
 
     def section_mark(self, left: float, right: float, y: float, letter: str) -> None:
         """Draw the chain line of a section, with its letter at both ends."""

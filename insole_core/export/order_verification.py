@@ -117,6 +117,28 @@ def verify_order(path: Path, progress: Progress = SILENT) -> Verification:
         version.
     Cancelled
     """
+    source, names, order = _opened(path)
+    problems = [
+        *_problems_of_files(source, order, frozenset(names), progress),
+        *(problem for item in order.items for problem in _problems_of_sides(item)),
+        *_additional(order, names),
+    ]
+    return Verification(order, tuple(problems))
+
+
+def read_order(path: Path) -> ShopOrder:
+    """Read the `order.json` of an order, without comparing its files.
+
+    Raises
+    ------
+    InputError
+        As for `verify_order`.
+    """
+    return _opened(path)[2]
+
+
+def _opened(path: Path) -> tuple[_Source, list[str], ShopOrder]:
+    """Return an order with the names of all its files but those of file managers."""
     source: _Source = _Folder(path) if is_folder(path) else _Archive(path)
     names = [name for name in source.names() if name.casefold() not in _SYSTEM_FILES]
     if len(names) > MOST_FILES:
@@ -132,13 +154,7 @@ def verify_order(path: Path, progress: Progress = SILENT) -> Verification:
             path=path,
             file=ORDER_FILE,
         )
-    order = parse_shop_order(f"{path.name}/{ORDER_FILE}", source.order_text())
-    problems = [
-        *_problems_of_files(source, order, frozenset(names), progress),
-        *(problem for item in order.items for problem in _problems_of_sides(item)),
-        *_additional(order, names),
-    ]
-    return Verification(order, tuple(problems))
+    return source, names, parse_shop_order(f"{path.name}/{ORDER_FILE}", source.order_text())
 
 
 def _problems_of_files(

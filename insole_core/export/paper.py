@@ -8,18 +8,13 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import escape
 
-import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 from reportlab import rl_config
 from reportlab.lib import colors
 from reportlab.lib.pagesizes import A4
@@ -40,8 +35,9 @@ from reportlab.platypus import (
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.export.height_picture import HeightPicture, MappedHeights
 from insole_core.export.insole_drawing import DrawnInsole, SectionsPage, ViewsPage
-from insole_core.export.lettering import as_written, font_path, with_known_letters
+from insole_core.export.lettering import as_written, font_path
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
@@ -65,25 +61,6 @@ NOTE = ParagraphStyle("note", parent=BODY, fontSize=8, leading=10, spaceBefore=4
 TITLE = ParagraphStyle("title", parent=BODY, fontSize=16, leading=22)
 QUIET = colors.HexColor("#595959")
 _OF_THE_WHOLE_ORDER = ("pseudonym", "kind", "date")
-_FAILED = "#b3261e"
-
-
-@dataclass(frozen=True, eq=False)
-class SectionDrawing:
-    """A cross-section of an insole.
-
-    Parameters
-    ----------
-    along_mm : (n,) float64
-        Position along the section.
-    top_mm, bottom_mm : (n,) float64
-        Heights; NaN where there is no material.
-    """
-
-    title: str
-    along_mm: FloatArray
-    top_mm: FloatArray
-    bottom_mm: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +96,6 @@ class JobSheet:
     identification: Facts
     measures: Facts
     make: Facts
-    sections: tuple[SectionDrawing, ...]
     checks: tuple[str, ...]
     file: Path
     file_name: str
@@ -195,7 +171,7 @@ def write_job_sheet(
     texts = paper_texts("job_sheet", translate)
     pages = [_sheet(sheet, texts, translate) for sheet in sheets]
     if nesting is not None:
-        pages.insert(0, _nesting_page(nesting, sheets[0], texts))
+        pages.insert(0, _nesting_page(nesting, sheets[0], texts, translate))
     pages = [*_drawing(sheets, pieces, translate), *pages]
     story = [flowable for page in pages for flowable in (PageBreak(), *page)][1:]
     write_pages(story, path, texts["title"])
@@ -207,14 +183,21 @@ def _drawing(
     """Return the pages of the drawing: views of all pieces, sections of each sheet's."""
     _register_font()
     words = paper_texts("words", translate)
-    pages: list[list[Flowable]] = []
-    for sheet in sheets:
-        title = {**sheet.title, "SHA-256": _digest_of(sheet.file)[:16], "file": sheet.file_name}
-        if pieces and not pages:
-            pages.append([ViewsPage(pieces, _DRAWING_MM, title, words)])
+    titles = [
+        {**sheet.title, "file": sheet.file_name, "SHA-256": _digest_of(sheet.file)[:16]}
+        for sheet in sheets
+    ]
+    made: list[Callable[[Facts], Flowable]] = []
+    if pieces:
+        made.append(lambda count: ViewsPage(pieces, _DRAWING_MM, {**titles[0], **count}, words))
+    for sheet, title in zip(sheets, titles, strict=True):
         if sheet.drawn is not None:
-            pages.append([SectionsPage(sheet.drawn, _DRAWING_MM, title, words)])
-    return pages
+            made.append(partial(_sections_page, sheet.drawn, title, words))
+    return [[make({"sheet": f"{number} / {len(made)}"})] for number, make in enumerate(made, 1)]
+
+
+def _sections_page(drawn: DrawnInsole, title: Facts, words: Facts, count: Facts) -> Flowable:
+    return SectionsPage(drawn, _DRAWING_MM, {**title, **count}, words)
 
 
 def _sheet(sheet: JobSheet, texts: dict[str, str], translate: Translate) -> list[Flowable]:
@@ -225,10 +208,12 @@ def _sheet(sheet: JobSheet, texts: dict[str, str], translate: Translate) -> list
     story += _facts(texts["file"], file, translate)
     frame = texts["frame on page 1" if sheet.is_nested else "frame"]
     story += [*_list(texts["checks"], sheet.checks), paragraph(f"{frame} {texts['footer']}", NOTE)]
-    return [*story, paragraph(texts["sections"], HEAD), _pictures(sheet)]
+    return [*story, paragraph(texts["heights"], HEAD), *_picture(sheet)]
 
 
-def _nesting_page(nesting: Nesting, sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
+def _nesting_page(
+    nesting: Nesting, sheet: JobSheet, texts: dict[str, str], translate: Translate
+) -> list[Flowable]:
     """Draw the block from above, and say where each part lies in it."""
     common = {
         key: value for key, value in sheet.identification.items() if key in _OF_THE_WHOLE_ORDER
@@ -237,10 +222,18 @@ def _nesting_page(nesting: Nesting, sheet: JobSheet, texts: dict[str, str]) -> l
     size = f"{nesting.block_name}, {length:g} × {width:g} × {height:g} mm"
     return [
         paragraph(texts["title"], TITLE),
-        *_facts(texts["identification"], {**common, "file": sheet.file_name, "stock": size}),
+        *_facts(
+            texts["identification"],
+            {**common, "file": sheet.file_name, "stock": size},
+            translate,
+        ),
         paragraph(texts["nesting"], HEAD),
-        _nesting_picture(nesting),
-        *_facts(texts["places"], {part.name: _position(part, texts) for part in nesting.parts}),
+        _nesting_picture(nesting, paper_texts("words", translate)),
+        *_facts(
+            texts["places"],
+            {part.name: _position(part, texts) for part in nesting.parts},
+            translate,
+        ),
         paragraph(texts["frame in the block"], NOTE),
     ]
 
@@ -426,98 +419,24 @@ def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
     return [paragraph(title, HEAD), *(paragraph(line) for line in lines)]
 
 
-def _pictures(sheet: JobSheet) -> Image:
-    """Draw the height map, if there is one, and the sections, to equal scales."""
-    # Fixed places: an automatic layout would take most of the time of a sheet.
-    figure = Figure(figsize=(7, 2.9))
-    FigureCanvasAgg(figure)
-    if sheet.height_map is not None:
-        axes = figure.add_axes((0.06, 0.15, 0.19, 0.8))
-        _draw_map(axes, sheet.height_map, sheet.failed_mm)
-        figure.colorbar(axes.images[0], cax=figure.add_axes((0.27, 0.23, 0.014, 0.64)), label="mm")
-    count = max(1, len(sheet.sections))
-    places = figure.add_gridspec(count, 1, left=0.4, right=0.99, bottom=0.08, top=0.92, hspace=0.7)
-    rows = places.subplots(squeeze=False, sharex=True, sharey=True)[:, 0]
-    for axes, section in zip(rows, sheet.sections, strict=False):
-        axes.fill_between(section.along_mm, section.bottom_mm, section.top_mm, color="tan")
-        axes.set_title(with_known_letters(section.title), fontsize=8)
-        axes.set_aspect("equal")
-        axes.tick_params(labelsize=6)
-    picture = io.BytesIO()
-    figure.savefig(picture, format="png", dpi=150)
-    picture.seek(0)
-    return Image(picture, width=162 * mm, height=162 * 2.9 / 7 * mm)
+def _picture(sheet: JobSheet) -> list[Flowable]:
+    """Draw the height map of the file, if there is one."""
+    if sheet.height_map is None:
+        return []
+    left, right, low, high = sheet.height_map.extent_mm
+    mapped = MappedHeights(sheet.height_map, sheet.failed_mm)
+    return [HeightPicture([mapped], (left, low, right, high), 75 * mm)]
 
 
-def _draw_map(
-    axes: Axes, heights: HeightMap, failed_mm: Sequence[Place], most_mm: float | None = None
-) -> None:
-    """Draw heights at their places, x and y on the axes in mm, with failed checks crossed."""
-    axes.imshow(
-        heights.top_mm, origin="lower", cmap="viridis", extent=heights.extent_mm, vmin=0,
-        vmax=most_mm,
-    )  # fmt: skip
-    for x, y, _ in failed_mm:
-        axes.plot(x, y, "x", color="white", markersize=8, markeredgewidth=4)
-        axes.plot(x, y, "x", color=_FAILED, markersize=7, markeredgewidth=2)
-    axes.tick_params(labelsize=6)
-    axes.set_xlabel("x, mm", fontsize=7)
-    axes.set_ylabel("y, mm", fontsize=7)
-
-
-def _nesting_picture(nesting: Nesting) -> Image:
+def _nesting_picture(nesting: Nesting, words: Facts) -> Flowable:
     """Draw the block from above with its parts, heel and toes of each named."""
     width, length, height = nesting.block_mm
-    figure = Figure(figsize=(6.4, 6.4))
-    FigureCanvasAgg(figure)
-    axes = figure.add_axes((0.08, 0.07, 0.78, 0.91))
-    words = paper_texts("words")
+    mapped = []
     for part in nesting.parts:
-        _draw_map(axes, part.heights, part.failed_mm, height)
         (left, low, _), (right, high, _) = part.bounds_mm
-        heel, toes = (high, low) if part.is_turned else (low, high)
-        for place, word in ((heel, "heel"), ((low + high) / 2, part.name), (toes, "toes")):
-            inwards = place + np.sign((low + high) / 2 - place) * 12
-            axes.text(
-                (left + right) / 2, inwards, with_known_letters(words.get(word, word)),
-                ha="center", va="center", fontsize=9,
-                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
-            )  # fmt: skip
-    figure.colorbar(axes.images[0], cax=figure.add_axes((0.89, 0.25, 0.025, 0.55)), label="mm")
-    axes.add_patch(Rectangle((0, 0), width, length, fill=False, linewidth=1.5))
-    axes.set_xlim(-6, width + 6)
-    axes.set_ylim(-6, length + 6)
-    picture = io.BytesIO()
-    figure.savefig(picture, format="png", dpi=150)
-    picture.seek(0)
-    return Image(picture, width=140 * mm, height=140 * mm)
-
-
-def section_along(
-    top_mm: FloatArray, bottom_mm: FloatArray, pitch_mm: float, *, share: float, across: bool
-) -> SectionDrawing:
-    """Cut the height maps of a solid along a row or a column.
-
-    Parameters
-    ----------
-    top_mm, bottom_mm : (ny, nx) float64, mm
-        Upper and lower surface; NaN outside the solid.
-    pitch_mm
-        Grid spacing.
-    share
-        Position of the cut, 0 to 1: of the length for a cut across, of the width for one along.
-    across
-        Whether the cut runs across the foot; otherwise along it.
-
-    Returns
-    -------
-    SectionDrawing
-        ``along_mm`` begins at 0 at the edge of the maps.
-    """
-    rows, columns = np.nonzero(np.isfinite(top_mm))
-    where = rows if across else columns
-    index = int(where.min() + share * np.ptp(where))
-    cut = np.s_[index, :] if across else np.s_[:, index]
-    top, bottom = top_mm[cut], bottom_mm[cut]
-    title = f"{'across' if across else 'along'}, at {share:.0%}"
-    return SectionDrawing(title, pitch_mm * np.arange(float(len(top))), top, bottom)
+        heel, toes = (high - 12, low + 12) if part.is_turned else (low + 12, high - 12)
+        places = ((heel, "heel"), ((low + high) / 2, part.name), (toes, "toes"))
+        labels = [((left + right) / 2, y, words.get(word, word)) for y, word in places]
+        mapped.append(MappedHeights(part.heights, part.failed_mm, tuple(labels)))
+    frame = (-6.0, -6.0, width + 6.0, length + 6.0)
+    return HeightPicture(mapped, frame, 140 * mm, most_mm=height, block_mm=(width, length))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 from typing import Any, Final, Literal, TypeAlias, get_args
@@ -21,6 +21,8 @@ ORDER_FILE: Final = "order.json"
 MOST_PAIRS: Final = 1000
 """Of one item; more is a slip of the finger."""
 _MOST_LETTERS: Final = 200
+_MOST_OF_NUMBER: Final = 60
+"""As in the clinic's record."""
 _MOST_REMARKS: Final = 2000
 _MOST_DAYS: Final = 730
 _FORBIDDEN_IN_NAMES: Final = re.compile(r'[\x00-\x1f<>:"|?*/\\]')
@@ -95,6 +97,45 @@ class OrderTerms:
         )
 
 
+@dataclass(frozen=True)
+class Release:
+    """Which state of which order is released to the shop.
+
+    Parameters
+    ----------
+    number
+        Of the order; empty for files without one.
+    revision
+        1 for the first, one more each time the order takes the place of an earlier one.
+    by
+        Name of who released it; may be empty.
+    """
+
+    number: str = ""
+    revision: int = 1
+    by: str = ""
+
+    def check(self) -> None:
+        """Check that the papers can show number and name.
+
+        Raises
+        ------
+        InputError
+            When the number is empty, or one of them is too long or of more than a line.
+        """
+        if not self.number.strip():
+            raise InputError("The order has no number; give it one.")
+        texts = (("number", self.number, _MOST_OF_NUMBER), ("released by", self.by, _MOST_LETTERS))
+        for name, text, most in texts:
+            if len(text) > most or not text.isprintable():
+                raise InputError(
+                    'The "{name}" of the order must be one line of at most {most} characters; '
+                    "shorten it.",
+                    name=name,
+                    most=most,
+                )
+
+
 def _check_delivery(day: date, today: date) -> None:
     if day < today:
         raise InputError(
@@ -158,19 +199,19 @@ class ShopOrder:
 
     Parameters
     ----------
-    number
-        By which clinic and shop speak of it.
+    release
+        By which number clinic and shop speak of it, which revision it is, and who released it.
     created_at
         ISO 8601 with time zone.
     program
         Name and version of what wrote it.
     """
 
-    number: str
+    release: Release
     created_at: str
     program: str
     items: tuple[OrderItem, ...]
-    clinic: str = field(default="")
+    clinic: str = ""
 
     @property
     def files(self) -> tuple[OrderedFile, ...]:
@@ -189,7 +230,9 @@ def write_shop_order(order: ShopOrder, path: Path) -> None:
     content = {
         "format": FORMAT,
         "version": VERSION,
-        "number": order.number,
+        "number": order.release.number,
+        "revision": order.release.revision,
+        "released_by": order.release.by,
         "created_at": order.created_at,
         "program": order.program,
         "clinic": order.clinic,
@@ -242,7 +285,11 @@ def parse_shop_order(name: str, text: bytes) -> ShopOrder:
     if not items:
         raise root.fail("items", "must hold at least one item")
     order = ShopOrder(
-        root.text("number"),
+        Release(
+            root.text("number"),
+            root.integer("revision", 1, 10**6) if root.has("revision") else 1,
+            root.text("released_by", empty=True) if root.has("released_by") else "",
+        ),
         root.date("created_at"),
         root.text("program"),
         items,

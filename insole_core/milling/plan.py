@@ -26,6 +26,10 @@ _MOST_LEFT_MM = 0.2
 """Material in a hollow of which nothing is said."""
 _LEFT_PITCH_MM = 1.0
 _FAR_MM = 1e3
+_LAND_MM = 2.0
+"""Width along a wall of which the left-over material is not computed."""
+_LEAST_UP = 0.15
+"""Share of a normal along z from which a surface is milled from above, and is no wall."""
 _HOLLOW = {
     "medial": 'The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from '
     "the heel on the medial side: {left:.1f} mm stay there; take a thinner one.",
@@ -38,12 +42,14 @@ _HOLLOW = {
 
 @dataclass(frozen=True, eq=False)
 class LeftOver:
-    """Material that the finishing cutter cannot reach, on pixels of 1 mm.
+    """Material that the finishing cutter cannot reach, on pixels of about 1 mm.
 
     Parameters
     ----------
     first_mm : (2,) float64
         x and y of the pixel [0, 0], in the block's frame as the side lies.
+    pitch_mm
+        From pixel to pixel.
     height_mm : (nx, ny) float64
         Of the material; NaN beside the solids.
     top_mm : (nx, ny) float64
@@ -52,8 +58,22 @@ class LeftOver:
 
     side: SideName
     first_mm: FloatArray
+    pitch_mm: float
     height_mm: FloatArray
     top_mm: FloatArray
+
+    def at(self, points_mm: FloatArray) -> FloatArray:
+        """Return the height of the material (n,) at places (n, 2) in mm, as the side lies.
+
+        A place on the land along a wall, which no pixel lies on, has that of the nearest pixel.
+        """
+        away, nearest = scipy.ndimage.distance_transform_edt(
+            np.isnan(self.height_mm), return_indices=True
+        )
+        heights = np.where(away * self.pitch_mm <= _LAND_MM, self.height_mm[tuple(nearest)], np.nan)
+        pixels = np.rint((points_mm - self.first_mm) / self.pitch_mm).astype(int)
+        rows, columns = np.clip(pixels, 0, np.array(heights.shape) - 1).T
+        return np.asarray(heights[rows, columns])
 
 
 @dataclass(frozen=True)
@@ -86,6 +106,24 @@ class MillingPlan:
     operations: tuple[Operation, ...]
     left_over: tuple[LeftOver, ...]
     notes: tuple[Message, ...]
+
+    def left_on(self, number: int) -> FloatArray:
+        """Return the height of the material that stays at each vertex of a solid.
+
+        Returns
+        -------
+        (n,) float64, mm
+            NaN on walls, and on a side that is not milled.
+        """
+        solid = self.solids[number]
+        values = np.full(len(solid.vertices), np.nan)
+        for left in self.left_over:
+            lying = solid
+            if left.side == "underside":
+                lying = turned_over(solid, self.block_mm, self.machine.both_sides.flip)
+            faces_up = lying.vertex_normals[:, 2] > _LEAST_UP
+            values[faces_up] = left.at(lying.vertices[faces_up, :2])
+        return values
 
     @property
     def minutes(self) -> float:
@@ -326,7 +364,10 @@ def _left_over(surface: Surface, machine: Machine, side: SideName) -> LeftOver:
     below = replace(coarse, heights_mm=np.asarray(-tips - cutter.diameter_mm, np.float32))
     closed = -(tip_heights(below, cutter, lines) + cutter.diameter_mm)
     left = np.where(within, np.maximum(closed - coarse.heights_mm, 0), np.nan)
-    return LeftOver(side, surface.first_mm, left[::2, ::2], np.asarray(heights[::2, ::2], float))
+    return LeftOver(
+        side, surface.first_mm, 2 * coarse.step_mm,
+        left[::2, ::2], np.asarray(heights[::2, ::2], float),
+    )  # fmt: skip
 
 
 def _off_the_walls(surface: Surface, every: int) -> BoolArray:
@@ -351,7 +392,7 @@ def _hollow(
     if not (left.height_mm > _MOST_LEFT_MM).any():
         return None
     place = np.unravel_index(np.nanargmax(left.height_mm), left.height_mm.shape)
-    x, y = left.first_mm + np.array(place) * _LEFT_PITCH_MM
+    x, y = left.first_mm + np.array(place) * left.pitch_mm
     words: dict[str, str | float] = {
         "cutter": machine.finishing.cutter.name,
         "side": Message(left.side),

@@ -226,6 +226,7 @@ class _Chain(Generic[_Part]):
             (*warnings_of(self.session, results, coverage), *misfits(results, surface)),
             self.clock.seconds,
             surface.deviation_mm,
+            surface.correction_mm,
             coverage,
             surface.depth_views,
         )

@@ -123,6 +123,9 @@ class Surface:
     mesh : mm, reference frame
     deviation_mm : (n,) float64, optional
         Standard deviation of every vertex along the surface's normal; fused method only.
+    correction_mm : (n,) float64, optional
+        By how much the correction of the sensor's matching moved the readings at every vertex,
+        outwards along the surface's normal; NaN where unknown. Fused method only.
     view_gaps_mm : (views, views, 3) float64, reference frame, optional
         Apparent motion of the foot from each used view to each other; NaN where both measured too
         little in common. Fused method only.
@@ -132,6 +135,7 @@ class Surface:
 
     mesh: TriangleMesh
     deviation_mm: FloatArray | None = None
+    correction_mm: FloatArray | None = None
     view_gaps_mm: FloatArray | None = None
     depth_views: tuple[DepthView, ...] = ()
 
@@ -151,6 +155,9 @@ class Reconstruction:
         Time of every step, by name.
     deviation_mm : (n,) float64, optional
         Standard deviation of every vertex along the surface's normal; fused method only.
+    correction_mm : (n,) float64, optional
+        By how much the correction of the sensor's matching moved the readings at every vertex,
+        outwards along the surface's normal; NaN where unknown. Fused method only.
     coverage
         Measured share of every region of the foot, 0 to 1.
     depth_views
@@ -162,6 +169,7 @@ class Reconstruction:
     warnings: tuple[str, ...]
     seconds: dict[str, float]
     deviation_mm: FloatArray | None = None
+    correction_mm: FloatArray | None = None
     coverage: dict[str, float] = field(default_factory=dict)
     depth_views: tuple[DepthView, ...] = ()
 
@@ -178,7 +186,8 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
     Returns
     -------
     dict
-        Views with their markers, size of the mesh, seconds, coverage and warnings; lengths in mm.
+        Views with their markers, size of the mesh, seconds, coverage, how far the correction moved
+        the surface, and warnings; lengths in mm.
     """
     return {
         "views": [_view_json(view) for view in reconstruction.views],
@@ -186,8 +195,17 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
         "triangles": len(reconstruction.mesh.triangles),
         "seconds": {"total": total_seconds, **reconstruction.seconds},
         "coverage": reconstruction.coverage,
+        "correction_mm": _correction_json(reconstruction.correction_mm),
         "warnings": list(reconstruction.warnings),
     }
+
+
+def _correction_json(correction_mm: FloatArray | None) -> dict[str, float] | None:
+    """Return mean and 95 % of the ways; None where nothing was corrected."""
+    if correction_mm is None or not np.isfinite(correction_mm).any():
+        return None
+    ways_mm = np.abs(correction_mm[np.isfinite(correction_mm)])
+    return {"mean": float(ways_mm.mean()), "p95": float(np.quantile(ways_mm, 0.95))}
 
 
 def _view_json(view: ViewResult) -> dict[str, Any]:

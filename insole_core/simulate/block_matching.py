@@ -1,9 +1,9 @@
 """A physical model of a structured-light sensor, from its dots to its raw values.
 
-The infrared image of the dots is rendered (speckle, blur, noise), and every 9 x 9 window of it is
-compared with the pattern as it would look at each raw value. The window's averaging, widened rims,
-and the error due to the positions of the dots result as in a real device. It is slower than the
-parametric model of `depth_image`.
+The infrared image of the dots is rendered (speckle, blur, noise), and every window of 7 x 9 pixels
+of it is compared with the pattern as it would look at each raw value. The window's averaging,
+widened rims, and the error due to the positions of the dots result as in a real device. It is
+slower than the parametric model of `depth_image`.
 """
 
 from __future__ import annotations
@@ -22,10 +22,7 @@ from insole_core.simulate.device import BLIND_COLUMNS, WINDOW_PX, Device
 from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
 from insole_core.simulate.ray_caster import Hits, SceneCaster
 
-_WINDOW = (WINDOW_PX, WINDOW_PX)
 _SUBSAMPLES = 4
-_SPECKLE_CONTRAST = 0.2
-_SHOT_NOISE, _READ_NOISE = 0.27, 0.09
 _BRIGHT_MM = 800.0
 _ALBEDO = 0.8
 _LEAST_CORRELATION = 0.56
@@ -36,6 +33,34 @@ _MARGIN_PX = 14
 
 Region = tuple[slice, slice]
 """Rows and columns of a depth image."""
+
+
+@dataclass(frozen=True)
+class Matcher:
+    """How a kind of sensor sees and matches its dots: by default like real ones.
+
+    Which figures of real ones it meets: ``docs/simulator.md``.
+
+    Parameters
+    ----------
+    window_px
+        Width and height of the window that is compared; odd, or readings would be shifted.
+    speckle_contrast
+        Standard deviation of the dots' brightness by speckle, relative to the mean.
+    shot_noise, read_noise
+        Standard deviations of the camera's noise: at brightness 1, and without light.
+    px_per_dot
+        None takes the real dots; else dots are drawn at random, each from so many pixels.
+    """
+
+    window_px: tuple[int, int] = WINDOW_PX
+    speckle_contrast: float = 0.22
+    shot_noise: float = 0.175
+    read_noise: float = 0.06
+    px_per_dot: float | None = None
+
+
+REAL_MATCHER = Matcher()
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +79,7 @@ class MatchedRecording:
         First and last raw value that is compared.
     camera
         The depth camera.
+    matcher
     """
 
     infrared: Float32Array
@@ -61,10 +87,12 @@ class MatchedRecording:
     pattern: Float32Array
     search_raw: tuple[int, int]
     camera: PinholeCamera
+    matcher: Matcher
 
     def frame(self, rng: np.random.Generator) -> RawArray:
         """Draw one frame: (480, 640) uint16."""
-        std = np.sqrt(_SHOT_NOISE**2 * self.infrared + _READ_NOISE**2)
+        matcher = self.matcher
+        std = np.sqrt(matcher.shot_noise**2 * self.infrared + matcher.read_noise**2)
         noise = rng.standard_normal(self.infrared.shape, dtype=np.float32)
         raw = np.full((self.camera.height, self.camera.width), NO_READING, np.uint16)
         raw[self.region] = self._match(self.infrared + std * noise)
@@ -73,11 +101,12 @@ class MatchedRecording:
 
     def _match(self, image: Float32Array) -> RawArray:
         """Find for every window the raw value at which the pattern correlates with it best."""
-        mean, spread = _moments(image)
+        window = self.matcher.window_px
+        mean, spread = _moments(image, window)
         best = np.full(image.shape, -np.inf, np.float32)
         found = np.full(image.shape, NO_READING, np.uint16)
         for raw, reference, its_mean, its_spread in self._references():
-            covariance = cv2.blur(image * reference, _WINDOW) - mean * its_mean
+            covariance = cv2.blur(image * reference, window) - mean * its_mean
             likeness = covariance / its_spread
             found[likeness > best] = raw
             np.maximum(best, likeness, out=best)
@@ -91,7 +120,7 @@ class MatchedRecording:
         # Raw values that differ by whole pixels have the same pattern, shifted.
         for phase in range(RAW_PER_PX):
             picture = np.ascontiguousarray(self.pattern[:, phase::RAW_PER_PX])
-            mean, spread = _moments(picture)
+            mean, spread = _moments(picture, self.matcher.window_px)
             for raw in range(first + (phase - first) % RAW_PER_PX, last + 1, RAW_PER_PX):
                 start = columns.start + raw // RAW_PER_PX
                 part = (slice(None), slice(start, start + width))
@@ -105,6 +134,7 @@ def record_matched_depth(
     rng: np.random.Generator,
     *,
     things: FloatArray,
+    matcher: Matcher = REAL_MATCHER,
 ) -> MatchedRecording:
     """Record a scene with a device's depth camera by block matching.
 
@@ -119,6 +149,7 @@ def record_matched_depth(
         For the pattern of the device, and the speckle of the surfaces.
     things : (n, 3) float64, mm, reference frame
         Points to be measured; only the region around them is simulated.
+    matcher
 
     Returns
     -------
@@ -126,13 +157,13 @@ def record_matched_depth(
     """
     camera = device.sensor.depth_camera
     region = _region(camera, transform(inverse(sensor2reference), things))
-    pattern = DotPattern.draw(rng, region[0])
+    pattern = DotPattern.draw(rng, region[0], px_per_dot=matcher.px_per_dot)
     light = _Light(caster, device, sensor2reference, pattern)
     image, lowest, highest = light.on(region)
-    speckle = rng.gamma(_SPECKLE_CONTRAST**-2, _SPECKLE_CONTRAST**2, image.shape)
+    speckle = rng.gamma(matcher.speckle_contrast**-2, matcher.speckle_contrast**2, image.shape)
     infrared = cv2.GaussianBlur(image * speckle.astype(np.float32), (0, 0), BLUR_PX)
     search = (max(int(lowest) - _SEARCH_RAW, 0), min(int(highest) + _SEARCH_RAW, NO_READING - 1))
-    return MatchedRecording(infrared, region, pattern.seen(region[0]), search, camera)
+    return MatchedRecording(infrared, region, pattern.seen(region[0]), search, camera, matcher)
 
 
 def _region(camera: PinholeCamera, things: FloatArray) -> Region:
@@ -142,10 +173,10 @@ def _region(camera: PinholeCamera, things: FloatArray) -> Region:
     return slice(low[1], min(high[1], camera.height)), slice(low[0], min(high[0], camera.width))
 
 
-def _moments(image: Float32Array) -> tuple[Float32Array, Float32Array]:
+def _moments(image: Float32Array, window_px: tuple[int, int]) -> tuple[Float32Array, Float32Array]:
     """Compute mean and standard deviation in every window."""
-    mean = cv2.blur(image, _WINDOW)
-    variance = cv2.blur(image * image, _WINDOW) - mean * mean
+    mean = cv2.blur(image, window_px)
+    variance = cv2.blur(image * image, window_px) - mean * mean
     return mean, np.sqrt(np.maximum(variance, _LEAST_VARIANCE))
 
 

@@ -115,7 +115,7 @@ def _slant_deg(normals: FloatArray, directions: FloatArray) -> FloatArray:
 def _is_matchable(raw: FloatArray) -> BoolArray:
     """Return where the matching window is complete and enough of it has a surface."""
     valid = np.isfinite(raw)
-    support = scipy.ndimage.uniform_filter(valid.astype(float), WINDOW_PX, mode="nearest")
+    support = scipy.ndimage.uniform_filter(valid.astype(float), WINDOW_PX[::-1], mode="nearest")
     matchable = valid & (support >= _LEAST_SUPPORT)
     matchable[:, BLIND_COLUMNS] = False
     return matchable

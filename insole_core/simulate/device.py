@@ -17,12 +17,10 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 BASELINE_MM = 75.0
-WINDOW_PX = 9
-"""Side of the matching window."""
-BLIND_COLUMNS = slice(1 - WINDOW_PX, None)
-"""Columns of the depth image without a reading. A pixel's window begins at the same pixel of the
-infrared image, which has eight rows more but no more columns: the windows of the last eight columns
-would extend beyond it."""
+WINDOW_PX = (7, 9)
+"""Width and height of the matching window."""
+BLIND_COLUMNS = slice(-8, None)
+"""Columns of the depth image without a reading, as in all real captures."""
 _WIDTH, _HEIGHT = DEPTH_SIZE
 _FULL_COLOR_WIDTH = 1280
 _DISTORTION_RMS_RAW = 3.0

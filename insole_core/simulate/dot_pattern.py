@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.recording.sensor_json import DEPTH_SIZE
+from insole_core.resources import resource_path
 from insole_core.sensing.disparity import NO_READING
 
 RAW_PER_PX = 8
 """Raw values are eighths of a pixel of disparity (Konolige & Mihelich)."""
 BLUR_PX = 0.5
 """Standard deviation of the infrared camera's blur."""
-_PX_PER_DOT = 9.0
+_DOTS = "dot_pattern/dots.npz"
+_PICTURE_WIDTH, _PICTURE_HEIGHT = 640, 512
+"""Size of the picture in which the dots were found, in pixels of the depth image."""
+_SLACK_PX = 12.0
+"""By which the patterns of two devices differ in height at most."""
 _DOT_SIGMA_PX = 0.45
-_JITTER = 0.98
 _ACROSS, _DOWN = RAW_PER_PX, 4
 """Texels per pixel: horizontally one per raw unit, so that references need no resampling."""
 _WIDTH, _HEIGHT = DEPTH_SIZE
@@ -28,9 +33,10 @@ _SPREAD_PX = 6
 
 @dataclass(frozen=True, eq=False)
 class DotPattern:
-    """The dots of one projector: uniformly random, one per nine pixels.
+    """The dots of one projector; those of real sensors are differently aligned in every device.
 
-    A surface at the raw value r shows at pixel (u, v) the pattern at (u + r / 8, v).
+    A surface at the raw value r shows at pixel (u, v) the pattern at (u + r / 8, v). Beyond the
+    picture of the real dots the pattern begins anew.
 
     Parameters
     ----------
@@ -44,7 +50,9 @@ class DotPattern:
     rows: slice
 
     @staticmethod
-    def draw(rng: np.random.Generator, rows: slice = _ALL_ROWS) -> DotPattern:
+    def draw(
+        rng: np.random.Generator, rows: slice = _ALL_ROWS, *, px_per_dot: float | None = None
+    ) -> DotPattern:
         """Draw the pattern of a device.
 
         Parameters
@@ -52,21 +60,27 @@ class DotPattern:
         rng
         rows
             Rows of the depth image that are needed, without those whose dots blur into them.
+        px_per_dot
+            None takes the real dots; else dots are drawn at random, each from so many pixels.
 
         Returns
         -------
         DotPattern
             Of the needed rows with a margin.
         """
-        width_px, step_px = _WIDTH + (NO_READING + 1) // RAW_PER_PX, np.sqrt(_PX_PER_DOT)
-        nodes = np.meshgrid(np.arange(0, width_px, step_px), np.arange(0, _HEIGHT, step_px))
-        u, v = (node + rng.uniform(-0.5, 0.5, node.shape) * step_px * _JITTER for node in nodes)
+        width_px = _WIDTH + (NO_READING + 1) // RAW_PER_PX
         part = slice(max(rows.start - _SPREAD_PX, 0), min(rows.stop + _SPREAD_PX, _HEIGHT))
         texture = np.zeros(((part.stop - part.start) * _DOWN, width_px * _ACROSS), np.float32)
+        if px_per_dot is None:
+            dots = _aligned(_real_dots(), rng)
+            px_per_dot = _PICTURE_WIDTH * _PICTURE_HEIGHT / len(_real_dots())
+        else:
+            dots = _random_dots(px_per_dot, width_px, rng)
+        u, v = dots.T
         column = np.rint(u * _ACROSS).astype(int)
         row = np.rint(v * _DOWN).astype(int) - part.start * _DOWN
         shown = (column >= 0) & (column < texture.shape[1]) & (row >= 0) & (row < len(texture))
-        np.add.at(texture, (row[shown], column[shown]), _PX_PER_DOT * _ACROSS * _DOWN)
+        np.add.at(texture, (row[shown], column[shown]), px_per_dot * _ACROSS * _DOWN)
         return DotPattern(_blurred(texture, _DOT_SIGMA_PX), part)
 
     def brightness(self, u: FloatArray, v: FloatArray, raw: FloatArray) -> Float32Array:
@@ -98,6 +112,29 @@ class DotPattern:
         image = cv2.sepFilter2D(self.texture, -1, across, down, borderType=cv2.BORDER_REFLECT)
         whole = _blurred(np.asarray(image), BLUR_PX)[::_DOWN]
         return whole[rows.start - self.rows.start : rows.stop - self.rows.start]
+
+
+@cache
+def _real_dots() -> FloatArray:
+    """Read the places (n, 2) of the dots in their picture, px of the depth image."""
+    with np.load(resource_path(_DOTS)) as stored:
+        return np.asarray(stored["dots_px"], float)
+
+
+def _aligned(dots: FloatArray, rng: np.random.Generator) -> FloatArray:
+    """Return the dots (n, 2) as they lie in a device, several times side by side."""
+    middle = (_PICTURE_HEIGHT - _HEIGHT) / 2
+    shift = np.array([rng.uniform(0, _PICTURE_WIDTH), rng.uniform(-_SLACK_PX, _SLACK_PX) - middle])
+    copies = [dots + shift + [turn * _PICTURE_WIDTH, 0] for turn in (-1, 0, 1)]
+    return np.concatenate(copies)
+
+
+def _random_dots(px_per_dot: float, width_px: int, rng: np.random.Generator) -> FloatArray:
+    """Draw the places (n, 2) of dots: one at random in every square of a lattice."""
+    step_px = np.sqrt(px_per_dot)
+    squares = np.meshgrid(np.arange(0, width_px, step_px), np.arange(0, _HEIGHT, step_px))
+    places = [square + rng.uniform(0, step_px, square.shape) for square in squares]
+    return np.column_stack([place.ravel() for place in places])
 
 
 def _blurred(texture: Float32Array, sigma_px: float) -> Float32Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from datetime import date
@@ -15,7 +15,7 @@ import numpy as np
 
 from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
-from insole_core.export.shop_order import OrderTerms
+from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.export.slicer_3mf import Printer, write_slicer_3mf
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
@@ -25,13 +25,12 @@ from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
-from insole_core.insole.prescription.design import Correction
 from insole_core.insole.prescription.prescription_lines import (
-    correction_lines,
     make_facts,
+    number_message,
     plain_number,
 )
-from insole_core.messages import Translate
+from insole_core.messages import Message, Translate
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import (
     Finding,
@@ -52,8 +51,6 @@ if TYPE_CHECKING:
 
 MOST_LETTERS = 200
 """Of a pseudonym or a material: what a page of the papers holds."""
-_SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
-"""Share of the length or width, and whether the cut goes across."""
 
 
 @dataclass(frozen=True)
@@ -84,6 +81,11 @@ class Printing:
     printer: Printer
     zoned: Mapping[Side, ZonedPart]
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be known of the zones, each sentence once."""
+        return tuple(dict.fromkeys(note for each in self.zoned.values() for note in each.notes))
+
 
 @dataclass(frozen=True, eq=False)
 class ExportJob:
@@ -111,9 +113,11 @@ class ExportJob:
         Settings and zones in a 3MF for a slicer; None for a file without.
     terms
         Quantity, colour and so on, for the job sheet.
-    ordered
-        All parts of the order, also those of other files, which the drawing shows together;
-        empty for `parts` alone.
+    drawn
+        Drawings of all parts of the order, also those of other files, which its first page shows
+        together; empty for drawings of `parts` alone.
+    release
+        Number, revision and who released it, for the drawing.
     translate
         Into the language of the job sheet.
     """
@@ -129,7 +133,8 @@ class ExportJob:
     ascii_stl: bool = False
     printing: Printing | None = None
     terms: OrderTerms = field(default_factory=OrderTerms)
-    ordered: tuple[Part, ...] = ()
+    drawn: tuple[DrawnInsole, ...] = ()
+    release: Release = field(default_factory=Release)
     translate: Translate = str
 
     @property
@@ -276,10 +281,10 @@ def run_export_job(
         from insole_core.export.paper import write_job_sheet
 
         progress.step(0.4, "Writing the job sheet")
-        sheets = [_job_sheet(job, each, places, beside) for each in placed]
+        drawn = job.drawn or drawn_parts(job.parts, job.translate)
+        sheets = [_job_sheet(job, each, drawn, places, beside) for each in placed]
         nesting = _nesting(job.block, placed) if job.block and job.is_nested else None
-        pieces = tuple(_drawn(part, job.translate) for part in job.ordered or job.parts)
-        write_job_sheet(sheets, beside.job_sheet, nesting, pieces, job.translate)
+        write_job_sheet(sheets, beside.job_sheet, nesting, drawn, job.translate)
     if beside.prescription is not None:
         progress.step(0.8, "Writing the prescription")
         write_prescription_paper(
@@ -333,12 +338,17 @@ def _joined(job: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def _job_sheet(
-    job: ExportJob, placed: PlacedPart, places: ExportPaths, beside: ExportPaths
+    job: ExportJob,
+    placed: PlacedPart,
+    drawn: Sequence[DrawnInsole],
+    places: ExportPaths,
+    beside: ExportPaths,
 ) -> JobSheet:
-    from insole_core.export.paper import JobSheet, section_along
+    from insole_core.export.paper import JobSheet
 
-    part = placed.part
-    upright = replace(placed, insole2file=standing(part.solid)).heights()
+    part, say = placed.part, job.translate
+    piece = next((each for each in drawn if each.side is part.side), None)
+    is_upright = piece is not None and not job.is_nested
     return JobSheet(
         identification={
             **job.identification,
@@ -347,66 +357,58 @@ def _job_sheet(
             "mark": ", ".join(part.order.mark) or "–",
             "date": date.today().isoformat(),
         },
-        measures=_measures(part),
-        make=_make(job, part),
-        sections=tuple(
-            section_along(upright.top_mm, upright.bottom_mm, 1.0, share=share, across=across)
-            for share, across in _SECTIONS
-        ),
-        checks=tuple(f"{'✓' if f.passed else '✗'} {f.sentence}" for f in placed.findings)
-        + part.notes
-        + _released(job, part),
+        measures=_translated(_measures(part), say),
+        make=_translated(_make(job, part), say),
+        checks=tuple(f"{'✓' if f.passed else '✗'} {say(f.sentence)}" for f in placed.findings)
+        + tuple(map(say, (*part.notes, *_released(job, part)))),
         file=beside.solid,
         file_name=places.solid.name,
-        height_map=placed.heights() if job.is_nested else upright,
+        height_map=piece.heights if piece is not None and is_upright else placed.heights(),
         failed_mm=placed.failed_mm,
         is_nested=job.is_nested,
-        drawn=_drawn(part, job.translate),
-        title=_title(job, part),
+        drawn=piece,
+        title=_title(job, part, drawn),
     )
 
 
-def _title(job: ExportJob, part: Part) -> dict[str, str]:
-    """Return the title block of the drawing, without what the file tells."""
+def _title(job: ExportJob, part: Part, drawn: Sequence[DrawnInsole]) -> dict[str, str]:
+    """Return the title block of the drawing, without what file and page tell."""
+    release, terms = job.release, job.terms
+    known = job.identification.get("pseudonym", "–")
     return {
-        "pseudonym": job.identification.get("pseudonym", "–"),
-        "side": " / ".join(str(each.side) for each in job.ordered or (part,)),
-        "kind": part.order.kind,
-        "material": job.materials.get(part.side) or "–",
-        "quantity": str(job.terms.quantity),
-        "colour": job.terms.colour or "–",
-        "cover": job.terms.cover or "–",
-        "delivery date": job.terms.facts.get("delivery date", "–"),
+        "order number": release.number or known,
+        "revision": str(release.revision),
         "date": date.today().isoformat(),
+        "sheet": "",
+        "pseudonym": known,
+        "side": " and ".join(str(each.side) for each in drawn),
+        "kind": part.order.kind,
+        "quantity": str(terms.quantity),
+        "material": job.translate(job.materials.get(part.side) or "–"),
+        "colour": terms.colour or "–",
+        "cover": terms.cover or "–",
+        "delivery date": terms.facts.get("delivery date", "–"),
+        "scale": "",
+        "projection": "named at each view",
+        "units": "mm",
         "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
-        "program": f"Insole Studio {version('insole-studio')}",
+        "file": "",
+        "SHA-256": "",
+        "drawn": f"Insole Studio {version('insole-studio')}",
+        "released": release.by or "–",
     }
 
 
-def _drawn(part: Part, translate: Translate = str) -> DrawnInsole:
-    """Return a part for the drawing, standing on z = 0, with its posts and corrections numbered."""
-    from insole_core.export.insole_drawing import DrawnInsole, Element
+def drawn_parts(parts: Sequence[Part], translate: Translate = str) -> tuple[DrawnInsole, ...]:
+    """Return parts for the drawing of their job sheet; without those that are not closed."""
+    from insole_core.solids.drawn_part import drawn_part
 
-    design = part.insole.design
-    turn = -1.0 if part.order.kind == "positive" else 1.0
-    facts = make_facts(design)
-    posts = [f"{name}: {text}" for name, text in facts.items() if name.endswith(" post")]
-    corrections = zip(correction_lines(design), design.active, strict=True)
-    listed: list[tuple[str, tuple[float, float] | None]] = [(text, None) for text in posts]
-    listed += [(translate(line), _centre(of, turn)) for line, of in corrections]
-    solid = part.solid.transformed(standing(part.solid))
-    return DrawnInsole(
-        part.side,
-        solid,
-        survey_heights(solid),
-        tuple(Element(number, text, at) for number, (text, at) in enumerate(listed, 1)),
-    )
+    drawn = (drawn_part(part, translate) for part in parts)
+    return tuple(piece for piece in drawn if piece is not None)
 
 
-def _centre(correction: Correction, turn: float) -> tuple[float, float] | None:
-    """Return the centre of a correction that has one, in the frame of the solid."""
-    centre = getattr(correction, "centre_mm", None)
-    return None if centre is None else (turn * centre[0], centre[1])
+def _translated(facts: Mapping[str, str], translate: Translate) -> dict[str, str]:
+    return {name: translate(text) for name, text in facts.items()}
 
 
 def _nesting(block: Block, placed: tuple[PlacedPart, ...]) -> Nesting:
@@ -433,15 +435,24 @@ def _measures(part: Part) -> dict[str, str]:
     solid = part.solid
     length, width, height = (solid.bounds_mm[1] - solid.bounds_mm[0])[[1, 0, 2]]
     facts = {
-        "length × width × height": f"{length:.1f} × {width:.1f} × {height:.1f} mm",
-        "volume": f"{solid.volume_mm3 / 1000:.1f} cm³",
+        "length × width × height": Message(
+            "{length:.1f} × {width:.1f} × {height:.1f} mm",
+            length=length,
+            width=width,
+            height=height,
+        ),
+        "volume": Message("{volume:.1f} cm³", volume=solid.volume_mm3 / 1000),
         "triangles": str(len(solid.triangles)),
     }
     for finding in part.findings:
         if finding.name == "thickness":
-            facts["least thickness, without the rim"] = f"{finding.value:g} mm"
+            facts["least thickness, without the rim"] = Message(
+                "{number} mm", number=number_message(finding.value, 2)
+            )
     if part.deviation_mm > 0:
-        facts["deviation of the triangles"] = f"{part.deviation_mm:.3f} mm at most"
+        facts["deviation of the triangles"] = Message(
+            "{deviation:.3f} mm at most", deviation=part.deviation_mm
+        )
     return facts
 
 
@@ -466,4 +477,11 @@ def _released(job: ExportJob, part: Part) -> tuple[str, ...]:
     by = job.override
     if by is None or not any(finding.blocks for finding in part.findings):
         return ()
-    return (f"Released against a blocking rule by {by.author}, {by.at}: {by.reason}",)
+    return (
+        Message(
+            "Released against a blocking rule by {author}, {at}: {reason}",
+            author=by.author,
+            at=by.at,
+            reason=by.reason,
+        ),
+    )

@@ -23,6 +23,7 @@ from insole_core.export.slicer_3mf import (
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.materials import WEIGHT
 from insole_core.json_object import JsonObject
+from insole_core.messages import Message
 from insole_core.solids.print_presets import (
     LEAST_PERCENT,
     MOST_PERCENT,
@@ -66,12 +67,14 @@ class Zone:
 
     @property
     def name(self) -> str:
-        """What the zone is called in sentences and in the file."""
+        """What the zone is called in sentences and in the file; English, to be translated."""
         if self.kind == "pad":
             return self.pad or "pads"
         if self.kind == "pressure":
             low, high = self.kpa
-            return f"from {low:g} kPa" if math.isinf(high) else f"{low:g} to {high:g} kPa"
+            if math.isinf(high):
+                return Message("from {low:g} kPa", low=low)
+            return Message("{low:g} to {high:g} kPa", low=low, high=high)
         return self.kind
 
 

@@ -12,8 +12,9 @@ import numpy as np
 
 from insole_core.errors import DesignError
 from insole_core.export.slicer_3mf import Modifier, PrintedPart
+from insole_core.export.solid_file import merged
 from insole_core.foot.landmarks import Landmarks, find_landmarks
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, active_pads
 from insole_core.insole.pads.pad_heights import pad_outline
@@ -115,12 +116,52 @@ def zoned_part(part: Part, plan: PrintPlan, pressure: PressureMap | None = None)
     return ZonedPart(printed, tuple(notes))
 
 
-def _named(zone: Zone) -> str:
-    return f"{zone.name} {zone.infill.density_percent:g} %"
+def _named(zone: Zone) -> Message:
+    return Message("{zone} {density:g} %", zone=zone.name, density=zone.infill.density_percent)
 
 
-def _quoted(zone: Zone) -> str:
-    return f"“{zone.name}”"
+def _quoted(zone: Zone) -> Message:
+    return Message("“{zone}”", zone=zone.name)
+
+
+def cut_by_zones(printed: PrintedPart) -> tuple[TriangleMesh, IntArray]:
+    """Cut the surface of a part along its zones, to show which of them is obeyed where.
+
+    Returns
+    -------
+    surface : TriangleMesh
+        Vertices on a border are there once for each zone.
+    zones : (n,) int
+        The modifier of each vertex; -1 where there is none.
+    """
+    solid = to_manifold(printed.mesh).as_original()
+    rest, pieces = solid, []
+    for number in reversed(range(len(printed.modifiers))):
+        body = to_manifold(printed.modifiers[number].mesh)
+        pieces.append((number, rest ^ body))
+        rest -= body
+    surfaces = [
+        (number, _of_surface(piece, solid.original_id()))
+        for number, piece in ((-1, rest), *pieces)
+        if not piece.is_empty()
+    ]
+    counts = [len(surface.vertices) for _, surface in surfaces]
+    return (
+        merged([surface for _, surface in surfaces]),
+        np.repeat([number for number, _ in surfaces], counts),
+    )
+
+
+def _of_surface(piece: manifold3d.Manifold, original: int) -> TriangleMesh:
+    """Return the triangles of a piece that lie on the solid that it was cut from."""
+    mesh, whole = piece.to_mesh64(), from_manifold(piece)
+    ends = np.array(mesh.run_index) // 3
+    runs = np.repeat(np.array(mesh.run_original_id), np.diff(ends))
+    keep = np.zeros(len(whole.vertices), bool)
+    triangles = whole.triangles[runs == original]
+    keep[triangles] = True
+    index = np.cumsum(keep) - 1
+    return TriangleMesh(whole.vertices[keep], index[triangles].astype(np.int32))
 
 
 def _require_two_walls(within: manifold3d.Manifold, zone: Zone) -> None:

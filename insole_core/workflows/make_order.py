@@ -6,29 +6,47 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
-from insole_core.errors import InputError
-from insole_core.export.shop_order import OrderTerms
+from insole_core.errors import DesignError, InputError
+from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.messages import Translate
+from insole_core.milling.plan import MillingPlan
+from insole_core.pressure.laid_map import PressureMap
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override
-from insole_core.solids.export_job import ExportJob, ExportPaths, opened, run_export_job
+from insole_core.solids.export_job import (
+    ExportJob,
+    ExportPaths,
+    Printing,
+    drawn_parts,
+    opened,
+    run_export_job,
+)
 from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.marking import Relief
 from insole_core.solids.order import Order, Part, checked_together, make_part
 from insole_core.solids.prescription_paper import NOBODY, Responsible, require_statement
+from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
+from insole_core.workflows.mill import MillingChoice, plan_job, write_program
 from insole_core.workflows.nameless import require_nameless
+from insole_core.workflows.print_order import PrintChoice, zoned_print
 
+if TYPE_CHECKING:
+    from insole_core.export.insole_drawing import DrawnInsole
+
+Package: TypeAlias = Literal["", "zip", "folder"]
 _SIDE_WORDS = ("left", "right", "pair")
 
 
@@ -61,10 +79,14 @@ class OrderChoice:
         Of a foot, in place of the one that its prescription names.
     block
         None for parts that stay where they were designed.
+    printing, milling
+        For which printer or router; None for a file that any program reads.
     job_sheet, prescription, checks
         Which papers are written.
     terms
         Quantity, colour and so on, for the shop.
+    package
+        Whether all is written as one order, in an archive or a folder; empty for single files.
     """
 
     kind: Kind = "insole"
@@ -82,10 +104,13 @@ class OrderChoice:
     material: str = ""
     own_materials: Mapping[Side, str] = field(default_factory=dict)
     block: Block | None = None
+    printing: PrintChoice | None = None
+    milling: MillingChoice | None = None
     job_sheet: bool = True
     prescription: bool = False
     checks: bool = False
     terms: OrderTerms = field(default_factory=OrderTerms)
+    package: Package = ""
 
     def makes_alike(self, other: OrderChoice) -> bool:
         """Return whether both give the same solids; papers and formats do not matter."""
@@ -96,7 +121,8 @@ class OrderChoice:
         relief = self.relief
         return replace(
             self, suffix="", ascii_stl=False, layered=False, material="", own_materials={},
-            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(),
+            printing=None, milling=None,
+            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(), package="",
             pseudonym=self.pseudonym if relief else "", text=self.text if relief else "",
         )  # fmt: skip
 
@@ -173,9 +199,63 @@ def _part(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: P
         relief=choice.relief or "engraved",
         most_triangles=choice.most_triangles,
         most_deviation_mm=choice.most_deviation_mm,
-        layered=choice.layered and choice.suffix == ".3mf",
+        layered=choice.layered and choice.suffix == ".3mf" and choice.printing is None,
     )
     return make_part(insole, order, rules, progress.part(0.4, 1.0))
+
+
+@dataclass(frozen=True, eq=False)
+class MadeFor:
+    """What a printer or a router gets beside the solids; None for what is not chosen."""
+
+    printing: Printing | None = None
+    milling: MillingPlan | None = None
+
+
+def prepare(
+    parts: Sequence[Part],
+    choice: OrderChoice,
+    shop: Shop,
+    maps: Mapping[Side, PressureMap],
+    progress: Progress = SILENT,
+) -> MadeFor:
+    """Make the zones for the printer, or the tool paths for the router.
+
+    Parameters
+    ----------
+    parts
+        From `make_parts`, with a choice that `makes_alike`.
+    maps
+        Pressures under the feet, for zones of pressure.
+
+    Raises
+    ------
+    DesignError
+        When a zone cannot be made, no block is chosen, or block, machine or a cutter is too small.
+    InputError, UsageError
+        When the file of zones or the preset cannot be used.
+    Cancelled
+    """
+    if choice.printing is not None:
+        if choice.suffix != ".3mf":
+            raise DesignError(
+                "Only a 3MF holds zones and settings for a slicer; choose 3MF as the format, or "
+                "no printer."
+            )
+        presets = read_print_presets()
+        return MadeFor(printing=zoned_print(parts, choice.printing, presets, maps, progress))
+    if choice.milling is not None:
+        if choice.block is None:
+            raise DesignError(
+                "A router mills the insole from a block, and none is chosen; choose the block."
+            )
+        job = ExportJob(tuple(parts), shop, block=choice.block if len(parts) > 1 else None)
+        how = choice.milling
+        plan = plan_job(
+            job, choice.block, how.machine, both_sides=how.both_sides, progress=progress
+        )
+        return MadeFor(milling=plan)
+    return MadeFor()
 
 
 def write_order(
@@ -187,6 +267,9 @@ def write_order(
     patient: Patient,
     responsible: Responsible = NOBODY,
     override: Override | None = None,
+    made: MadeFor | None = None,
+    release: Release | None = None,
+    translate: Translate = str,
     progress: Progress = SILENT,
 ) -> tuple[Path, ...]:
     """Write the parts with their papers: all of them or nothing.
@@ -204,6 +287,13 @@ def write_order(
     override
         Accepts failed checks. It is recorded in the file of the checks, which is then always
         written.
+    made
+        From `prepare` of the same parts and choice; None to do that
+        here, without maps of pressures.
+    release
+        Number, revision and who released it, for the drawing.
+    translate
+        Into the language of the papers.
 
     Returns
     -------
@@ -219,13 +309,18 @@ def write_order(
         states.
     OutputError
         When a place cannot be written.
+    Cancelled
     """
     materials = ", ".join(ordered_material(choice, part.insole.design) for part in parts)
     _require_nameless(choice, materials, path, patient, override)
     if choice.prescription:
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
+    if made is None:
+        made = prepare(parts, choice, shop, {}, progress.part(0.0, 0.5))
+        progress = progress.part(0.5, 1.0)
     groups = _groups(_laid_out(parts, choice), choice)
+    drawn = drawn_parts(parts, translate) if choice.job_sheet else ()
     with Transaction() as transaction:
         beside = [opened(place, transaction) for place in places]
         steps = progress.parts(len(groups))
@@ -237,15 +332,22 @@ def write_order(
                 patient=patient,
                 responsible=responsible,
                 override=override,
-                ordered=parts,
+                drawn=drawn,
+                release=release or Release(),
+                translate=translate,
+                printing=made.printing,
             )
-            run_export_job(job, place, temporary, step)
+            run_export_job(job, place, temporary, step.part(0.0, 0.8))
+            if temporary.program is not None and made.milling is not None:
+                write_program(
+                    made.milling, temporary.program, choice.pseudonym, step.part(0.8, 1.0)
+                )
     return tuple(place.solid for place in places)
 
 
 def _laid_out(parts: Sequence[Part], choice: OrderChoice) -> list[Part]:
     """Return the parts with layers of their own, or in one piece, as the choice says now."""
-    layered = choice.layered and choice.suffix == ".3mf"
+    layered = choice.layered and choice.suffix == ".3mf" and choice.printing is None
     return [replace(part, order=replace(part.order, layered=layered)) for part in parts]
 
 
@@ -257,7 +359,10 @@ def _export_job(
     patient: Patient,
     responsible: Responsible,
     override: Override | None,
-    ordered: Sequence[Part],
+    printing: Printing | None,
+    drawn: tuple[DrawnInsole, ...],
+    release: Release,
+    translate: Translate,
 ) -> ExportJob:
     """Return the job that writes the parts of one file with their papers."""
     return ExportJob(
@@ -271,7 +376,10 @@ def _export_job(
         override=override,
         ascii_stl=choice.ascii_stl,
         terms=choice.terms,
-        ordered=tuple(ordered),
+        printing=printing,
+        drawn=drawn,
+        release=release,
+        translate=translate,
     )
 
 
@@ -359,6 +467,7 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Exp
         named(choice.checks or overridden, "-checks.json"),
         named(choice.job_sheet, "-job-sheet.pdf"),
         named(choice.prescription, "-prescription.pdf"),
+        named(choice.milling is not None, ".nc"),
     )
 
 

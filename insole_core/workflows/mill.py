@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,21 @@ from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportJob
 from insole_core.solids.shop import Block
 from insole_core.workflows.named_files import NamedFiles
+
+
+@dataclass(frozen=True)
+class MillingChoice:
+    """What is chosen for a router.
+
+    Parameters
+    ----------
+    both_sides
+        Whether the block is turned, so that the underside is milled too.
+    """
+
+    machine: Machine
+    both_sides: bool = False
+
 
 SUFFIXES = (".nc", ".ngc", ".gcode", ".tap")
 

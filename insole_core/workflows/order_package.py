@@ -13,12 +13,14 @@ from typing import Final
 
 from insole_core.cases.case_record import Patient
 from insole_core.errors import InputError, UsageError
-from insole_core.export.order_verification import side_in_name
+from insole_core.export.order_verification import read_order, side_in_name
 from insole_core.export.shop_order import (
     ORDER_FILE,
     FileRole,
     OrderedFile,
     OrderItem,
+    OrderTerms,
+    Release,
     ShopOrder,
     is_plain_name,
     parse_shop_order,
@@ -30,12 +32,15 @@ from insole_core.export.write_errors import output_errors
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
 from insole_core.given_file import given_errors, read_given
+from insole_core.messages import Translate
 from insole_core.progress import SILENT, Progress
 from insole_core.records.program_version import program_version
+from insole_core.solids.checks import Override
 from insole_core.solids.order import Part
 from insole_core.solids.shop import Shop
 from insole_core.strict_json import MOST_BYTES
 from insole_core.workflows.make_order import (
+    MadeFor,
     OrderChoice,
     files_of,
     ordered_material,
@@ -64,12 +69,42 @@ class PackedItem:
         Its pseudonym names the files.
     added
         Files made elsewhere, such as G-code, and the feet that they are for.
+    override
+        Accepts failed checks.
+    made
+        Zones or tool paths, from `prepare`; None to make them when the order is written.
     """
 
     parts: Sequence[Part]
     choice: OrderChoice
     patient: Patient
     added: Mapping[Path, tuple[Side, ...]]
+    override: Override | None = None
+    made: MadeFor | None = None
+
+
+@dataclass(frozen=True)
+class Ordered:
+    """What was written for a shop, for whoever keeps it.
+
+    Parameters
+    ----------
+    paths
+        Of the files that belong to it.
+    number
+        Of the order; empty for single files, which have none.
+    """
+
+    paths: tuple[Path, ...]
+    terms: OrderTerms
+    number: str = ""
+
+
+def files_of_package(path: Path, order: ShopOrder) -> tuple[Path, ...]:
+    """Return the files that `write_package` has written: the archive, or those in the folder."""
+    if path.suffix.lower() == ".zip":
+        return (path,)
+    return tuple(path / name for name in (ORDER_FILE, *(file.name for file in order.files)))
 
 
 def write_package(
@@ -80,6 +115,8 @@ def write_package(
     shop: Shop,
     now: datetime,
     clinic: str = "",
+    released_by: str = "",
+    translate: Translate = str,
     progress: Progress = SILENT,
 ) -> ShopOrder:
     """Write an order as a folder, or as a zip archive if the path ends in ``.zip``.
@@ -89,7 +126,12 @@ def write_package(
     items
         One for each patient; taken one after the other, so that they may be made meanwhile.
     number
-        By which clinic and shop speak of the order.
+        By which clinic and shop speak of the order. Where it takes the place of an order of this
+        number, it is the next revision of it.
+    released_by
+        Name of who releases it, for the drawing.
+    translate
+        Into the language of the papers.
     now
         With time zone.
 
@@ -108,13 +150,16 @@ def write_package(
     """
     is_archive = path.suffix.lower() == ".zip"
     program = f"Insole Studio {program_version()}"
-    begun = ShopOrder(number, now.isoformat(timespec="seconds"), program, (), clinic)
+    state = Release(number, _revision(path, number), released_by)
+    state.check()
+    begun = ShopOrder(state, now.isoformat(timespec="seconds"), program, (), clinic)
     with Transaction() as outputs:
         beside = outputs.file(path) if is_archive else outputs.folder(path, find_foreign_to_order)
         with output_errors(path):
             folder = make_folder(beside.parent, path) if is_archive else beside
         try:
-            order = _written(items, folder, begun, shop, progress.part(0.0, 0.95))
+            how = _How(folder, state, shop, translate)
+            order = _written(items, begun, how, progress.part(0.0, 0.95))
             progress.step(0.95, "Writing the order")
             if is_archive:
                 with output_errors(path):
@@ -126,33 +171,42 @@ def write_package(
     return order
 
 
+@dataclass(frozen=True, eq=False)
+class _How:
+    """Where to and in which language the files of an order are written."""
+
+    folder: Path
+    release: Release
+    shop: Shop
+    translate: Translate
+
+
 def _written(
-    items: Iterable[PackedItem],
-    folder: Path,
-    begun: ShopOrder,
-    shop: Shop,
-    progress: Progress,
+    items: Iterable[PackedItem], begun: ShopOrder, how: _How, progress: Progress
 ) -> ShopOrder:
     """Write all files of an order that has no items yet into a folder."""
     today = datetime.fromisoformat(begun.created_at).date()
     written: list[OrderItem] = []
     for item in items:
-        _check_item(item, begun.number, today, written)
+        _check_item(item, how.release, today, written)
         progress.step(0.0, "Writing the order")
-        written.append(_write_item(item, folder, shop))
+        written.append(_write_item(item, how, progress))
     if not written:
         raise UsageError("The order holds nothing; name at least one case.")
     order = replace(begun, items=tuple(written))
-    write_shop_order(order, folder / ORDER_FILE)
+    write_shop_order(order, how.folder / ORDER_FILE)
     return order
 
 
-def _check_item(item: PackedItem, number: str, today: date, before: Sequence[OrderItem]) -> None:
+def _check_item(
+    item: PackedItem, release: Release, today: date, before: Sequence[OrderItem]
+) -> None:
     choice = item.choice
     terms = choice.terms
     terms.check(today)
     texts = {
-        "number of the order": number,
+        "number of the order": release.number,
+        "name of who released the order": release.by,
         "colour": terms.colour,
         "cover": terms.cover,
         "remarks": terms.remarks,
@@ -167,17 +221,21 @@ def _check_item(item: PackedItem, number: str, today: date, before: Sequence[Ord
         )
 
 
-def _write_item(item: PackedItem, folder: Path, shop: Shop) -> OrderItem:
+def _write_item(item: PackedItem, how: _How, progress: Progress) -> OrderItem:
     choice = replace(item.choice, prescription=False)  # it names the patient
-    named = folder / f"{_stem(choice.pseudonym)}{choice.suffix}"
-    write_order(item.parts, choice, named, shop=shop, patient=item.patient)
+    named = how.folder / f"{_stem(choice.pseudonym)}{choice.suffix}"
+    write_order(
+        item.parts, choice, named,
+        shop=how.shop, patient=item.patient, override=item.override, made=item.made,
+        release=how.release, translate=how.translate, progress=progress,
+    )  # fmt: skip
     sides = tuple(part.side for part in item.parts)
     files = [
         _listed(path, _sides_of(path, sides))
-        for path in files_of(item.parts, choice, named, overridden=False)
+        for path in files_of(item.parts, choice, named, overridden=item.override is not None)
     ]
     for source, for_sides in item.added.items():
-        files.append(_added(source, for_sides, sides, folder, item.patient))
+        files.append(_added(source, for_sides, sides, how.folder, item.patient))
     return OrderItem(
         choice.pseudonym,
         choice.kind,
@@ -239,6 +297,15 @@ def _sides_of(path: Path, ordered: tuple[Side, ...]) -> tuple[Side, ...]:
 def _stem(pseudonym: str) -> str:
     """Return a pseudonym as a name of files on every system."""
     return re.sub(r"[^\w .()+-]", "-", pseudonym).strip(" .") or "order"
+
+
+def _revision(path: Path, number: str) -> int:
+    """Return the revision of an order that is written over an earlier one of its number."""
+    try:
+        before = read_order(path).release
+    except InputError:
+        return 1
+    return before.revision + 1 if before.number == number else 1
 
 
 def _pack(folder: Path, archive: Path, order: ShopOrder) -> None:

@@ -43,6 +43,7 @@ MANUAL_FILES = (
 """Whose the scripts and styles of the manual's site are, which is made anew for each build."""
 MANUAL_LIBRARIES = {"furo": (("gumshoejs", "5.1.2"),)}
 """Scripts of others within these, whose licences are in a file beside them."""
+DOT_PATTERN = "insole_core/_resources/dot_pattern/*"
 _LIBRARY_OF_VTK = re.compile(r"cvista/libvtk(?P<name>[a-z][a-z0-9]+)-cvista\.so")
 
 
@@ -122,6 +123,8 @@ def _owner_of(place: str, source: str) -> Component | None:
     if match := MANUAL_STATIC.fullmatch(PurePath(place).as_posix()):
         names = (name for pattern, name in MANUAL_FILES if fnmatchcase(match["file"], pattern))
         return _of_package(next(names))
+    if fnmatchcase(PurePath(place).as_posix(), DOT_PATTERN):
+        return _dot_pattern()
     owner = _owners().get(source) or _owners().get(str(Path(source).resolve()))
     if owner is not None:
         is_own = _normal_name(owner.metadata["Name"]) == _OWN
@@ -236,6 +239,12 @@ def _python() -> Component:
     ]
     texts = tuple((path.name, _text(path)) for path in places if path.is_file())
     return Component("python", version, "generic", "PSF-2.0", "https://www.python.org", texts)
+
+
+def _dot_pattern() -> Component:
+    text = _text(ROOT / "resources" / "dot_pattern" / "LICENSE")
+    home = "https://github.com/autonomousvision/connecting_the_dots"
+    return Component("connecting-the-dots", "2019", "generic", "MIT", home, (("LICENSE", text),))
 
 
 def _with_files(component: Component, files: Sequence[str]) -> Component:

@@ -30,6 +30,7 @@ from insole_core.insole.pads.pad_shapes import PAD_SHAPES
 from insole_core.insole.prescription.design import Correction, InsoleDesign, Shell
 from insole_core.insole.prescription.design_differences import LABELS, WORDS
 from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
@@ -68,10 +69,12 @@ PUT_TOGETHER = {"shoe height"} | {
 """Words of the catalogue that the core makes of parts."""
 PAPER_TEXTS = {
     text
-    for paper in ("person_summary", "prescription", "words")
+    for paper in ("job_sheet", "person_summary", "prescription", "words")
     for text in paper_texts(paper).values()
 }
 """Texts of the papers that are written in the language of the program."""
+SHOES = {system.name for system in read_shoe_table().systems} | read_shoe_table().widths_mm.keys()
+"""Names in the table of shoe sizes."""
 PRESCRIBED = (
     {name[0].upper() + name[1:] for name in PAD_NAMES.values()}
     | {
@@ -299,7 +302,7 @@ def test_nothing_is_translated_that_nobody_says() -> None:
         if isinstance(node, ast.Constant)
     }
     unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK - LIBRARY - MATERIALS
-    unused -= PAPER_TEXTS | PRESCRIBED
+    unused -= PAPER_TEXTS | PRESCRIBED | SHOES
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
 
 

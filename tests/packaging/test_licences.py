@@ -80,6 +80,14 @@ def test_scripts_of_the_manual_are_those_of_its_theme(tmp_path):
     assert any("gumshoe" in text for _, text in found["furo"].texts)
 
 
+def test_the_dots_of_the_sensor_name_their_authors():
+    place = "insole_core/_resources/dot_pattern/dots.npz"
+    found = {one.name: one for one in components_of([(place, place)])}
+    dots = found["connecting-the-dots"]
+    assert (dots.licence, dots.files) == ("MIT", (place,))
+    assert "autonomousvision" in dots.texts[0][1]
+
+
 def test_a_file_that_came_in_unseen_is_found(tmp_path):
     for name in ("seen.so", "inner/unseen.so"):
         (tmp_path / name).parent.mkdir(exist_ok=True)

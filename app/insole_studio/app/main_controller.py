@@ -229,6 +229,7 @@ class MainController(QObject):
         features.case_files.opener.cancel()
         features.case_files.saver.cancel()
         features.design.plantar.leave_case()
+        features.design.shoe.leave_case()
         features.design.side_by_side.forget()
         features.design.repeat.forget()
         self._stage.clear()

@@ -167,7 +167,7 @@ def export_at_stage(app: Application) -> tuple[Path, ...]:
     stage = app.features.export.stage
     assert stage is not None
     written: list[Path] = []
-    stage.exported.connect(lambda _record, paths: written.extend(paths))
+    stage.exported.connect(lambda _record, ordered: written.extend(ordered.paths))
     wait_for(stage.jobs)
     stage.view.export.click()
     wait_for(stage.jobs)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.cli import export_arguments, foot_argument, prescribed
+from insole_studio.cli import export_arguments, foot_argument, prescribed, shoe_arguments
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -39,6 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the insole (default), the contact surface in a block, or the foot as a mould",
     )  # fmt: skip
     prescribed.add_arguments(parser)
+    shoe_arguments.add_arguments(parser)
     foot_argument.add_arguments(parser)
     export_arguments.add_arguments(parser)
 
@@ -48,6 +49,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.export.solid_file import check_suffix
 
     check_suffix(arguments.out)
+    shoe_arguments.check(arguments)
     if arguments.pair is not None and arguments.block is None:
         raise UsageError("--pair nests two insoles into one block; name it with --block.")
     with export_arguments.outputs(arguments) as beside:
@@ -77,6 +79,7 @@ def _insole(
     side = _agreed_side(named, given)
     foot = foot_argument.read_foot(path, side, arguments, progress.part(0.0, 0.8))
     design = prescribed.prescribed(foot, given, arguments)
+    design = shoe_arguments.in_shoe(design, arguments)
     insole = build_insole(foot, design, progress.part(0.8, 1.0))
     _print_warnings(insole, arguments.materials)
     return insole

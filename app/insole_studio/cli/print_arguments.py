@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from insole_core.pressure.laid_map import PressureMap
     from insole_core.solids.export_job import Printing
     from insole_core.solids.order import Part
-    from insole_core.solids.print_presets import PrintPreset
-    from insole_core.solids.print_zones import PrintPlan
+    from insole_core.workflows.print_order import PrintChoice
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -58,7 +57,10 @@ def check(arguments: argparse.Namespace) -> None:
             "--layers makes objects of the layers, and with --printer they are zones; leave out "
             "--layers and name the layers in --zones."
         )
-    _plan(arguments, None)
+    from insole_core.solids.print_presets import read_print_presets
+    from insole_core.workflows.print_order import plan_print
+
+    plan_print(_choice(arguments), read_print_presets(arguments.print_presets))
 
 
 def printing(parts: Sequence[Part], arguments: argparse.Namespace) -> Printing | None:
@@ -69,53 +71,32 @@ def printing(parts: Sequence[Part], arguments: argparse.Namespace) -> Printing |
     DesignError
         If a zone cannot be made.
     """
-    from insole_core.solids.export_job import Printing
-    from insole_core.solids.zone_bodies import zoned_part
+    from insole_core.solids.print_presets import read_print_presets
+    from insole_core.workflows.print_order import zoned_print
 
     if arguments.printer is None:
         return None
-    maps = _maps(arguments.pressure_of)
-    zoned = {}
-    for part in parts:
-        shell = part.insole.design.shell
-        plan = _plan(arguments, None if shell is None else shell.body_weight_kg)
-        zoned[part.side] = zoned_part(part, plan, maps.get(part.side))
-    for note in dict.fromkeys(note for each in zoned.values() for note in each.notes):
+    made = zoned_print(
+        parts,
+        _choice(arguments),
+        read_print_presets(arguments.print_presets),
+        _maps(arguments.pressure_of),
+    )
+    for note in made.notes:
         print(f"Note: {note}", file=sys.stderr)
-    return Printing(arguments.printer, zoned)
+    return made
 
 
-def _plan(arguments: argparse.Namespace, weight_kg: float | None) -> PrintPlan:
-    """Return the plan; the weight is that of the prescription, which the file may overrule."""
-    from insole_core.solids.print_presets import read_print_presets
-    from insole_core.solids.print_zones import plan_of, read_zones, require_printable
+def _choice(arguments: argparse.Namespace) -> PrintChoice:
+    from insole_core.workflows.print_order import PrintChoice
 
-    presets = read_print_presets(arguments.print_presets)
-    if arguments.zones is not None:
-        plan = read_zones(arguments.zones, presets, weight_kg)
-    else:
-        plan = plan_of(_preset(presets, arguments.print_preset), weight_kg)
-    require_printable(plan, arguments.printer)
-    return plan
-
-
-def _preset(presets: Sequence[PrintPreset], name: str) -> PrintPreset:
-    found = next((preset for preset in presets if preset.name == name), None)
-    if found is None:
-        known = ", ".join(f'"{preset.name}"' for preset in presets)
-        raise UsageError(
-            f'--print-preset is "{name}", and the table has {known}; choose one of them.'
-        )
-    return found
+    if arguments.zones is None:
+        return PrintChoice(arguments.printer, arguments.print_preset)
+    return PrintChoice(arguments.printer, zones="file", file=str(arguments.zones))
 
 
 def _maps(case: Path | None) -> dict[Side, PressureMap]:
     from insole_core.cases.case_file import read_case
+    from insole_core.workflows.print_order import pressure_maps
 
-    if case is None:
-        return {}
-    return {
-        foot.side: foot.plantar.pressure
-        for foot in read_case(case).feet
-        if foot.plantar.pressure is not None
-    }
+    return {} if case is None else pressure_maps(read_case(case).feet)

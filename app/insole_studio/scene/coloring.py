@@ -16,6 +16,7 @@ MISSING = "#a9a9a9"
 """Colour of what has no value."""
 
 _VIRIDIS = ("#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725")
+_FROM_LIGHT = ("#fff7ec", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
 _SIGNED = ("#2166ac", "#67a9cf", "#f7f7f7", "#ef8a62", "#b2182b")
 
 
@@ -33,6 +34,8 @@ class Coloring:
         Title of the legend.
     signed
         Whether the map diverges, with white at zero.
+    from_light
+        Whether the map begins as light as the material, and goes to a dark red.
     unit
         Unit of the values, for the legend.
     missing
@@ -45,6 +48,7 @@ class Coloring:
     limits: tuple[float, float]
     title: str
     signed: bool = False
+    from_light: bool = False
     unit: str = "mm"
     missing: str = ""
     painted: npt.NDArray[np.uint8] | None = None
@@ -52,11 +56,15 @@ class Coloring:
     @property
     def color_map(self) -> str:
         """Name of the map in the renderer."""
+        if self.from_light:
+            return "OrRd"
         return "RdBu_r" if self.signed else "viridis"
 
     @property
     def colors(self) -> tuple[str, ...]:
         """The map's colours at equal steps, for the legend."""
+        if self.from_light:
+            return _FROM_LIGHT
         return _SIGNED if self.signed else _VIRIDIS
 
 

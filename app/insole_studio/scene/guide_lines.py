@@ -21,11 +21,14 @@ class GuideLines:
         Position of the text.
     text
         Usually the measured angle.
+    faults : (n, 3) each, mm, insole frame
+        Polylines that show what is wrong.
     """
 
     lines: tuple[FloatArray, ...]
     place: FloatArray
     text: str
+    faults: tuple[FloatArray, ...] = ()
 
     @property
     def bounds_mm(self) -> FloatArray:

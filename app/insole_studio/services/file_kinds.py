@@ -50,6 +50,11 @@ def scan_kinds() -> str:
     return tr("Session or mesh") + f" ({patterns})"
 
 
+def surface_kinds() -> str:
+    """Return the filter for surfaces, such as lasts."""
+    return tr("Surface") + f" ({' '.join(f'*{suffix}' for suffix in MESH_SUFFIXES)})"
+
+
 def complete_name(typed: Path, kinds: str, chosen: str = "") -> Path:
     """Append a suffix to a typed name that has none of its kinds.
 

@@ -153,6 +153,8 @@ class ModelView(QWidget):
             return
         painter = self.scene.painter
         painter.show_lines("shoe", () if lines is None else lines.lines, painter.scheme.text, 1.5)
+        faults = () if lines is None else lines.faults
+        painter.show_lines("shoe-faults", faults, painter.scheme.alarm, 4.0)
         place, text = (None, "") if lines is None else (lines.place, lines.text)
         painter.show_label(place, text, "shoe-text")
         self.scene.request_render()

@@ -13,11 +13,14 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, Landmarks, find_landmarks
 from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.side import Side
 from insole_core.insole.outline.fair_curve import fair_curve
 from insole_core.insole.outline.foot_border import foot_border
 from insole_core.insole.outline.outline_curve import closed_curve, evenly_spread, smoothed_along
+from insole_core.insole.outline.shoe_fit import placed_inside, trimmed_to
 from insole_core.insole.outline.trim_line import TrimLine, trim_points
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
+from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.surface.blending import smooth_step
 
 # All as shares of the foot's length.
@@ -59,8 +62,9 @@ def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> Fl
     """
     outline = design.outline
     if outline.source == "drawn" and outline.points_mm is not None:
-        return closed_curve(outline_points(foot, design, landmarks))
-    curve = _full(foot, outline)
+        drawn = closed_curve(outline_points(foot, design, landmarks))
+        return _in_shoe(foot, outline, drawn, foot.side)
+    curve = _in_shoe(foot, outline, _full(foot, outline), None)
     if outline.extent == "three_quarter":
         curve = _three_quarter(foot, design, curve, landmarks)
     if foot.side.medial_sign > 0:
@@ -116,6 +120,13 @@ def outline_points(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> tu
     return tuple((float(x), float(y)) for x, y in points)
 
 
+def shoe_inside(foot: Foot, outline: Outline) -> FloatArray | None:
+    """Return the inside (n, 2) of an outline's shoe round the foot's insole, mm, insole frame."""
+    if outline.shoe is None:
+        return None
+    return _inside(foot, outline, outline.shoe, foot.side)
+
+
 _Front: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
 
 
@@ -123,6 +134,29 @@ def _full(foot: Foot, outline: Outline) -> FloatArray:
     """Return the outline around the whole foot, medial = +x."""
     key = replace(outline, extent="full")
     return foot.derived.get("full outline", key, lambda: _about_foot(foot, outline))
+
+
+def _in_shoe(foot: Foot, outline: Outline, curve: FloatArray, side: Side | None) -> FloatArray:
+    """Return a curve trimmed to the outline's shoe, if that is asked; no side: medial = +x."""
+    shoe = outline.shoe
+    if shoe is None or not shoe.trim:
+        return curve
+    key = outline, curve.tobytes()
+    return foot.derived.get(
+        "in shoe",
+        key,
+        lambda: trimmed_to(curve, _inside(foot, outline, shoe, side), shoe),
+    )
+
+
+def _inside(foot: Foot, outline: Outline, shoe: Shoe, side: Side | None) -> FloatArray:
+    """Return where a shoe lies about the usual insole of the foot."""
+    source = "foot" if outline.source == "drawn" else outline.source
+    whole = _full(foot, replace(outline, source=source, shoe=None))
+    inside = placed_inside(shoe, whole)
+    if side is None or side.medial_sign > 0:
+        return inside
+    return np.asarray(inside[::-1] * [-1.0, 1.0])
 
 
 def _about_foot(foot: Foot, outline: Outline) -> FloatArray:

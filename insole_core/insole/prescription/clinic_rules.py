@@ -39,6 +39,7 @@ from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
 from insole_core.insole.prescription.scan_warnings import scan_warnings
 from insole_core.insole.prescription.shell_warnings import shell_warnings
+from insole_core.insole.prescription.shoe_warnings import shoe_warnings
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm, rockers
 from insole_core.json_object import JsonObject
@@ -150,8 +151,8 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then the foot's pose, posting, heel, height, grid, finish, arch, pads, and
-        shell; at most one about landmarks.
+        Landmarks first, then the foot's pose, posting, heel, height, grid, finish, arch, pads,
+        shell, and shoe; at most one about landmarks.
     """
     design, table = insole.design, materials or read_materials()
     pads = [c for c in design.active if isinstance(c, Pelott)]
@@ -169,6 +170,7 @@ def design_warnings(
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
         *(() if design.shell is None else shell_warnings(insole, landmarks, table)),
+        *shoe_warnings(insole, landmarks),
     )
 
 

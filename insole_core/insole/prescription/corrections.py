@@ -10,6 +10,8 @@ import uuid
 from dataclasses import dataclass, field
 from typing import ClassVar, TypeAlias
 
+from insole_core.insole.prescription.shoe import Shoe
+
 Place: TypeAlias = tuple[float, float]
 """(x, y) in mm."""
 
@@ -282,6 +284,8 @@ class Outline:
         From the bisection of the 1st metatarsal to the medial border beside its head: 0 regular,
         −3.2 narrow, 3.2 wide; by default the foot's own border and the ball's allowance decide.
         Not read if the outline is drawn.
+    shoe
+        The shoe that the insole is to lie in; None: any.
     """
 
     source: str = "foot"
@@ -292,6 +296,7 @@ class Outline:
     shoe_size_eu: float | None = None
     points_mm: tuple[Place, ...] | None = None
     width_mm: float | None = None
+    shoe: Shoe | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -20,6 +20,7 @@ from insole_core.insole.prescription.rim_sliders import (
     medial_flange_mm,
 )
 from insole_core.insole.prescription.shell import Post
+from insole_core.insole.prescription.shoe import Shoe
 from insole_core.messages import Message, joined
 
 LABELS: dict[str, str] = {
@@ -38,6 +39,7 @@ LABELS: dict[str, str] = {
     "width_mm": "Medial border, from the 1st metatarsal's bisection",
     "shoe_size_eu": "Shoe size",
     "points_mm": "Drawn outline",
+    "shoe": "Shoe",
     "cover_mm": "Cover",
     "cover_is_taken_off": "Cover glued on later",
     "shell_mm": "Middle layer",
@@ -213,10 +215,12 @@ def _wording(key: str, value: Any) -> Message:
         return Message(WORDS.get(value, value))
     if isinstance(value, tuple):
         return _rim(value) if key in _OF_RIM else Message("{count:g} places", count=len(value))
-    return _part(value) if isinstance(value, BaseForm | Post) else _measure(key, value)
+    return _part(value) if isinstance(value, BaseForm | Post | Shoe) else _measure(key, value)
 
 
-def _part(part: BaseForm | Post) -> Message:
+def _part(part: BaseForm | Post | Shoe) -> Message:
+    if isinstance(part, Shoe):
+        return Message("{name}, trimmed to it" if part.trim else "{name}", name=part.name)
     return _base(part) if isinstance(part, BaseForm) else _post(part)
 
 

@@ -28,6 +28,7 @@ from insole_core.insole.prescription.design import (
 from insole_core.insole.prescription.design_limits import CHOICES, check_design, check_form
 from insole_core.insole.prescription.design_totals import check_totals
 from insole_core.insole.prescription.item_name import checked_name
+from insole_core.insole.prescription.shoe import Shoe
 from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES, load_strictly
 
@@ -35,7 +36,7 @@ FORMAT, VERSION = "insole-design", 1
 
 _MOST_STORED = 1000  # more than can be built, so that whatever was edited can be opened again
 _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
-_PLACE_LISTS = ("outline_mm", "points_mm", "trim_mm")
+_PLACE_LISTS = ("inside_mm", "outline_mm", "points_mm", "trim_mm")
 _LISTS: dict[str, type[Any]] = {"rim": RimStation, "posts": Post}
 _NUMBER_LISTS = ("along_shares", "across_shares")
 _TEXTS = {"id", "kind", "name", "author", "created_at", "device", "material"}.union(
@@ -202,6 +203,11 @@ def _form(value: Any, where: str) -> Form:
     return form
 
 
+def _shoe(value: Any, where: str) -> Shoe:
+    shoe: Shoe = _read(Shoe, dict(_object(value, where)), where)
+    return shoe
+
+
 def _list(kind: type[Any], value: Any, where: str) -> tuple[Any, ...]:
     if not isinstance(value, list):
         raise DesignError("{where} must be a list of objects; put them in [ ].", where=where)
@@ -306,8 +312,10 @@ _READERS: dict[str, Callable[[Any, str], Any]] = {
     **dict.fromkeys(_NUMBER_LISTS, _numbers),
     **{key: partial(_list, kind) for key, kind in _LISTS.items()},
     "enabled": _flag,
+    "trim": _flag,
     "cover_is_taken_off": _flag,
     "form": _form,
+    "shoe": _shoe,
     "heights_mm": _rows,
 }
 """How the value of a key is read; those of the other keys are numbers."""

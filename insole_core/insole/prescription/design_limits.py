@@ -12,6 +12,8 @@ from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
+
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
 from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
@@ -36,6 +38,8 @@ from insole_core.insole.prescription.design import (
     Rocker,
     Shell,
 )
+from insole_core.insole.prescription.item_name import checked_name
+from insole_core.insole.prescription.shoe import Shoe
 from insole_core.messages import Message
 
 
@@ -75,6 +79,8 @@ OUTLINE_RANGES = {
     "points_mm": _PLACE,
     "width_mm": Range(-20, 20),
 }
+SHOE_RANGES = {"inside_mm": _PLACE, "clearance_mm": Range(0, 5)}
+SHOE_LENGTH = Range(80, 400)
 LAYER_RANGES = {"cover_mm": Range(0, 5), "shell_mm": Range(0, 10), "base_mm": Range(0, 10)}
 FINISH_RANGES = {
     "expansion_mm": Range(0, 5),
@@ -160,7 +166,12 @@ CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
     HeelSkive: {"border": ("medial", "lateral")},
     BrushStroke: {"mode": ("push", "pull", "smooth")},
 }
-POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000), "trim_mm": (2, 60)}
+POINT_COUNTS = {
+    "inside_mm": (12, 400),
+    "outline_mm": (3, 400),
+    "points_mm": (1, 2000),
+    "trim_mm": (2, 60),
+}
 """Least and greatest number of points in a list of them."""
 LEAST_DRAWN_POINTS = 4
 LONGEST_KIND = 60
@@ -408,7 +419,25 @@ def _check_pad(pad: Pelott, where: str) -> None:
         )
 
 
+def _check_shoe(shoe: Shoe) -> None:
+    _check(shoe, SHOE_RANGES, " of shoe")
+    checked_name(shoe.name)
+    curve = closed_curve(shoe.inside_mm)
+    if crosses_itself(curve[::_CURVE_STRIDE]):
+        raise DesignError("The inside of the shoe crosses itself; choose the shoe again.")
+    width_mm, length_mm = np.ptp(curve, axis=0)
+    if length_mm not in SHOE_LENGTH or not 0.2 < width_mm / length_mm < 0.7:
+        raise DesignError(
+            "The shoe is {length:.0f} mm long and {width:.0f} mm wide inside, as no shoe is; "
+            "choose it again.",
+            length=length_mm,
+            width=width_mm,
+        )
+
+
 def _check_outline(outline: Outline) -> None:
+    if outline.shoe is not None:
+        _check_shoe(outline.shoe)
     if outline.source == "shoe_size" and outline.shoe_size_eu is None:
         raise DesignError("shoe_size_eu of outline is missing; put in the size of the shoe.")
     if outline.source != "drawn":

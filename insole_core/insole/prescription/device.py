@@ -22,7 +22,7 @@ from insole_core.json_object import JsonObject
 FORMAT, VERSION = "insole-device", 1
 DEVICE_KEYS = ("thickness_mm", "outline", "layers", "bottom", "base", "finish", "shell")
 """Keys of a design that belong to its device."""
-_OF_ONE_FOOT = {"source", "shoe_size_eu", "points_mm"}
+_OF_ONE_FOOT = {"shoe", "source", "shoe_size_eu", "points_mm"}
 _OUTLINE_KEYS = tuple(f.name for f in fields(Outline) if f.name not in _OF_ONE_FOOT)
 _HEAD = {
     "format": design_json.FORMAT, "version": design_json.VERSION, "side": "left", "corrections": [],

@@ -14,6 +14,7 @@ from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.subdivision import subdivided
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.contour_fit import bend_to, drawn_to, lies_before, touches_of
+from insole_core.reconstruct.fusion.correction_map import corrections_mm
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
 from insole_core.reconstruct.fusion.occluding_contour import OccludingContour
@@ -96,8 +97,13 @@ def fuse(
     touches, (fine, ends) = both(
         lambda: touches_of(supported, rims), lambda: _colored(supported, readings)
     )
-    deviation_mm = refined.deviation_mm[kept][ends].mean(1)
-    return Surface(fine.with_attributes(touches=touches), deviation_mm, refined.view_gaps_mm)
+    fine = fine.with_attributes(touches=touches)
+    return Surface(
+        fine,
+        deviation_mm=refined.deviation_mm[kept][ends].mean(1),
+        correction_mm=corrections_mm(supported, views)[ends].mean(1),
+        view_gaps_mm=refined.view_gaps_mm,
+    )
 
 
 def _colored(mesh: TriangleMesh, readings: list[DepthView]) -> tuple[TriangleMesh, IntArray]:

@@ -10,12 +10,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
+from pathlib import Path
 
 import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray
 from insole_core.reconstruct.fusion.depth_view import DepthView
+from insole_core.reconstruct.fusion.familiarity import Familiarity
 from insole_core.reconstruct.fusion.neighbourhood import (
     FEATURES,
     level,
@@ -49,16 +51,6 @@ class Network:
     weights: tuple[Float32Array, ...]
     biases: tuple[Float32Array, ...]
 
-    @staticmethod
-    def load() -> Network:
-        """Read the trained weights from the resources."""
-        with np.load(resource_path(_WEIGHTS)) as stored:
-            layers = range(len(stored.files) // 2)
-            return Network(
-                tuple(stored[f"weights_{i}"].astype(np.float32) for i in layers),
-                tuple(stored[f"biases_{i}"].astype(np.float32) for i in layers),
-            )
-
     def predict(self, features: Float32Array) -> Float32Array:
         """Predict the errors (n,), raw units, from features (n, FEATURES)."""
         signal = features
@@ -72,6 +64,35 @@ class Network:
         return np.asarray(both / 2, np.float32)
 
 
+@dataclass(frozen=True, eq=False)
+class MatchingModel:
+    """What has been learnt of the matching's error, and in which surroundings."""
+
+    network: Network
+    familiarity: Familiarity
+
+    @staticmethod
+    def load() -> MatchingModel:
+        """Read what was learnt from the resources."""
+        with np.load(resource_path(_WEIGHTS)) as stored:
+            read = {name: stored[name].astype(np.float32) for name in stored.files}
+        layers = range(sum(name.startswith("weights") for name in read))
+        network = Network(
+            tuple(read[f"weights_{i}"] for i in layers), tuple(read[f"biases_{i}"] for i in layers)
+        )
+        known = (read["middle"], read["axes"], read["variances"], float(read["rest"]))
+        return MatchingModel(network, Familiarity(*known))
+
+    def save(self, path: Path) -> None:
+        """Write what was learnt."""
+        arrays = {f"weights_{i}": one for i, one in enumerate(self.network.weights)}
+        arrays |= {f"biases_{i}": one for i, one in enumerate(self.network.biases)}
+        halved = {name: array.astype(np.float16) for name, array in arrays.items()}
+        known = {name: np.asarray(value) for name, value in vars(self.familiarity).items()}
+        known["axes"] = known["axes"].astype(np.float16)
+        np.savez_compressed(path, allow_pickle=False, **halved, **known)
+
+
 def without_matching_error(reading: DepthView) -> DepthView:
     """Subtract the predicted error of the sensor's matching from a reading."""
     pixel_mm = reading.sensor.disparity.depth_mm(reading.raw) / reading.sensor.depth_camera.fx
@@ -80,13 +101,13 @@ def without_matching_error(reading: DepthView) -> DepthView:
         np.rot90(reading.raw, turns),
         np.rot90(find_shading(reading), turns),
         np.rot90(pixel_mm, turns),
-        _network(),
+        _model(),
     )
     return reading.with_raw(reading.raw - np.rot90(error, -turns))
 
 
 def matching_error(
-    raw: FloatArray, shading: Float32Array, pixel_mm: FloatArray, network: Network
+    raw: FloatArray, shading: Float32Array, pixel_mm: FloatArray, model: MatchingModel
 ) -> FloatArray:
     """Predict by how much readings exceed the true values.
 
@@ -98,12 +119,13 @@ def matching_error(
         See `find_shading`.
     pixel_mm : (height, width) float64
         Width of a pixel at the surface.
-    network
+    model
 
     Returns
     -------
     (height, width) float64, raw units
-        Between -2.5 and 2.5; 0 without a reading and outside the distances of the training data.
+        Between -2.5 and 2.5; 0 without a reading and outside the distances of the training data,
+        and the less, the less its surroundings are like those of the training data.
     """
     every = (slice(None, None, _EVERY_PX),) * 2
     nodes = np.nonzero(support(raw)[every] > _LEAST_SUPPORT)
@@ -112,8 +134,9 @@ def matching_error(
     rows, columns = (index * _EVERY_PX for index in nodes)
     middle_mm = np.nan_to_num(pixel_mm[rows, columns], nan=float(np.nanmedian(pixel_mm)))
     middle_mm = np.clip(middle_mm, *_LEARNT_MM)
-    predicted = network.predict_alike(neighbourhoods(raw, shading, middle_mm, rows, columns))
-    error = np.clip(predicted - _of_walls(middle_mm, network), -_LARGEST_RAW, _LARGEST_RAW)
+    features = neighbourhoods(raw, shading, middle_mm, rows, columns)
+    predicted = model.network.predict_alike(features) - _of_walls(middle_mm, model.network)
+    error = np.clip(predicted, -_LARGEST_RAW, _LARGEST_RAW) * model.familiarity.share(features)
     learnt = np.isfinite(raw) & (pixel_mm >= _LEARNT_MM[0]) & (pixel_mm <= _LEARNT_MM[1])
     return np.where(learnt, _between(raw.shape, rows, columns, error), 0)
 
@@ -151,10 +174,10 @@ def _quarter_turns(reading: DepthView) -> int:
 
 
 @cache
-def _network() -> Network:
-    network = Network.load()
-    sizes = [weights.shape for weights in network.weights]
+def _model() -> MatchingModel:
+    model = MatchingModel.load()
+    sizes = [weights.shape for weights in model.network.weights]
     fitting = all(one[1] == other[0] for one, other in pairwise(sizes))
     if sizes[0][0] != FEATURES or not fitting:
         raise ValueError(f"the resource {_WEIGHTS} does not fit this program; install it anew")
-    return network
+    return model

@@ -22,9 +22,10 @@ class PreparedView:
     ----------
     measured
         The view as it was cut out of the depth image.
+    within
+        The view without readings outside the foot's silhouette.
     reading
-        The view without readings outside the foot's silhouette and without the sensor's matching
-        error.
+        The same without the sensor's matching error.
     outline
         None when the foot cannot be distinguished from the background by colour.
     depth
@@ -34,6 +35,7 @@ class PreparedView:
     """
 
     measured: DepthView
+    within: DepthView
     reading: DepthView
     outline: Silhouette | None
     depth: SmoothDepth
@@ -57,5 +59,6 @@ def prepare(reading: DepthView, *, exact: bool = False) -> PreparedView:
     within = within_outline(reading, outline)
     corrected = within if exact else without_matching_error(within)
     rim = None if outline is None else find_occluding_contour(corrected, outline)
-    # A copy, so that the properties cached so far are not kept in memory.
-    return PreparedView(replace(reading), corrected, outline, smooth_depth(corrected), rim)
+    smooth = smooth_depth(corrected)
+    # Copies, so that the properties cached so far are not kept in memory.
+    return PreparedView(replace(reading), replace(within), corrected, outline, smooth, rim)

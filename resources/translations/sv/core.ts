@@ -40,6 +40,10 @@
             <translation>”{view}” kan inte vara namnet på en vy; använd 1 till 32 av tecknen a-z, 0-9 och _.</translation>
         </message>
         <message>
+            <source>"{words}" is no shoe size; write system and size, such as "EU 42".</source>
+            <translation>”{words}” är ingen skostorlek; skriv system och storlek, till exempel ”EU 42”.</translation>
+        </message>
+        <message>
             <source>0°</source>
             <translation>0°</translation>
         </message>
@@ -168,12 +172,20 @@
             <translation>En avlastning under varje huvud som bär för mycket; inga hårda kanter.</translation>
         </message>
         <message>
+            <source>A router mills the insole from a block, and none is chosen; choose the block.</source>
+            <translation>En fräsmaskin fräser inlägget ur ett block, och inget är valt; välj blocket.</translation>
+        </message>
+        <message>
             <source>A shared record needs the folder of its large files, on a share that all stations reach; choose it.</source>
             <translation>En delad journal behöver mappen för sina stora filer, på en delad plats som alla stationer når; välj den.</translation>
         </message>
         <message>
             <source>A shift fits one distance; calibrate depth to colour to be right at all.</source>
             <translation>En förskjutning stämmer på ett avstånd; kalibrera djup mot färg för att det ska stämma på alla.</translation>
+        </message>
+        <message>
+            <source>A shoe is {least:g} to {most:g} mm wide inside at the ball, and not {width:g} mm; put in the width in millimetres.</source>
+            <translation>En sko är {least:g} till {most:g} mm bred invändigt vid trampdynan, och inte {width:g} mm; ange bredden i millimeter.</translation>
         </message>
         <message>
             <source>A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of {needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.</source>
@@ -296,8 +308,8 @@
             <translation>Valfritt nummer</translation>
         </message>
         <message>
-            <source>Approved by</source>
-            <translation>Godkänd av</translation>
+            <source>Approved: date and signature</source>
+            <translation>Godkänt: datum och underskrift</translation>
         </message>
         <message>
             <source>Arch fill</source>
@@ -350,6 +362,10 @@
         <message>
             <source>Base</source>
             <translation>Bas</translation>
+        </message>
+        <message>
+            <source>Base form</source>
+            <translation>Grundform</translation>
         </message>
         <message>
             <source>Base layer</source>
@@ -462,6 +478,10 @@
         <message>
             <source>Checking: {check}</source>
             <translation>Kontrollerar: {check}</translation>
+        </message>
+        <message>
+            <source>Checks before export</source>
+            <translation>Kontroller före export</translation>
         </message>
         <message>
             <source>Clinic</source>
@@ -632,12 +652,12 @@
             <translation>Foten ritas</translation>
         </message>
         <message>
-            <source>Drawing the walls before and after</source>
-            <translation>Ritar väggarna före och efter</translation>
+            <source>Drawing the piece</source>
+            <translation>Ritar stycket</translation>
         </message>
         <message>
-            <source>Drawn by</source>
-            <translation>Ritad av</translation>
+            <source>Drawing the walls before and after</source>
+            <translation>Ritar väggarna före och efter</translation>
         </message>
         <message>
             <source>Drawn outline</source>
@@ -686,6 +706,10 @@
         <message>
             <source>Every capture needs a raw number and a distance; measure the missing ones.</source>
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
+        </message>
+        <message>
+            <source>Expansion</source>
+            <translation>Vidgning</translation>
         </message>
         <message>
             <source>Exporting orders</source>
@@ -920,6 +944,10 @@
             <translation>Hälsporreurtag</translation>
         </message>
         <message>
+            <source>Heights from above</source>
+            <translation>Höjder ovanifrån</translation>
+        </message>
+        <message>
             <source>Heights of sole and insole in mm, seen from above</source>
             <translation>Höjder av fotsula och inlägg i mm, sedda uppifrån</translation>
         </message>
@@ -942,6 +970,10 @@
         <message>
             <source>In the view {view} {reason}.</source>
             <translation>I vyn {view}: {reason}.</translation>
+        </message>
+        <message>
+            <source>Insole</source>
+            <translation>Inlägg</translation>
         </message>
         <message>
             <source>Insole Studio, from the usual values of the device</source>
@@ -982,6 +1014,10 @@
         <message>
             <source>Its motor does not run, because its audio firmware is not loaded; tilt it by hand.</source>
             <translation>Dess motor går inte, eftersom ljuddelens fasta program inte är laddat; luta den för hand.</translation>
+        </message>
+        <message>
+            <source>Job sheet for custom insoles</source>
+            <translation>Arbetsblad för individuella inlägg</translation>
         </message>
         <message>
             <source>Joining the views</source>
@@ -1044,6 +1080,10 @@
             <translation>Materialets minsta tjocklek vid framkanten</translation>
         </message>
         <message>
+            <source>Least thickness, without the rim</source>
+            <translation>Minsta tjocklek, utan kanten</translation>
+        </message>
+        <message>
             <source>Leaving one wall out needs captures at {least} distances or more, but there are {count}; capture more.</source>
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
         </message>
@@ -1104,8 +1144,16 @@
             <translation>Söker brädet på {capture}</translation>
         </message>
         <message>
+            <source>Made with</source>
+            <translation>Framställt med</translation>
+        </message>
+        <message>
             <source>Maker</source>
             <translation>Tillverkare</translation>
+        </message>
+        <message>
+            <source>Making the zones</source>
+            <translation>Gör zonerna</translation>
         </message>
         <message>
             <source>Margin</source>
@@ -1212,12 +1260,20 @@
             <translation>Inget avstånd på föremålet mättes; märk dess punkter igen.</translation>
         </message>
         <message>
+            <source>No file of zones is chosen; choose one, or take the table.</source>
+            <translation>Ingen fil med zoner är vald; välj en, eller ta tabellen.</translation>
+        </message>
+        <message>
             <source>No foot can be made from {session}, because none of its views can be used ({reasons}).</source>
             <translation>Ingen fot kan göras av {session}, eftersom ingen av dess vyer kan användas ({reasons}).</translation>
         </message>
         <message>
             <source>No footprint stands out on the picture; choose one with an even background, or lay it by hand.</source>
             <translation>Inget fotavtryck framträder på bilden; välj en bild med jämn bakgrund, eller lägg den för hand.</translation>
+        </message>
+        <message>
+            <source>No last is chosen yet; choose its file.</source>
+            <translation>Ingen läst är vald än; välj dess fil.</translation>
         </message>
         <message>
             <source>No part of this foot faces the ground, so no contact surface can be made; check the pose of the scan.</source>
@@ -1284,6 +1340,10 @@
             <translation>Inget förbinder {groups}: var och en mättes för sig, och deras läge till varandra förblir som planerat.</translation>
         </message>
         <message>
+            <source>Nothing of the insole lies in the shoe "{shoe}"; choose the right shoe.</source>
+            <translation>Inget av inlägget ligger i skon ”{shoe}”; välj rätt sko.</translation>
+        </message>
+        <message>
             <source>Nothing was written to {place}: its disk is full, or takes no more from you; free some space and try again.</source>
             <translation>Inget skrevs till {place}: dess disk är full eller tar inte emot mer från dig; frigör utrymme och försök igen.</translation>
         </message>
@@ -1302,6 +1362,10 @@
         <message>
             <source>Only a .3mf file holds zones and settings for a slicer, and {path} is none; change its suffix, or name no printer.</source>
             <translation>Bara en .3mf-fil rymmer zoner och inställningar för ett skivningsprogram, och {path} är ingen; ändra ändelsen, eller ange ingen skrivare.</translation>
+        </message>
+        <message>
+            <source>Only a 3MF holds zones and settings for a slicer; choose 3MF as the format, or no printer.</source>
+            <translation>Bara en 3MF rymmer zoner och inställningar för ett skivningsprogram; välj 3MF som format, eller ingen skrivare.</translation>
         </message>
         <message>
             <source>Only partly measured: {regions}; see the holes there before designing.</source>
@@ -1330,6 +1394,10 @@
         <message>
             <source>OpenGL {version}, {renderer}</source>
             <translation>OpenGL {version}, {renderer}</translation>
+        </message>
+        <message>
+            <source>Order number</source>
+            <translation>Beställningsnummer</translation>
         </message>
         <message>
             <source>Order {number}: {count} files that may name the patient</source>
@@ -1388,6 +1456,18 @@
             <translation>Ort, datum, underskrift</translation>
         </message>
         <message>
+            <source>Places are given in the frame of the file, which the page of the block shows. A red cross marks the worst place of a check that failed.</source>
+            <translation>Lägen anges i filens koordinater, som sidan om blocket visar. Ett rött kryss visar det sämsta stället för en kontroll som inte klarades.</translation>
+        </message>
+        <message>
+            <source>Places are given in the frame of the file: the origin is the corner of the block at the lower left of the drawing, x runs to the right along its width, y upwards along its length, z = 0 is its bottom. A red cross marks the worst place of a check that failed.</source>
+            <translation>Lägen anges i filens koordinater: origo är blockets hörn nere till vänster i ritningen, x går åt höger längs bredden, y uppåt längs längden, och z = 0 är undersidan. Ett rött kryss visar det sämsta stället för en kontroll som inte klarades.</translation>
+        </message>
+        <message>
+            <source>Places are given in the frame of the file: y runs from heel to toes, x = 0 is the foot's axis, z = 0 the plane that the piece stands on. A red cross marks the worst place of a check that failed.</source>
+            <translation>Lägen anges i filens koordinater: y går från häl till tår, x = 0 är fotens axel och z = 0 planet som arbetsstycket står på. Ett rött kryss visar det sämsta stället för en kontroll som inte klarades.</translation>
+        </message>
+        <message>
             <source>Placing the view {view}</source>
             <translation>Placerar vyn {view}</translation>
         </message>
@@ -1410,6 +1490,10 @@
         <message>
             <source>Posts, pads and corrections</source>
             <translation>Stöd, pelotter och korrigeringar</translation>
+        </message>
+        <message>
+            <source>Prescribed thickness</source>
+            <translation>Ordinerad tjocklek</translation>
         </message>
         <message>
             <source>Prescriber</source>
@@ -1438,6 +1522,10 @@
         <message>
             <source>Program</source>
             <translation>Program</translation>
+        </message>
+        <message>
+            <source>Projection</source>
+            <translation>Projektion</translation>
         </message>
         <message>
             <source>Pseudonym</source>
@@ -1512,6 +1600,14 @@
             <translation>Förfinar ytan</translation>
         </message>
         <message>
+            <source>Released against a blocking rule by {author}, {at}: {reason}</source>
+            <translation>Frisläppt trots en spärrande regel av {author}, {at}: {reason}</translation>
+        </message>
+        <message>
+            <source>Released by</source>
+            <translation>Frisläppt av</translation>
+        </message>
+        <message>
             <source>Relief at the base of the 5th metatarsal</source>
             <translation>Avlastning vid femte metatarsalbenets bas</translation>
         </message>
@@ -1578,6 +1674,10 @@
         <message>
             <source>Reverse Morton's extension</source>
             <translation>Omvänd Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>Revision</translation>
         </message>
         <message>
             <source>Right insole</source>
@@ -1658,6 +1758,14 @@
         <message>
             <source>Shaping the foot</source>
             <translation>Formar foten</translation>
+        </message>
+        <message>
+            <source>Sheet</source>
+            <translation>Blad</translation>
+        </message>
+        <message>
+            <source>Shoe</source>
+            <translation>Sko</translation>
         </message>
         <message>
             <source>Shoe size</source>
@@ -1752,6 +1860,10 @@
             <translation>Telfer/OpenFO (3,0); över 95 kg klinikens egen bedömning</translation>
         </message>
         <message>
+            <source>The "{name}" of the order must be one line of at most {most} characters; shorten it.</source>
+            <translation>Beställningens ”{name}” måste vara en rad med högst {most} tecken; korta den.</translation>
+        </message>
+        <message>
             <source>The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the two, or check the side.</source>
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
@@ -1822,6 +1934,10 @@
         <message>
             <source>The block is {there:g} mm high, and the piece needs {need:.1f} mm in it; take a higher block.</source>
             <translation>Blocket är {there:g} mm högt, och stycket behöver {need:.1f} mm; ta ett högre block.</translation>
+        </message>
+        <message>
+            <source>The block, seen from above</source>
+            <translation>Blocket, sett ovanifrån</translation>
         </message>
         <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
@@ -2020,6 +2136,10 @@
             <translation>Filen anger inte sina tals {what}; ange det.</translation>
         </message>
         <message>
+            <source>The file named above, with this SHA-256, belongs to this sheet. All lengths are in millimetres.</source>
+            <translation>Filen som nämns ovan, med denna SHA-256, hör till detta blad. Alla längder är i millimeter.</translation>
+        </message>
+        <message>
             <source>The file of colours {library} is not beside the scan or cannot be read; the scan has no colours.</source>
             <translation>Färgfilen {library} ligger inte bredvid skanningen eller kan inte läsas; skanningen har inga färger.</translation>
         </message>
@@ -2062,6 +2182,10 @@
         <message>
             <source>The foot is ready</source>
             <translation>Foten är klar</translation>
+        </message>
+        <message>
+            <source>The foot is {longer:.0f} mm longer than the shoe {shoe} is inside; check the size.</source>
+            <translation>Foten är {longer:.0f} mm längre än skon {shoe} är invändigt; kontrollera storleken.</translation>
         </message>
         <message>
             <source>The foot lies as heel, toe and sole were clicked.</source>
@@ -2156,8 +2280,16 @@
             <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
         </message>
         <message>
+            <source>The inside of the shoe crosses itself; choose the shoe again.</source>
+            <translation>Skons insida korsar sig själv; välj skon igen.</translation>
+        </message>
+        <message>
             <source>The insole does not reach the zone {zone}.</source>
             <translation>Inlägget når inte till zonen {zone}.</translation>
+        </message>
+        <message>
+            <source>The insole is up to {over:.1f} mm wider than the shoe {shoe}, {place}; trim it to the shoe, or take another size.</source>
+            <translation>Inlägget är upp till {over:.1f} mm bredare än skon {shoe}, {place}; skär det efter skon eller ta en annan storlek.</translation>
         </message>
         <message>
             <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
@@ -2246,6 +2378,10 @@
         <message>
             <source>The order has a file {name} already; give this one another name.</source>
             <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
+        </message>
+        <message>
+            <source>The order has no number; give it one.</source>
+            <translation>Beställningen har inget nummer; ge den ett.</translation>
         </message>
         <message>
             <source>The order holds nothing; name at least one case.</source>
@@ -2484,6 +2620,14 @@
             <translation>Avtryckets form skiljer inte vänster från höger; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>The shoe is {length:.0f} mm long and {width:.0f} mm wide inside, as no shoe is; choose it again.</source>
+            <translation>Skon är {length:.0f} mm lång och {width:.0f} mm bred invändigt, som ingen sko är; välj den igen.</translation>
+        </message>
+        <message>
+            <source>The shoe {shoe} leaves {room:.0f} mm before the toes of this foot, and 10 to 15 mm are usual; check the size.</source>
+            <translation>Skon {shoe} lämnar {room:.0f} mm framför den här fotens tår, och 10 till 15 mm är vanligt; kontrollera storleken.</translation>
+        </message>
+        <message>
             <source>The size does not tell the unit: the foot is {length_mm:.0f} mm long in {unit}, and about {other_mm:.0f} mm in {other_unit}; say in which unit the file is.</source>
             <translation>Storleken visar inte enheten: foten är {length_mm:.0f} mm lång i {unit} och omkring {other_mm:.0f} mm i {other_unit}; ange filens enhet.</translation>
         </message>
@@ -2562,6 +2706,10 @@
         <message>
             <source>The table needs at least one material; add one.</source>
             <translation>Tabellen behöver minst ett material; lägg till ett.</translation>
+        </message>
+        <message>
+            <source>The table of presets has no "{name}"; choose one of {known}.</source>
+            <translation>Tabellen över utskrifter har ingen ”{name}”; välj en av {known}.</translation>
         </message>
         <message>
             <source>The texture {picture} is not beside the scan or cannot be read; the scan has no colours there.</source>
@@ -2728,6 +2876,10 @@
             <translation>Elementet ({pad}) ligger till {share:.0%} på ett annat ({other_pad}), och höjderna läggs ihop.</translation>
         </message>
         <message>
+            <source>The {pad} reaches {over:.0f} mm beyond the shoe {shoe} and is cut there; move it or make it smaller.</source>
+            <translation>Elementet {pad} når {over:.0f} mm utanför skon {shoe} och skärs av där; flytta det eller gör det mindre.</translation>
+        </message>
+        <message>
             <source>The {side} foot is asked for, by --side, --other or the prescription, but {path} was recorded as the {recorded} foot; correct the call.</source>
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>
@@ -2848,12 +3000,24 @@
             <translation>Det finns ingen skärm att öppna ett fönster på; starta Insole Studio vid datorns skrivbord. Vad som fungerar utan säger insole-studio --help.</translation>
         </message>
         <message>
+            <source>There is no size {size:g} in {system}, which goes from {least:g} to {greatest:g}; check size and system.</source>
+            <translation>Det finns ingen storlek {size:g} i {system}, som går från {least:g} till {greatest:g}; kontrollera storlek och system.</translation>
+        </message>
+        <message>
             <source>There is no step {number}; choose one from 1 to {count}.</source>
             <translation>Det finns inget steg {number}; välj ett från 1 till {count}.</translation>
         </message>
         <message>
             <source>There is no such account any more; look at the list again.</source>
             <translation>Kontot finns inte längre; titta i listan igen.</translation>
+        </message>
+        <message>
+            <source>There is no system of shoe sizes "{name}"; there are {known}.</source>
+            <translation>Det finns inget system för skostorlekar som heter ”{name}”; det finns {known}.</translation>
+        </message>
+        <message>
+            <source>There is no width "{width}" of a shoe; there are {known}.</source>
+            <translation>Det finns ingen skobredd ”{width}”; det finns {known}.</translation>
         </message>
         <message>
             <source>There is nobody to erase with the pseudonym {pseudonym}; it stands on the patient's page.</source>
@@ -3036,8 +3200,24 @@
             <translation>UCBL, barn</translation>
         </message>
         <message>
+            <source>UK child</source>
+            <translation>UK barn</translation>
+        </message>
+        <message>
+            <source>US men</source>
+            <translation>US herr</translation>
+        </message>
+        <message>
+            <source>US women</source>
+            <translation>US dam</translation>
+        </message>
+        <message>
             <source>Underside</source>
             <translation>Undersida</translation>
+        </message>
+        <message>
+            <source>Units</source>
+            <translation>Enheter</translation>
         </message>
         <message>
             <source>Up to 10 in the shoe; above 6.4 under the full sole, half of it at the heads.</source>
@@ -3114,6 +3294,10 @@
         <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
+        </message>
+        <message>
+            <source>Where each part lies</source>
+            <translation>Var varje del ligger</translation>
         </message>
         <message>
             <source>Width</source>
@@ -3352,6 +3536,14 @@
             <translation>som skannad</translation>
         </message>
         <message>
+            <source>at the heel</source>
+            <translation>vid hälen</translation>
+        </message>
+        <message>
+            <source>at the toes</source>
+            <translation>vid tårna</translation>
+        </message>
+        <message>
             <source>b of the depth</source>
             <translation>djupets b</translation>
         </message>
@@ -3386,6 +3578,10 @@
         <message>
             <source>bar</source>
             <translation>balk</translation>
+        </message>
+        <message>
+            <source>base</source>
+            <translation>bas</translation>
         </message>
         <message>
             <source>base form</source>
@@ -3740,6 +3936,10 @@
             <translation>exporterad</translation>
         </message>
         <message>
+            <source>extra wide</source>
+            <translation>extra bred</translation>
+        </message>
+        <message>
             <source>extrinsic</source>
             <translation>extern</translation>
         </message>
@@ -3896,6 +4096,10 @@
             <translation>från skostorleken</translation>
         </message>
         <message>
+            <source>from {low:g} kPa</source>
+            <translation>från {low:g} kPa</translation>
+        </message>
+        <message>
             <source>full</source>
             <translation>hel</translation>
         </message>
@@ -3908,12 +4112,20 @@
             <translation>förnamn</translation>
         </message>
         <message>
+            <source>gives a length that no shoe has; check step and least size</source>
+            <translation>ger en längd som ingen sko har; kontrollera steg och minsta storlek</translation>
+        </message>
+        <message>
             <source>granted to whoever sits at this computer</source>
             <translation>ges till den som sitter vid datorn</translation>
         </message>
         <message>
             <source>greatest width of the heel at 10 to 22 % of the length</source>
             <translation>hälens största bredd vid 10 till 22 % av längden</translation>
+        </message>
+        <message>
+            <source>has a lateral border on the medial side; change the two</source>
+            <translation>har en lateral kant på den mediala sidan; byt de två</translation>
         </message>
         <message>
             <source>has more than {most} corners</source>
@@ -4356,6 +4568,10 @@
             <translation>dess huvud innehåller ”{text}”</translation>
         </message>
         <message>
+            <source>its heel towards y = 0</source>
+            <translation>hälen mot y = 0</translation>
+        </message>
+        <message>
             <source>its lines do not hold the same number of columns, three or more</source>
             <translation>dess rader har inte samma antal kolumner, tre eller fler</translation>
         </message>
@@ -4672,12 +4888,20 @@
             <translation>måste ha min under max i x, y och z</translation>
         </message>
         <message>
+            <source>must hold at least 8 stations, from along 0 at the heel to 1 at the toes</source>
+            <translation>måste hålla minst 8 stationer, från along 0 vid hälen till 1 vid tårna</translation>
+        </message>
+        <message>
             <source>must hold at least one item</source>
             <translation>måste ha minst en post</translation>
         </message>
         <message>
             <source>must hold at least one prescription</source>
             <translation>måste innehålla minst en ordination</translation>
+        </message>
+        <message>
+            <source>must hold one of the name "regular"</source>
+            <translation>måste hålla en med namnet ”regular”</translation>
         </message>
         <message>
             <source>must name a file beside sensor.json</source>
@@ -4720,8 +4944,16 @@
             <translation>Verkstadens namn</translation>
         </message>
         <message>
+            <source>name of who released the order</source>
+            <translation>namnet på den som frisläppte beställningen</translation>
+        </message>
+        <message>
             <source>name the same point twice</source>
             <translation>namnger samma punkt två gånger</translation>
+        </message>
+        <message>
+            <source>named at each view</source>
+            <translation>anges vid varje vy</translation>
         </message>
         <message>
             <source>names "{unknown}", which no marker in manifest.json has</source>
@@ -4832,6 +5064,10 @@
             <translation>anteckningar</translation>
         </message>
         <message>
+            <source>number</source>
+            <translation>nummer</translation>
+        </message>
+        <message>
             <source>number of an order</source>
             <translation>beställningsnummer</translation>
         </message>
@@ -4930,6 +5166,10 @@
         <message>
             <source>oval pad</source>
             <translation>oval pelott</translation>
+        </message>
+        <message>
+            <source>pads</source>
+            <translation>pelotter</translation>
         </message>
         <message>
             <source>page</source>
@@ -5098,6 +5338,14 @@
         <message>
             <source>refused</source>
             <translation>avvisade</translation>
+        </message>
+        <message>
+            <source>regular</source>
+            <translation>normal</translation>
+        </message>
+        <message>
+            <source>released by</source>
+            <translation>frisläppt av</translation>
         </message>
         <message>
             <source>relief at the base of the 5th metatarsal</source>
@@ -5668,6 +5916,10 @@
             <translation>vriden {turn_deg:.0f}° liknar den sig själv inom {apart_mm:.1f} mm; flytta några markörer ett par knoppar så att den blir mindre regelbunden</translation>
         </message>
         <message>
+            <source>turned, so that its toes point to y = 0</source>
+            <translation>vänd, så att tårna pekar mot y = 0</translation>
+        </message>
+        <message>
             <source>twice in the file</source>
             <translation>två gånger i filen</translation>
         </message>
@@ -5770,6 +6022,10 @@
         <message>
             <source>which foot it is</source>
             <translation>vilken fot det är</translation>
+        </message>
+        <message>
+            <source>wide</source>
+            <translation>bred</translation>
         </message>
         <message>
             <source>width</source>
@@ -5996,6 +6252,10 @@
             <translation>{days:.0f} dagar gammal</translation>
         </message>
         <message>
+            <source>{deviation:.3f} mm at most</source>
+            <translation>högst {deviation:.3f} mm</translation>
+        </message>
+        <message>
             <source>{dpi:g} dots per inch are none of a scanner; they must be {low:g} to {high:g}.</source>
             <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
         </message>
@@ -6200,6 +6460,14 @@
             <translation>{free:.1f} GB ledigt</translation>
         </message>
         <message>
+            <source>{from_heel:.0f} mm from the heel on the lateral side</source>
+            <translation>{from_heel:.0f} mm från hälen på den laterala sidan</translation>
+        </message>
+        <message>
+            <source>{from_heel:.0f} mm from the heel on the medial side</source>
+            <translation>{from_heel:.0f} mm från hälen på den mediala sidan</translation>
+        </message>
+        <message>
             <source>{given} distances are given, but {folder} holds {count} captures; give one distance for each, in the order of their names.</source>
             <translation>{given} avstånd är angivna, men {folder} innehåller {count} tagningar; ange ett avstånd för var och en, i namnens ordning.</translation>
         </message>
@@ -6256,12 +6524,20 @@
             <translation>{least:g} till {most:g} {unit}</translation>
         </message>
         <message>
+            <source>{length:.1f} × {width:.1f} × {height:.1f} mm</source>
+            <translation>{length:.1f} × {width:.1f} × {height:.1f} mm</translation>
+        </message>
+        <message>
             <source>{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} mm, and {allowed_mm:g} mm are allowed; allow more triangles or more deviation.</source>
             <translation>{limit} trianglar är för få för denna kropp: {count} avviker {deviation_mm:.3f} mm, och {allowed_mm:g} mm är tillåtet; tillåt fler trianglar eller större avvikelse.</translation>
         </message>
         <message>
             <source>{list}[{number}]</source>
             <translation>{list}[{number}]</translation>
+        </message>
+        <message>
+            <source>{low:g} to {high:g} kPa</source>
+            <translation>{low:g} till {high:g} kPa</translation>
         </message>
         <message>
             <source>{machine} travels {there:g} mm along {axis}, and the block needs {need:g} mm; take a smaller block.</source>
@@ -6290,6 +6566,10 @@
         <message>
             <source>{name} cannot be read ({reason}); check the disk and the permissions.</source>
             <translation>{name} kan inte läsas ({reason}); kontrollera disken och behörigheterna.</translation>
+        </message>
+        <message>
+            <source>{name} does not look like a last: no sole of a shoe is found on it; hand in the last as a surface with its sole.</source>
+            <translation>{name} ser inte ut som en läst: ingen skosula hittas på den; lämna in lästen som en yta med sin sula.</translation>
         </message>
         <message>
             <source>{name} has no colours, so no dots can be found; pick the points instead.</source>
@@ -6322,6 +6602,10 @@
         <message>
             <source>{name} holds two feet, and there is another scan beside it; choose the feet that are meant.</source>
             <translation>{name} innehåller två fötter, och bredvid finns ytterligare en skanning; välj de fötter som avses.</translation>
+        </message>
+        <message>
+            <source>{name} is a last for the {last_side} foot, and the insole is for the {side} one; choose the other last of the pair.</source>
+            <translation>{name} är en läst för {last_side} fot, och inlägget är för {side}; välj parets andra läst.</translation>
         </message>
         <message>
             <source>{name} is damaged; restore it from a backup.</source>
@@ -6378,6 +6662,10 @@
         <message>
             <source>{name} {values}{unit}</source>
             <translation>{name} {values}{unit}</translation>
+        </message>
+        <message>
+            <source>{name}, trimmed to it</source>
+            <translation>{name}, efter vilken det skärs</translation>
         </message>
         <message>
             <source>{name}: "{key}" must hold {what}; calibrate the sensor again.</source>
@@ -7072,6 +7360,10 @@
             <translation>{view} utelämnas: {reason}.</translation>
         </message>
         <message>
+            <source>{volume:.1f} cm³</source>
+            <translation>{volume:.1f} cm³</translation>
+        </message>
+        <message>
             <source>{weight} kg</source>
             <translation>{weight} kg</translation>
         </message>
@@ -7148,8 +7440,16 @@
             <translation>{width} från första metatarsalbenets mittlinje</translation>
         </message>
         <message>
+            <source>{zone} {density:g} %</source>
+            <translation>{zone} {density:g} %</translation>
+        </message>
+        <message>
             <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>
             <translation>{zone}_end{where} är {end:g}, och måste ligga minst {least:g} bortom {zone}_start ({start:g}), annars får ytan ett steg.</translation>
+        </message>
+        <message>
+            <source>“{zone}”</source>
+            <translation>”{zone}”</translation>
         </message>
     </context>
 </TS>

@@ -4,16 +4,48 @@
     <context>
         <name>studio</name>
         <message>
+            <source>A printer's program gets a 3MF</source>
+            <translation>Skrivarens program får en 3MF</translation>
+        </message>
+        <message>
+            <source>Above</source>
+            <translation>Över</translation>
+        </message>
+        <message>
             <source>Add a block</source>
             <translation>Lägg till ett block</translation>
+        </message>
+        <message>
+            <source>Add a router from its file…</source>
+            <translation>Lägg till en fräsmaskin från dess fil…</translation>
+        </message>
+        <message>
+            <source>Add the clinic's own router from its file, save or remove one</source>
+            <translation>Lägg till klinikens egen fräsmaskin från dess fil, spara eller ta bort en</translation>
         </message>
         <message>
             <source>Address of the maker</source>
             <translation>Tillverkarens adress</translation>
         </message>
         <message>
+            <source>An order holds all files for the shop, and a list by which they can be verified</source>
+            <translation>En beställning innehåller alla filer till verkstaden och en lista som de kan kontrolleras mot</translation>
+        </message>
+        <message>
+            <source>And {count} more.</source>
+            <translation>Och {count} till.</translation>
+        </message>
+        <message>
+            <source>Any machine</source>
+            <translation>Valfri maskin</translation>
+        </message>
+        <message>
             <source>At most</source>
             <translation>Högst</translation>
+        </message>
+        <message>
+            <source>At most {left:.2f} mm of material stay in hollows</source>
+            <translation>Högst {left:.2f} mm material blir kvar i fördjupningar</translation>
         </message>
         <message>
             <source>Block</source>
@@ -24,12 +56,20 @@
             <translation>Block som er verkstad har i lager, utöver dem som följer med programmet.</translation>
         </message>
         <message>
+            <source>Body weight</source>
+            <translation>Kroppsvikt</translation>
+        </message>
+        <message>
             <source>Both feet</source>
             <translation>Båda fötterna</translation>
         </message>
         <message>
             <source>Both need {length:.0f} × {width:.0f} × {height:.1f} mm of the block</source>
             <translation>Båda behöver {length:.0f} × {width:.0f} × {height:.1f} mm av blocket</translation>
+        </message>
+        <message>
+            <source>By material and body weight</source>
+            <translation>Efter material och kroppsvikt</translation>
         </message>
         <message>
             <source>Chamfer</source>
@@ -48,6 +88,14 @@
             <translation>Kontroller</translation>
         </message>
         <message>
+            <source>Choose a file of zones…</source>
+            <translation>Välj en fil med zoner…</translation>
+        </message>
+        <message>
+            <source>Choose the folder to put the folder of order {number} into</source>
+            <translation>Välj mappen som mappen för beställning {number} ska läggas i</translation>
+        </message>
+        <message>
             <source>Clinic, if any</source>
             <translation>Mottagning, om någon</translation>
         </message>
@@ -56,8 +104,16 @@
             <translation>Sluten kropp</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Färg</translation>
+        </message>
+        <message>
             <source>Contact surface in a block</source>
             <translation>Kontaktytan i ett block</translation>
+        </message>
+        <message>
+            <source>Cover</source>
+            <translation>Överdrag</translation>
         </message>
         <message>
             <source>Cutter ⌀</source>
@@ -66,6 +122,14 @@
         <message>
             <source>Delete this block</source>
             <translation>Ta bort blocket</translation>
+        </message>
+        <message>
+            <source>Delivery date</source>
+            <translation>Leveransdag</translation>
+        </message>
+        <message>
+            <source>Density there</source>
+            <translation>Täthet där</translation>
         </message>
         <message>
             <source>Deviation</source>
@@ -116,6 +180,14 @@
             <translation>Format</translation>
         </message>
         <message>
+            <source>From a file</source>
+            <translation>Från en fil</translation>
+        </message>
+        <message>
+            <source>From the map of pressures</source>
+            <translation>Efter tryckkartan</translation>
+        </message>
+        <message>
             <source>Height of step</source>
             <translation>Steghöjd</translation>
         </message>
@@ -134,6 +206,10 @@
         <message>
             <source>Insole, trimmed</source>
             <translation>Inlägg, beskuret</translation>
+        </message>
+        <message>
+            <source>It names the patient and never goes into an order; write it with single files</source>
+            <translation>Den nämner patienten och läggs aldrig i en beställning; skriv den med enskilda filer</translation>
         </message>
         <message>
             <source>It stays {before}.</source>
@@ -160,12 +236,20 @@
             <translation>Vänster</translation>
         </message>
         <message>
+            <source>Left over</source>
+            <translation>Blir kvar</translation>
+        </message>
+        <message>
             <source>Left: {text}</source>
             <translation>Vänster: {text}</translation>
         </message>
         <message>
             <source>Look there</source>
             <translation>Titta där</translation>
+        </message>
+        <message>
+            <source>Made on</source>
+            <translation>Görs med</translation>
         </message>
         <message>
             <source>Maker of the insole</source>
@@ -182,6 +266,10 @@
         <message>
             <source>Material, right</source>
             <translation>Material, höger</translation>
+        </message>
+        <message>
+            <source>Mill both sides</source>
+            <translation>Fräs båda sidorna</translation>
         </message>
         <message>
             <source>Name of the patient</source>
@@ -208,8 +296,24 @@
             <translation>På undersidan</translation>
         </message>
         <message>
+            <source>One order, as a folder</source>
+            <translation>En beställning, som mapp</translation>
+        </message>
+        <message>
+            <source>One order, as a zip archive</source>
+            <translation>En beställning, som zip-arkiv</translation>
+        </message>
+        <message>
             <source>Order</source>
             <translation>Beställning</translation>
+        </message>
+        <message>
+            <source>Order {number} is complete and unchanged: {count} files.</source>
+            <translation>Beställning {number} är fullständig och oförändrad: {count} filer.</translation>
+        </message>
+        <message>
+            <source>Order {number} is not as it was written; do not make it:</source>
+            <translation>Beställning {number} är inte som den skrevs; tillverka den inte:</translation>
         </message>
         <message>
             <source>Outcome of the checks (JSON)</source>
@@ -228,6 +332,10 @@
             <translation>Egna block…</translation>
         </message>
         <message>
+            <source>Pairs</source>
+            <translation>Par</translation>
+        </message>
+        <message>
             <source>Papers</source>
             <translation>Papper</translation>
         </message>
@@ -238,6 +346,10 @@
         <message>
             <source>Piece</source>
             <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Pieces</source>
+            <translation>Stycken</translation>
         </message>
         <message>
             <source>Prescriber</source>
@@ -256,6 +368,14 @@
             <translation>Ordination för journalen (PDF)</translation>
         </message>
         <message>
+            <source>Print preset</source>
+            <translation>Utskrift</translation>
+        </message>
+        <message>
+            <source>Printer: {name}</source>
+            <translation>Skrivare: {name}</translation>
+        </message>
+        <message>
             <source>Pseudonym</source>
             <translation>Pseudonym</translation>
         </message>
@@ -264,12 +384,20 @@
             <translation>Pseudonym, sida och datum</translation>
         </message>
         <message>
+            <source>Quantity</source>
+            <translation>Antal</translation>
+        </message>
+        <message>
             <source>Raised</source>
             <translation>Upphöjt</translation>
         </message>
         <message>
             <source>Reason, for the record</source>
             <translation>Skäl, för journalen</translation>
+        </message>
+        <message>
+            <source>Remove {name}</source>
+            <translation>Ta bort {name}</translation>
         </message>
         <message>
             <source>Replace them</source>
@@ -284,12 +412,36 @@
             <translation>Höger: {text}</translation>
         </message>
         <message>
+            <source>Router (*.json)</source>
+            <translation>Fräsmaskin (*.json)</translation>
+        </message>
+        <message>
+            <source>Router: {name}</source>
+            <translation>Fräsmaskin: {name}</translation>
+        </message>
+        <message>
+            <source>Routers…</source>
+            <translation>Fräsmaskiner…</translation>
+        </message>
+        <message>
             <source>STL as text</source>
             <translation>STL som text</translation>
         </message>
         <message>
             <source>Save the blocks</source>
             <translation>Spara blocken</translation>
+        </message>
+        <message>
+            <source>Save the file of {name}…</source>
+            <translation>Spara filen för {name}…</translation>
+        </message>
+        <message>
+            <source>Say whether the files of an order are as they were written</source>
+            <translation>Säg om filerna i en beställning är som de skrevs</translation>
+        </message>
+        <message>
+            <source>Single files</source>
+            <translation>Enskilda filer</translation>
         </message>
         <message>
             <source>Something unexpected happened; nothing was written. Please report it.</source>
@@ -302,6 +454,18 @@
         <message>
             <source>Text</source>
             <translation>Text</translation>
+        </message>
+        <message>
+            <source>That of the chosen router</source>
+            <translation>Den valda fräsmaskinens</translation>
+        </message>
+        <message>
+            <source>That of the prescription; {usual:g} kg where it states none</source>
+            <translation>Ordinationens; {usual:g} kg där ingen anges</translation>
+        </message>
+        <message>
+            <source>The block is turned over onto dowels, and the underside is milled too</source>
+            <translation>Blocket vänds på styrpinnar, och undersidan fräses också</translation>
         </message>
         <message>
             <source>The font has no letters {letters}; a likeness or “?” stands for them.</source>
@@ -320,6 +484,10 @@
             <translation>Ordinationen anger vem som ordinerar inlägget och vem som tillverkar det, som bilaga XIII till EU:s förordning om medicintekniska produkter kräver. Verkstaden får den inte.</translation>
         </message>
         <message>
+            <source>The printer's program or the router that gets the files</source>
+            <translation>Skrivarens program eller fräsmaskinen som får filerna</translation>
+        </message>
+        <message>
             <source>These files are there already: {names}</source>
             <translation>Dessa filer finns redan: {names}</translation>
         </message>
@@ -336,8 +504,16 @@
             <translation>Använd dessa</translation>
         </message>
         <message>
+            <source>Verify order…</source>
+            <translation>Kontrollera beställning…</translation>
+        </message>
+        <message>
             <source>Walls</source>
             <translation>Väggar</translation>
+        </message>
+        <message>
+            <source>What is glued on top</source>
+            <translation>Vad som limmas ovanpå</translation>
         </message>
         <message>
             <source>What the shop knows the patient by; without one, the order number {number}</source>
@@ -350,6 +526,18 @@
         <message>
             <source>Writing the order of the case before was stopped.</source>
             <translation>Skrivningen av det förra fallets beställning avbröts.</translation>
+        </message>
+        <message>
+            <source>Written as</source>
+            <translation>Skrivs som</translation>
+        </message>
+        <message>
+            <source>Zones</source>
+            <translation>Zoner</translation>
+        </message>
+        <message>
+            <source>Zones (*.json)</source>
+            <translation>Zoner (*.json)</translation>
         </message>
         <message>
             <source>blocks</source>
@@ -378,6 +566,10 @@
         <message>
             <source>draft {medial:g}° medial, {lateral:g}° lateral</source>
             <translation>släppning {medial:g}° medialt, {lateral:g}° lateralt</translation>
+        </message>
+        <message>
+            <source>elsewhere {density:g} %</source>
+            <translation>för övrigt {density:g} %</translation>
         </message>
         <message>
             <source>is being checked</source>
@@ -412,8 +604,16 @@
             <translation>varnar</translation>
         </message>
         <message>
+            <source>{count} walls</source>
+            <translation>{count} väggar</translation>
+        </message>
+        <message>
             <source>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles</source>
             <translation>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} trianglar</translation>
+        </message>
+        <message>
+            <source>{minutes:.0f} minutes without changes of cutters, {length:.0f} m of path</source>
+            <translation>{minutes:.0f} minuter utan verktygsbyten, {length:.0f} m bana</translation>
         </message>
         <message>
             <source>{value:.0f} mm² cannot be reached by the cutter</source>
@@ -446,6 +646,10 @@
         <message>
             <source>{value:g} mm between the points of the surface</source>
             <translation>{value:g} mm mellan ytans punkter</translation>
+        </message>
+        <message>
+            <source>{walls} walls, {top} layers above and {bottom} below</source>
+            <translation>{walls} väggar, {top} lager upptill och {bottom} nedtill</translation>
         </message>
     </context>
 </TS>

@@ -156,6 +156,10 @@
             <translation>Medel, mm</translation>
         </message>
         <message>
+            <source>Moved by the correction</source>
+            <translation>Flyttat av korrektionen</translation>
+        </message>
+        <message>
             <source>No view is placed. Correct its markers, or tick a view.</source>
             <translation>Ingen vy har fått sin plats. Rätta dess markörer, eller bocka för en vy.</translation>
         </message>

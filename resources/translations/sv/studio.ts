@@ -300,8 +300,20 @@
             <translation>Kontrollerar sessionen</translation>
         </message>
         <message>
+            <source>Choose the last…</source>
+            <translation>Välj läst…</translation>
+        </message>
+        <message>
             <source>Choose the section tool and click on the sole.</source>
             <translation>Välj snittverktyget och klicka på fotsulan.</translation>
+        </message>
+        <message>
+            <source>Choose the shoe</source>
+            <translation>Välj skon</translation>
+        </message>
+        <message>
+            <source>Choose the shoe by size or last, see where the insole is wider, and trim it</source>
+            <translation>Välj skon efter storlek eller läst, se var inlägget är bredare och skär det</translation>
         </message>
         <message>
             <source>Choose “Section” to cut the insole anywhere and read its thickness.</source>
@@ -676,6 +688,10 @@
             <translation>Extern vrider hela inlägget, intern lämnar dess kant som den är</translation>
         </message>
         <message>
+            <source>File</source>
+            <translation>Fil</translation>
+        </message>
+        <message>
             <source>Filler, 1st toe</source>
             <translation>Utfyllnad, första tån</translation>
         </message>
@@ -936,6 +952,10 @@
             <translation>Tum</translation>
         </message>
         <message>
+            <source>Inside at the ball</source>
+            <translation>Invändigt vid trampdynan</translation>
+        </message>
+        <message>
             <source>Insole</source>
             <translation>Inlägg</translation>
         </message>
@@ -962,6 +982,10 @@
         <message>
             <source>Insole over foot</source>
             <translation>Inlägg över fot</translation>
+        </message>
+        <message>
+            <source>Insole up to {mm:.1f} mm wider</source>
+            <translation>Inlägget upp till {mm:.1f} mm bredare</translation>
         </message>
         <message>
             <source>Instep height</source>
@@ -1010,6 +1034,10 @@
         <message>
             <source>Large targets for fingers</source>
             <translation>Stora mål för fingrar</translation>
+        </message>
+        <message>
+            <source>Last: {name}…</source>
+            <translation>Läst: {name}…</translation>
         </message>
         <message>
             <source>Lateral</source>
@@ -1572,6 +1600,10 @@
             <translation>Rullsula</translation>
         </message>
         <message>
+            <source>Room that stays</source>
+            <translation>Utrymme som lämnas</translation>
+        </message>
+        <message>
             <source>Save</source>
             <translation>Spara</translation>
         </message>
@@ -1676,6 +1708,10 @@
             <translation>Andel av fotens längd upp till vilken bakfotens vinkel gäller</translation>
         </message>
         <message>
+            <source>Shoe</source>
+            <translation>Sko</translation>
+        </message>
+        <message>
             <source>Shoe outline</source>
             <translation>Skokontur</translation>
         </message>
@@ -1694,6 +1730,10 @@
         <message>
             <source>Shoe size US</source>
             <translation>Skostorlek US</translation>
+        </message>
+        <message>
+            <source>Shoe…</source>
+            <translation>Sko…</translation>
         </message>
         <message>
             <source>Show all</source>
@@ -1724,8 +1764,16 @@
             <translation>Inloggad som {name}</translation>
         </message>
         <message>
+            <source>Size</source>
+            <translation>Storlek</translation>
+        </message>
+        <message>
             <source>Size of the shoe, which decides the length</source>
             <translation>Skons storlek, som bestämmer längden</translation>
+        </message>
+        <message>
+            <source>Sizes</source>
+            <translation>Storlekar</translation>
         </message>
         <message>
             <source>Skip</source>
@@ -1782,6 +1830,10 @@
         <message>
             <source>Stretch the pad</source>
             <translation>Sträck pelotten</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>Yta</translation>
         </message>
         <message>
             <source>Surface grid</source>
@@ -2020,6 +2072,10 @@
             <translation>Rundtur</translation>
         </message>
         <message>
+            <source>Trim the insole to the shoe</source>
+            <translation>Skär inlägget efter skon</translation>
+        </message>
+        <message>
             <source>Turn</source>
             <translation>Vridning</translation>
         </message>
@@ -2062,6 +2118,10 @@
         <message>
             <source>Use this scan</source>
             <translation>Använd denna skanning</translation>
+        </message>
+        <message>
+            <source>Use this shoe</source>
+            <translation>Använd skon</translation>
         </message>
         <message>
             <source>Version and licence</source>
@@ -2148,6 +2208,18 @@
             <translation>ÅÅÅÅ-MM-DD</translation>
         </message>
         <message>
+            <source>any shoe</source>
+            <translation>vilken sko som helst</translation>
+        </message>
+        <message>
+            <source>by its last</source>
+            <translation>efter läst</translation>
+        </message>
+        <message>
+            <source>by its size</source>
+            <translation>efter storlek</translation>
+        </message>
+        <message>
             <source>comes with the scan</source>
             <translation>kommer med skanningen</translation>
         </message>
@@ -2170,6 +2242,10 @@
         <message>
             <source>markers {seen} of {wanted}</source>
             <translation>markörer {seen} av {wanted}</translation>
+        </message>
+        <message>
+            <source>measured inside</source>
+            <translation>mätt invändigt</translation>
         </message>
         <message>
             <source>med.</source>

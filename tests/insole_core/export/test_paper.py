@@ -15,7 +15,6 @@ from insole_core.export import paper
 from insole_core.export.paper import (
     JobSheet,
     paragraph,
-    section_along,
     write_job_sheet,
     write_pages,
     write_prescription,
@@ -33,20 +32,11 @@ def sheet(file: Path) -> JobSheet:
         identification={"pseudonym": "Ø-足 <&> 7", "side": "left"},
         measures={"length": "248.5 mm"},
         make={"material": "EVA 40 Shore A", "tolerance": "±0.3 mm"},
-        sections=(section_along(TOP, BOTTOM, 1.0, share=0.5, across=True),),
         checks=("✓ closed",),
         file=file,
         file_name="insole.stl",
         height_map=HeightMap(TOP, BOTTOM),
     )
-
-
-def test_section_is_a_cut_across():
-    cut = section_along(TOP, BOTTOM, 2.0, share=0.5, across=True)
-    assert cut.along_mm[-1] == 38
-    assert np.isfinite(cut.top_mm).sum() == 12
-    assert np.nanmax(cut.top_mm) == 19
-    assert section_along(TOP, BOTTOM, 2.0, share=0.5, across=False).top_mm.size == 40
 
 
 def test_papers_are_pdf(tmp_path: Path):

@@ -240,7 +240,9 @@ def test_time_and_length_are_those_of_the_program():
 
 
 def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
-    plan = plan_milling([solid(groove=True)], BLOCK_MM, machine())
+    how = machine()
+    how = replace(how, finishing=replace(how.finishing, step_over_mm=0.8))
+    plan = plan_milling([solid(groove=True)], BLOCK_MM, how)
     (note,) = plan.notes
     assert '"6 mm ball nose" is too thick for a hollow' in note
     assert "x = 40 mm" in note
@@ -252,6 +254,10 @@ def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
         (said,) = plan_milling([solid(groove=True)], BLOCK_MM, machine(), feet=feet).notes
         assert words in said
     deepest = np.nanmax(plan.left_over[0].height_mm)
+    on_piece = plan.left_on(0)
+    tight = plan.solids[0].vertices[on_piece > 0.8 * deepest]
+    assert tight[:, 0] == pytest.approx(40, abs=1.5)
+    assert np.isnan(on_piece[plan.solids[0].vertices[:, 2] == 0]).all()  # the bottom
     removal = left_of(plan, gcode(plan))
     asked, _ = seen_from_above(solid(groove=True), removal)
     within = scipy.ndimage.binary_erosion(np.isfinite(asked), iterations=8)

@@ -170,6 +170,16 @@ def test_the_report_holds_what_the_contract_says(reconstruction: Reconstruction)
     assert report["warnings"] == []
 
 
+def test_the_report_tells_how_far_the_correction_moved_the_surface(
+    reconstruction: Reconstruction,
+) -> None:
+    moved = report_json(reconstruction, 1.5)["correction_mm"]
+    if reconstruction.deviation_mm is None:  # the thesis's method knows no correction
+        assert moved is None
+    else:
+        assert 0.02 < moved["mean"] < moved["p95"] < 3
+
+
 @pytest.mark.parametrize(("method", "whole"), [("thesis", True), ("fused", False)])
 def test_the_thesis_has_its_depth_in_whole_mm(
     session: Session, method: Method, whole: bool

@@ -71,7 +71,7 @@ def test_noise_is_that_of_a_real_sensor(device: Device, tilt_deg: float, fixed: 
 
 
 def test_only_the_last_eight_columns_hold_no_reading(device: Device) -> None:
-    """As in real captures, a window of nine columns reads 632 of 640."""
+    """As in real captures, 632 of 640 columns are read."""
     rng = np.random.default_rng(1)
     strip = np.array([[-600.0, -15.0, DISTANCE_MM], [600.0, 15.0, DISTANCE_MM]])
     wall = SceneCaster(_square(600))
@@ -131,7 +131,7 @@ def test_a_raw_number_shifts_the_pattern_by_an_eighth_of_a_pixel() -> None:
 
     np.testing.assert_allclose(here, pattern.brightness(u + 1, v, np.full(500, 632.0)), atol=1e-4)
     assert not np.allclose(here, pattern.brightness(u, v, np.full(500, 632.0)), atol=0.1)
-    assert pattern.texture.mean() == pytest.approx(1, abs=0.01)
+    assert pattern.texture.mean() == pytest.approx(1, abs=0.1)
 
 
 def test_rows_of_a_pattern_are_those_of_the_whole() -> None:

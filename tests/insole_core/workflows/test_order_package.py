@@ -30,6 +30,7 @@ from insole_core.solids.shop import read_shop
 from insole_core.workflows.make_order import OrderChoice, make_parts
 from insole_core.workflows.order_package import PackedItem, write_package
 from insole_studio.cli.main import run
+from insole_studio.texts import translation_into
 
 NOW = datetime(2026, 11, 20, 12, 0, tzinfo=UTC)
 PATIENT = Patient("Ottilia Bergqvist", pseudonym="P-17")
@@ -90,7 +91,9 @@ def test_the_drawing_shows_both_feet_with_the_order_and_the_dimensions_of_the_so
     for part in parts:
         width, length, height = part.solid.bounds_mm[1] - part.solid.bounds_mm[0]
         assert {f"{size:.1f}" for size in (width, length, height)} <= set(text.split())
-    for shown in ("y=27", "Nora 2 mm", "2026-12-01", "soft heel", "P-17-left.stl"):
+    low, high = parts[0].solid.bounds_mm[:, 1]
+    heel = f"y={low + 0.12 * (high - low):.0f}"
+    for shown in (heel, "Revision\n1\n", "Nora 2 mm", "2026-12-01", "soft heel", "P-17-left.stl"):
         assert shown in text
     digest = sha256_of(unpacked / "P-17-left.stl")
     assert digest[:16] in text.split()
@@ -122,6 +125,24 @@ def test_an_order_is_opened_again_as_it_was_written(written: Path, unpacked: Pat
         }
     assert b"Bergqvist" not in (unpacked / "order.json").read_bytes()
     assert [path.name for path in written.parent.iterdir() if path.name.startswith(".")] == []
+
+
+def test_a_later_order_of_the_number_is_its_next_revision_in_the_language_asked_for(
+    parts: tuple[Part, ...], unpacked: Path
+) -> None:
+    item = PackedItem(parts[:1], CHOICE, PATIENT, {})
+    wanted: dict[str, Any] = {"number": "26-7KQ4M", "shop": read_shop(), "now": NOW}
+    order = write_package(
+        [item], unpacked, **wanted, released_by="Eva Ek", translate=translation_into("sv")
+    )
+    assert order == verify_order(unpacked).order
+    assert (order.release.revision, order.release.by) == (2, "Eva Ek")
+    text = text_of_pdf(unpacked / "P-17-left-job-sheet.pdf")
+    for shown in ("Arbetsblad", "Revision\n2\n", "Eva Ek", "Tolerans", "Datum"):
+        assert shown in text
+    assert not {"Released", "Sheet", "Order", "left", "thick"} & set(text.split())
+    with pytest.raises(InputError, match="holds the patient's name"):
+        write_package([item], unpacked, **wanted, released_by="Ottilia Bergqvist")
 
 
 def test_what_happened_to_the_files_is_told(unpacked: Path) -> None:
@@ -214,6 +235,22 @@ def test_wrong_terms_leave_nothing_behind(
     for name in ("order", "order.zip"):
         with pytest.raises(InputError, match=told):
             written_again(parts, tmp_path / name, **terms)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("told", "number", "by"),
+    [
+        ("has no number", " ", ""),
+        ("number", "7" * 61, ""),
+        ("released by", "7", "Eva\nEk"),
+    ],
+)
+def test_a_number_or_name_that_no_paper_can_show_is_refused(
+    tmp_path: Path, told: str, number: str, by: str
+) -> None:
+    with pytest.raises(InputError, match=told):
+        write_package([], tmp_path / "o", number=number, shop=read_shop(), now=NOW, released_by=by)
     assert list(tmp_path.iterdir()) == []
 
 

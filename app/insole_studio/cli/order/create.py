@@ -15,6 +15,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.records.language import add_language, wording_of
 
 if TYPE_CHECKING:
     from insole_core.solids.shop import Shop
@@ -56,6 +57,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--add", action="append", default=[], type=_added, metavar="SIDE=FILE",
         help="a file made elsewhere, such as G-code, of a single case; left, right or both",
     )  # fmt: skip
+    parser.add_argument(
+        "--released-by", metavar="NAME", help="on the drawing (default: the author of the settings)"
+    )
+    add_language(parser)
     parser.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
     parser.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
 
@@ -74,9 +79,22 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     number = arguments.number or new_order_number(now.date())
     shop = read_shop(arguments.shop)
     items = _items(arguments, terms, shop, progress)
-    order = write_package(items, arguments.out, number=number, shop=shop, now=now, progress=SILENT)
+    order = write_package(
+        items, arguments.out,
+        number=number, shop=shop, now=now, released_by=_released_by(arguments),
+        translate=wording_of(arguments).translate, progress=SILENT,
+    )  # fmt: skip
     count = len(order.files)
     progress.step(1.0, f"Done: order {number} with {count} files in {arguments.out}")
+
+
+def _released_by(arguments: argparse.Namespace) -> str:
+    from insole_studio.settings import load_settings
+    from insole_studio.user_paths import UserPaths
+
+    if arguments.released_by is not None:
+        return str(arguments.released_by)
+    return load_settings(UserPaths.of_user().settings_file).author
 
 
 def _terms(arguments: argparse.Namespace) -> OrderTerms:

@@ -25,7 +25,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     order = verification.order
     count = sum(item.terms.quantity for item in order.items)
     print(
-        f"Order {order.number} of {order.created_at}, by {order.program}: "
+        f"Order {order.release.number}, revision {order.release.revision}, of {order.created_at}, "
+        f"by {order.program}: "
         f"{len(order.items)} patients, {count} pieces or pairs, {len(order.files)} files"
     )
     for problem in verification.problems:

@@ -24,6 +24,7 @@ from insole_studio.features.design.actions.side_by_side_actions import SideBySid
 from insole_studio.features.design.actions.variant_actions import VariantActions
 from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.features.design.plantar.plantar_actions import PlantarActions
+from insole_studio.features.design.shoe.shoe_actions import ShoeActions
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -47,6 +48,7 @@ class Design:
     prescriber: PrescriberSetting
     devices: DeviceActions
     plantar: PlantarActions
+    shoe: ShoeActions
 
 
 def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
@@ -111,4 +113,5 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
             stage.materials,
         ),
         plantar=PlantarActions(services, stage.plantar, side_by_side, edit),
+        shoe=ShoeActions(services),
     )

@@ -29,4 +29,10 @@ EXPORT_ACTIONS: tuple[ActionRecord[ExportActions], ...] = (
         shortcut="Ctrl+P",
         needs_foot=True,
     ),
+    ActionRecord(
+        "verify_order",
+        lambda: tr("Verify order…"),
+        lambda: tr("Say whether the files of an order are as they were written"),
+        lambda exporter, _on: exporter.ask_verify_order(),
+    ),
 )

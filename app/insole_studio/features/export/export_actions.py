@@ -12,13 +12,19 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.export.order_verification import Verification, verify_order
+from insole_core.export.shop_order import ORDER_FILE
 from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.item_name import key_of
 from insole_core.progress import Progress
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
+from insole_core.workflows.make_order import Package
+from insole_core.workflows.mill import clinic_machines
+from insole_core.workflows.order_package import Ordered
 from insole_studio.document.case_name import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.services.app_services import AppServices
@@ -26,14 +32,21 @@ from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.services.user_messages import LONG_MS
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.fields_dialog import Field
 
 if TYPE_CHECKING:
     from insole_studio.features.export.stage import ExportStage
 
+
+def _machine_files() -> str:
+    return tr("Router (*.json)")
+
+
 CHANNEL = "export"
 LEFT_NOTICE = "order"
+_MOST_LINES = 8
+"""Of what is wrong with an order, in a dialog."""
 
 
 class ExportActions(StageWindow["ExportStage"]):
@@ -41,8 +54,7 @@ class ExportActions(StageWindow["ExportStage"]):
 
     changed = Signal()
     exported_files = Signal(object, object)
-    """Emitted with the record of the open case that was exported, and the files."""
-    """Emitted after an export."""
+    """Emitted with the record of the open case that was exported, and an `Ordered`."""
 
     def __init__(self, services: AppServices) -> None:
         super().__init__(services.window)
@@ -60,14 +72,15 @@ class ExportActions(StageWindow["ExportStage"]):
         from insole_studio.features.export.stage import ExportStage
 
         shop, folder = read_shop(), self._services.paths.settings_folder
-        blocks = ClinicBlocks(folder / "blocks.json")
+        blocks, machines = ClinicBlocks(folder / "blocks.json"), clinic_machines(folder)
         return ExportStage(
             case=self._case,
             rules=ClinicExportRules(folder / "export.json"),
             shop=shop,
             blocks=blocks,
             asker=self,
-            memory=LastOrder(folder / "order.json", shop, blocks),
+            memory=LastOrder(folder / "order.json", shop, blocks, machines),
+            machines=machines,
             dark=self._services.dark,
         )
 
@@ -126,6 +139,14 @@ class ExportActions(StageWindow["ExportStage"]):
         stem = re.sub(r'[<>:"/\\|?*\s]+', "_", pseudonym)
         return self._questions.name_to_write(f"{stem}-{word}{suffix}", kinds, Kept.EXPORTS)
 
+    def package_path(self, number: str, package: Package) -> Path | None:
+        """Let the user choose where an order is written; a folder is named after its number."""
+        if package == "zip":
+            return self._questions.name_to_write(f"{number}.zip", "ZIP (*.zip)", Kept.EXPORTS)
+        title = tr("Choose the folder to put the folder of order {number} into")
+        within = self._questions.folder_to_open(title.format(number=number), Kept.EXPORTS)
+        return None if within is None else within / number
+
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be overwritten."""
         return self._questions.may_replace(paths)
@@ -135,6 +156,18 @@ class ExportActions(StageWindow["ExportStage"]):
         from insole_studio.features.export.blocks_dialog import ask_blocks
 
         return ask_blocks(own, stock, self._over)
+
+    def machine_file(self) -> Path | None:
+        """Let the user choose the file of a router."""
+        return self._questions.file_to_open(_machine_files(), Kept.EXPORTS)
+
+    def machine_file_to_write(self, name: str) -> Path | None:
+        """Let the user choose where to save the file of a router."""
+        return self._questions.file_to_write(f"{key_of(name)}.json", _machine_files(), Kept.EXPORTS)
+
+    def zones_file(self) -> Path | None:
+        """Let the user choose a file of zones."""
+        return self._questions.file_to_open(tr("Zones (*.json)"), Kept.EXPORTS)
 
     def responsible(self) -> Responsible:
         """Return who prescribes and makes, as the settings say."""
@@ -201,12 +234,40 @@ class ExportActions(StageWindow["ExportStage"]):
     def _forget_exported(self) -> None:
         self.exported = None
 
-    def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
+    def _note(self, record: CaseRecord, ordered: Ordered) -> None:
         self.exported = record
         self.changed.emit()
-        self.exported_files.emit(record, paths)
-        names = ", ".join(path.name for path in paths)
+        self.exported_files.emit(record, ordered)
+        names = ", ".join(path.name for path in ordered.paths)
         self._messages.say(tr("Exported {name}").format(name=names))
+
+    def ask_verify_order(self) -> None:
+        """Let the user choose an order, and say whether its files are as they were written."""
+        kinds = tr("Order") + f" (*.zip {ORDER_FILE})"
+        path = self._messages.questions.file_to_open(kinds, Kept.EXPORTS)
+        if path is not None:
+            self.verify_order(path.parent if path.name == ORDER_FILE else path)
+
+    def verify_order(self, path: Path) -> None:
+        """Compare the files of an order, a folder or an archive, with its list."""
+        self._services.run(
+            CHANNEL, lambda progress: verify_order(path, progress), self._tell_verified
+        )
+
+    def _tell_verified(self, verified: Verification) -> None:
+        number = verified.order.release.number
+        if not verified.problems:
+            sentence = tr("Order {number} is complete and unchanged: {count} files.")
+            self._messages.say(
+                sentence.format(number=number, count=len(verified.order.files)), LONG_MS
+            )
+            return
+        lines = [translate_core_message(problem) for problem in verified.problems]
+        more = len(lines) - _MOST_LINES
+        if more > 0:
+            lines[_MOST_LINES:] = [tr("And {count} more.").format(count=more)]
+        heading = tr("Order {number} is not as it was written; do not make it:")
+        self._messages.show_sentence("\n".join([heading.format(number=number), *lines]))
 
     def ask_print_outline(self) -> None:
         """Let the user choose a PDF file and print the outline into it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -22,10 +23,13 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.side import Side
 from insole_core.solids.marking import Relief
+from insole_core.solids.print_presets import PrintPreset, read_print_presets
 from insole_core.solids.shop import Block
 from insole_core.solids.solid import Kind
 from insole_core.workflows.make_order import OrderChoice
+from insole_studio.features.export.machine_fields import MachineFields
 from insole_studio.features.export.rows import OrderedFoot
+from insole_studio.features.export.terms_fields import TermsFields
 from insole_studio.texts import localised, tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
@@ -41,6 +45,7 @@ class Stock:
 
     blocks: Sequence[Block]
     materials: Sequence[str]
+    presets: Sequence[PrintPreset] = dataclasses.field(default_factory=read_print_presets)
 
 
 class MaterialField(QComboBox):
@@ -105,6 +110,7 @@ class OrderForm(QWidget):
         self.walls.setWordWrap(True)
         self.walls.setToolTip(tr("Draft and chamfer as the shell of the prescription has them"))
         self.materials = {side: MaterialField(stock.materials) for side in Side}
+        self.machine = MachineFields(stock.presets, self)
         self.format = ComboBox(
             [
                 (".stl", "STL"), (_TEXT, tr("STL as text")), (".3mf", "3MF"), (".obj", "OBJ"),
@@ -129,7 +135,10 @@ class OrderForm(QWidget):
         self.responsible.setToolTip(tr("Who stands on the prescription"))
         self.responsible.clicked.connect(self.responsible_requested)
         self.checks = QCheckBox(tr("Outcome of the checks (JSON)"))
+        self.terms = TermsFields(self)
         self._choice = OrderChoice()
+        self._own_format = self._choice.suffix
+        """What is chosen while it is for no printer."""
         self._lay_out()
         self._connect()
 
@@ -159,6 +168,8 @@ class OrderForm(QWidget):
             self.kind.show_value(choice.kind)
             self.block.show_value("" if choice.block is None else choice.block.name)
             self.format.show_value(_TEXT if choice.ascii_stl else choice.suffix)
+            if choice.printing is None:
+                self._own_format = self.format.currentData()
             self.relief.show_value(choice.relief or "")
             for box, on in self._boxes(choice):
                 box.setChecked(on)
@@ -169,8 +180,23 @@ class OrderForm(QWidget):
                     line.setText(text)
             if self.text.toPlainText() != choice.text:
                 self.text.setPlainText(choice.text)
+            self.machine.show_choice(choice.printing, choice.milling)
+        self.terms.show_terms(choice.terms, choice.package)
+        self.terms.name_quantity(self._form, is_pair=has_pair and choice.both)
+        self.prescription.setEnabled(not choice.package)
+        self.prescription.setToolTip(
+            tr("It names the patient and never goes into an order; write it with single files")
+            if choice.package
+            else ""
+        )
         self.both.setVisible(has_pair)
-        self.layered.setVisible(choice.suffix == ".3mf" and choice.kind == "insole")
+        is_print = choice.printing is not None
+        self.format.setEnabled(not is_print)
+        self.format.setToolTip(tr("A printer's program gets a 3MF") if is_print else "")
+        self.layered.setVisible(
+            choice.suffix == ".3mf" and choice.kind == "insole" and not is_print
+        )
+        self.machine.fit_rows(self._form)
         self._form.setRowVisible(self.text, choice.relief is not None)
         for field in (self.triangles, self.deviation):
             self._form.setRowVisible(field, choice.most_triangles is not None)
@@ -197,13 +223,22 @@ class OrderForm(QWidget):
         self._form.setRowVisible(self.draft, own and kind != "block")
         self._form.setRowVisible(self.chamfer, own and kind == "insole")
 
-    def show_cutter(self, diameter_mm: float) -> None:
+    def show_outcome(self, facts: Sequence[str], problems: Sequence[str]) -> None:
+        """Show what is known of the print or the program, and what is wrong or doubtful."""
+        self.machine.show_outcome(facts, problems)
+        self.machine.fit_rows(self._form)
+
+    def show_cutter(self, diameter_mm: float, *, is_of_router: bool = False) -> None:
         """Show the diameter of the cutter whose reach into hollows is checked."""
         self.cutter.show_value(diameter_mm)
+        self.cutter.setEnabled(not is_of_router)
+        self.cutter.setToolTip(tr("That of the chosen router") if is_of_router else "")
 
     def choice(self) -> OrderChoice:
         """Return the order entered in the fields."""
-        form = self.format.currentData()
+        printing = self.machine.printing()
+        form = self._own_format if self._choice.printing else self.format.currentData()
+        form = form if printing is None else ".3mf"
         return OrderChoice(
             kind=cast(Kind, self.kind.currentData()),
             both=self.both.isChecked(),
@@ -220,9 +255,13 @@ class OrderForm(QWidget):
             material=self._choice.material,
             own_materials=self._choice.own_materials,
             block=self._blocks.get(self.block.currentData()),
+            printing=printing,
+            milling=self.machine.milling(),
             job_sheet=self.job_sheet.isChecked(),
             prescription=self.prescription.isChecked(),
             checks=self.checks.isChecked(),
+            terms=self.terms.terms(),
+            package=self.terms.chosen_package(),
         )
 
     def _boxes(self, choice: OrderChoice) -> list[tuple[QCheckBox, bool]]:
@@ -254,10 +293,12 @@ class OrderForm(QWidget):
             (tr("Cutter ⌀"), self.cutter), (tr("Draft"), self.draft),
             (tr("Chamfer"), self.chamfer), (tr("Walls"), self.walls),
             *((tr("Material"), field) for field in self.materials.values()),
+            *self.machine.rows,
             (tr("Format"), self.format), ("", self.layered), ("", self.limited),
             (tr("At most"), self.triangles), (tr("Deviation"), self.deviation),
             (tr("Pseudonym"), self.pseudonym), (tr("On the bottom"), self.relief),
             (tr("Text"), self.text),
+            *self.terms.rows,
         ]  # fmt: skip
         for name, field in rows:
             self._form.addRow(name, field)
@@ -276,10 +317,12 @@ class OrderForm(QWidget):
             choice.edited.connect(self._pass_on)
         for field in (self.draft, self.chamfer, self.triangles, self.deviation):
             field.edited.connect(self._pass_on)
+        self.machine.edited.connect(self._pass_on)
         for box, _ in self._boxes(self._choice):
             box.toggled.connect(self._pass_on)
         for side, material in self.materials.items():
             material.edited.connect(partial(self.material_edited.emit, side))
+        self.terms.edited.connect(self._pass_on)
         self.pseudonym.textEdited.connect(self._pass_on)
         self.text.textChanged.connect(self._pass_on)
 

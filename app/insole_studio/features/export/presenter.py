@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.days import read_day
 from insole_core.errors import InsoleError
+from insole_core.export.shop_order import OrderTerms
 from insole_core.export.solid_file import merged
 from insole_core.geometry.side import Side
+from insole_core.milling.machine import Machine
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override, worst_findings
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
@@ -27,6 +30,7 @@ from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import (
     OrderChoice,
+    Package,
     block_edges,
     both_prescribed,
     feet_of,
@@ -35,8 +39,18 @@ from insole_core.workflows.make_order import (
     word_of,
     write_order,
 )
+from insole_core.workflows.mill import MillingChoice
+from insole_core.workflows.named_files import NamedFiles
+from insole_core.workflows.order_package import (
+    Ordered,
+    PackedItem,
+    files_of_package,
+    write_package,
+)
 from insole_core.workflows.overwriting import check_overwriting
+from insole_core.workflows.print_order import PrintChoice
 from insole_studio.document.case import Case
+from insole_studio.features.export.machine_presenter import MachineAsker, MachinePresenter
 from insole_studio.features.export.rows import (
     TITLES,
     Buttons,
@@ -50,7 +64,7 @@ from insole_studio.features.export.rows import (
     summary_of_nest,
 )
 from insole_studio.jobs import JobProgress, Jobs
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
     from insole_studio.features.export.view import ExportView
@@ -60,11 +74,14 @@ _NO_SPOTS = np.zeros((0, 3))
 _NEST = "nest"
 
 
-class OrderAsker(Protocol):
+class OrderAsker(MachineAsker, Protocol):
     """Asks the user for what an order needs, on the window of the stage."""
 
     def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
         """Let the user choose a file, given the word for the side; None if cancelled."""
+
+    def package_path(self, number: str, package: Package) -> Path | None:
+        """Let the user choose where an order of a number is written; None if cancelled."""
 
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be overwritten."""
@@ -80,9 +97,6 @@ class OrderAsker(Protocol):
 
     def ask_missing(self) -> bool:
         """Ask for what a prescription lacks, if anything; False if cancelled."""
-
-    def tell(self, error: Exception) -> None:
-        """Tell that an export has failed."""
 
 
 class ExportPresenter:
@@ -106,8 +120,10 @@ class ExportPresenter:
         Asks for what the order needs, and tells of a failure.
     memory
         Storage of the last order.
+    machines
+        Storage of the routers.
     exported
-        Called with the exported record and the paths of the files.
+        Called with the exported record and what was ordered.
     """
 
     def __init__(
@@ -121,7 +137,8 @@ class ExportPresenter:
         blocks: ClinicBlocks,
         asker: OrderAsker,
         memory: LastOrder,
-        exported: Callable[[CaseRecord, Sequence[Path]], None],
+        machines: NamedFiles[Machine],
+        exported: Callable[[CaseRecord, Ordered], None],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
         self._store, self._shop = rules, shop
@@ -141,12 +158,24 @@ class ExportPresenter:
         self._chosen: CheckName | None = None
         self._reason = ""
         self._problem = ""
+        self._refused_day = ""
+        """Why the delivery date that is typed cannot be right."""
         self._is_case_left = False
         self._complaint = ""
         """Why the clinic's rules could not be read."""
+        self._machine = MachinePresenter(
+            panel.form,
+            jobs=jobs,
+            machines=machines,
+            shop=shop,
+            asker=asker,
+            choose=self._choose_machine,
+            changed=self._show_prepared,
+        )
         panel.choice_edited.connect(self.edit_choice)
         panel.material_edited.connect(self.edit_material)
         panel.blocks_requested.connect(self.edit_blocks)
+        panel.deliver_on_edited.connect(self.edit_deliver_on)
         panel.responsible_requested.connect(asker.ask_responsible)
         panel.cutter_edited.connect(self.edit_cutter)
         panel.rule_edited.connect(self.edit_rule)
@@ -179,10 +208,14 @@ class ExportPresenter:
 
     def edit_choice(self, choice: OrderChoice) -> None:
         """Set the order; changes that concern only files and documents do not make it again."""
-        alike = choice.makes_alike(self._choice)
-        self._choice = choice
-        if alike and not self._problem:
+        if self._is_case_left:
+            return  # a field lets go of what was typed as its window closes
+        before, self._choice = self._choice, choice
+        same_cutter = _cutter_mm(choice) == _cutter_mm(before)
+        if choice.makes_alike(before) and same_cutter and not self._problem:
             self._show_order()
+            if (choice.printing, choice.milling) != (before.printing, before.milling):
+                self._prepare()
         else:
             self.remake()
 
@@ -194,6 +227,26 @@ class ExportPresenter:
         if foot is not None and foot.design.shell is None:
             choice = replace(choice, material=material)
         self.edit_choice(choice)
+
+    def edit_deliver_on(self, text: str) -> None:
+        """Set the delivery date; one that cannot be right is told, and keeps from exporting."""
+        if self._is_case_left:
+            return  # the field lets go of what was typed as its window closes
+        today = date.today()
+        try:
+            day = read_day("visit", text, today)
+            terms = replace(self._choice.terms, deliver_on=date.fromisoformat(day) if day else None)
+            terms.check(today)
+        except InsoleError as error:
+            self._refused_day = str(error)
+            self._panel.show_error(self._refused_day)
+            self._show_buttons()
+            return
+        if self._refused_day:
+            self._refused_day = ""
+            self._panel.show_error(self._problem)
+        self.edit_choice(replace(self._choice, terms=terms))
+        self._show_buttons()
 
     def edit_blocks(self) -> None:
         """Let the user edit the clinic's own blocks; one that is new is chosen."""
@@ -239,11 +292,17 @@ class ExportPresenter:
         self._record, self._problem = self._case.record, ""
         self._panel.show_patient(patient_text(self._record.patient))
         self._show_order()
-        self._panel.show_cutter(self._rules.cutter_diameter_mm)
+        cutter_mm = _cutter_mm(self._choice)
+        self._panel.form.show_cutter(
+            cutter_mm or self._rules.cutter_diameter_mm, is_of_router=cutter_mm is not None
+        )
         if self._record.current is None:
             self._take(())
             return
         record, choice, rules = self._record, self._order, self._rules
+        if cutter_mm is not None:
+            rules = rules.with_cutter(cutter_mm)
+        self._machine.forget()
 
         def make(progress: Progress) -> tuple[Part, ...]:
             return make_parts(record, choice, rules, progress)
@@ -259,7 +318,12 @@ class ExportPresenter:
         self._framed = (key, self._choice.kind) if self.parts else ("", "")
         block, nest = self._choice.block, self._nest
         if key == _NEST and block is not None and nest is not None:
-            self._panel.show_part(merged(nest.meshes), None, None, again)
+            placed = self._machine.placed_in_block(self.parts, nest.insole2block)
+            colors = self._machine.colors_together(
+                {part.side: where for part, where in zip(self.parts, placed, strict=True)}
+            )
+            both = merged(nest.meshes) if colors is None else colors.mesh
+            self._panel.show_part(both, None, None, again, colors)
             self._panel.show_block(block_edges(block), again)
             self._panel.show_summary(summary_of_nest(nest))
         else:
@@ -268,7 +332,9 @@ class ExportPresenter:
             turned = side is not None and self._choice.kind == "positive"
             words = side.other if side is not None and turned else side
             self._panel.show_block([], True)
-            self._panel.show_part(solid, side, words, again)
+            colors = None if side is None else self._machine.colors(side)
+            mesh = solid if colors is None else colors.mesh
+            self._panel.show_part(mesh, side, words, again, colors)
             self._panel.show_summary("" if part is None else summary_of(part))
         self._show_spots()
         self._show_checks()
@@ -283,7 +349,18 @@ class ExportPresenter:
 
     def ask_export(self) -> None:
         """Let the user choose a file, and export."""
+        self._panel.read_day()
+        if self._refused_day:
+            return
         order = self._order
+        try:
+            order.terms.check(date.today())
+        except InsoleError as error:
+            self._asker.tell(error)
+            return
+        if order.package:
+            self._ask_package(order.package)
+            return
         if order.prescription and not self._asker.ask_missing():
             return
         path = self._asker.path(order.pseudonym, word_of(self.parts, order), order.suffix)
@@ -294,10 +371,43 @@ class ExportPresenter:
         if not there or self._asker.may_replace(there):
             self.export_to(path)
 
+    def _ask_package(self, package: Package) -> None:
+        """Let the user choose where the order is written, and write it."""
+        path = self._asker.package_path(self._number, package)
+        if path is not None and (not path.exists() or self._asker.may_replace([path])):
+            self.export_package_to(path)
+
+    def export_package_to(self, path: Path) -> None:
+        """Write the order with all its files as one folder or archive, in the background."""
+        record, choice, number = self._record, self._order, self._number
+        item = PackedItem(
+            self.parts, choice, record.patient, {}, self._override(), self._machine.made
+        )
+        author, clinic = self._case.author, self._asker.responsible().clinic
+
+        def write(progress: Progress) -> tuple[Path, ...]:
+            check_overwriting((path,), record.source_paths)
+            order = write_package(
+                [item], path,
+                number=number, shop=self._shop, now=datetime.now().astimezone(), clinic=clinic,
+                released_by=author, translate=translate_core_message, progress=progress,
+            )  # fmt: skip
+            return files_of_package(path, order)
+
+        def done(paths: tuple[Path, ...]) -> None:
+            if not self._is_case_left:
+                self._number_order()
+            self._tell_written(record, choice, (path,), Ordered(paths, choice.terms, number))
+
+        self._panel.show_error("")
+        self._jobs.start(WRITING, write, done, self._fail)
+        self._show_buttons()
+
     def export_to(self, path: Path) -> None:
         """Write the file and its documents in the background."""
         record, parts, choice = self._record, self.parts, self._order
         override, responsible = self._override(), self._asker.responsible()
+        made = self._machine.made
 
         def write(progress: Progress) -> tuple[Path, ...]:
             files = files_of(parts, choice, path, override is not None)
@@ -305,20 +415,24 @@ class ExportPresenter:
             return write_order(
                 parts, choice, path,
                 shop=self._shop, patient=record.patient, responsible=responsible,
-                override=override, progress=progress,
+                override=override, made=made, translate=translate_core_message, progress=progress,
             )  # fmt: skip
 
         def done(paths: tuple[Path, ...]) -> None:
-            names = ", ".join(written.name for written in paths)
-            self._panel.show_summary(tr("Exported {name}").format(name=names))
-            self._remember(choice)
-            is_left = self._is_case_left
-            exported = record if is_left else self._noted(record, choice.pseudonym)
-            self._exported(exported, paths)
+            self._tell_written(record, choice, paths, Ordered(paths, choice.terms))
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._fail)
         self._show_buttons()
+
+    def _tell_written(
+        self, record: CaseRecord, choice: OrderChoice, shown: Sequence[Path], ordered: Ordered
+    ) -> None:
+        names = ", ".join(written.name for written in shown)
+        self._panel.show_summary(tr("Exported {name}").format(name=names))
+        self._remember(choice)
+        exported = record if self._is_case_left else self._noted(record, choice.pseudonym)
+        self._exported(exported, ordered)
 
     def _noted(self, record: CaseRecord, pseudonym: str) -> CaseRecord:
         """Keep in the case what the workshop knows it by; return the record that was exported."""
@@ -341,6 +455,7 @@ class ExportPresenter:
         if self._jobs.is_running(MAKING):
             self._problem = tr("Stopped. Change the order to make it again.")
             self._panel.show_error(self._problem)
+        self._machine.cancel()
         self._jobs.cancel(MAKING)
         self._jobs.cancel(WRITING)
 
@@ -366,16 +481,24 @@ class ExportPresenter:
     def _begin_order(self) -> None:
         """Begin an order for the open case: nothing of the patient before is kept."""
         record = self._case.record
-        self._number = new_order_number(date.today())
-        self._panel.show_order_number(self._number, is_sample=record.patient.is_sample)
-        self._reason = ""
+        self._number_order()
+        self._reason, self._refused_day = "", ""
+        self._panel.forget_day()
         self._choice = replace(
             self._choice,
             both=both_prescribed(record),
             pseudonym=record.patient.pseudonym,
             text="",
             own_materials={},
+            printing=self._choice.printing and replace(self._choice.printing, weight_kg=None),
+            terms=OrderTerms(),
         )
+
+    def _number_order(self) -> None:
+        """Draw the number of the next order."""
+        self._number = new_order_number(date.today())
+        is_sample = self._case.record.patient.is_sample
+        self._panel.show_order_number(self._number, is_sample=is_sample)
 
     def _follow(self) -> None:
         """Make the order again unless only what does not shape it has changed."""
@@ -396,6 +519,27 @@ class ExportPresenter:
         self._panel.show_choice(self._choice, self._has_pair)
         feet = feet_of(self._record, self._choice)
         self._panel.show_feet([ordered_foot(self._choice, foot.design) for foot in feet])
+        self._panel.form.machine.show_prescribed_weight(_prescribed_weight(feet))
+
+    def _prepare(self) -> None:
+        """Make the zones or the tool paths of the parts."""
+        parts = self.parts if self._misfit is None else ()
+        self._machine.prepare(parts, self._order, feet_of(self._record, self._choice))
+        self._show_prepared()
+
+    def _show_prepared(self) -> None:
+        self.show_part(self._shown)
+        self._show_buttons()
+
+    def _choose_machine(self, chosen: PrintChoice | MillingChoice | None) -> None:
+        """Order for another printer or router; a printer's program gets a 3MF."""
+        printing = chosen if isinstance(chosen, PrintChoice) else None
+        milling = chosen if isinstance(chosen, MillingChoice) else None
+        choice = replace(self._choice, printing=printing, milling=milling)
+        if choice == self._choice:  # the file of that name may have changed
+            self._prepare()
+        else:
+            self.edit_choice(choice)
 
     @property
     def _has_pair(self) -> bool:
@@ -414,9 +558,10 @@ class ExportPresenter:
             return {}
         findings = self._part.findings
         if self._shown == _NEST and self._nest is not None:
+            placed = self._machine.placed_in_block(self.parts, self._nest.insole2block)
             findings = worst_findings(
                 finding.moved(insole2block)
-                for part, insole2block in zip(self.parts, self._nest.insole2block, strict=True)
+                for part, insole2block in zip(self.parts, placed, strict=True)
                 for finding in part.findings
             )
         return {finding.name: finding for finding in findings}
@@ -467,8 +612,8 @@ class ExportPresenter:
         shown = self._shown if self._shown in names else next(iter(names), "")
         self._panel.show_parts(names, shown)
         self._panel.show_notes([note for part in parts for note in notes_of(part)])
-        self.show_part(shown)
-        self._show_buttons()
+        self._shown = shown
+        self._prepare()
 
     def _show_spots(self) -> None:
         findings = self._findings
@@ -534,14 +679,26 @@ class ExportPresenter:
         busy = self._jobs.is_running()
         if not busy:
             self._panel.show_progress(0.0, "")
+        complaint = self._problem or self._refused_day
         may = (not self._blocked or bool(self._reason)) and self._misfit is None
         self._panel.show_buttons(
             Buttons(
-                export=not busy and bool(self.parts) and may and not self._problem,
+                export=not busy and self._machine.made is not None and may and not complaint,
                 cancel=busy,
                 reason=self._blocked,
             )
         )
+
+
+def _cutter_mm(choice: OrderChoice) -> float | None:
+    """Return the diameter of the router's cutter that reaches into hollows; None without one."""
+    return None if choice.milling is None else choice.milling.machine.finishing.cutter.diameter_mm
+
+
+def _prescribed_weight(feet: Sequence[FootRecord]) -> float | None:
+    """Return the first body weight that a prescription states."""
+    shells = [foot.design.shell for foot in feet if foot.design.shell is not None]
+    return next((s.body_weight_kg for s in shells if s.body_weight_kg is not None), None)
 
 
 def _prescribed_material(record: CaseRecord, side: Side) -> str:

@@ -6,10 +6,12 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
+from insole_core.milling.machine import Machine
 from insole_core.solids.shop import Shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
+from insole_core.workflows.named_files import NamedFiles
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import Stock
 from insole_studio.features.export.presenter import WRITING, ExportPresenter, OrderAsker
@@ -38,13 +40,15 @@ class ExportStage(StageFrame):
         Asks for what the order needs, and tells of a failure.
     memory
         Storage of the last order.
+    machines
+        Storage of the routers.
     dark
         Whether to use the dark theme.
     """
 
     closed = Signal()
     exported = Signal(object, object)
-    """Emitted with the exported record and the paths of the files."""
+    """Emitted with the exported record and an `Ordered`."""
 
     def __init__(
         self,
@@ -55,6 +59,7 @@ class ExportStage(StageFrame):
         blocks: ClinicBlocks,
         asker: OrderAsker,
         memory: LastOrder,
+        machines: NamedFiles[Machine],
         dark: bool,
     ) -> None:
         super().__init__()
@@ -74,6 +79,7 @@ class ExportStage(StageFrame):
             blocks=blocks,
             asker=asker,
             memory=memory,
+            machines=machines,
             exported=self.exported.emit,
         )
 

@@ -25,11 +25,13 @@ from insole_core.solids.shop import Block
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.features.export.check_list import CheckList
 from insole_studio.features.export.order_form import OrderForm, Stock
+from insole_studio.features.export.part_colors import PartColors
 from insole_studio.features.export.rows import Buttons, CheckRow, OrderedFoot
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
+from insole_studio.widgets.swatch_legend import SwatchLegend
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 _FORM_PX, _CHECKS_PX = 320, 376
@@ -42,6 +44,7 @@ class ExportView(QWidget):
     material_edited = Signal(object, str)
     blocks_requested = Signal()
     responsible_requested = Signal()
+    deliver_on_edited = Signal(str)
     cutter_edited = Signal(float)
     rule_edited = Signal(str, str, float)
     check_chosen = Signal(str)
@@ -57,6 +60,7 @@ class ExportView(QWidget):
         self.form.material_edited.connect(self.material_edited)
         self.form.blocks_requested.connect(self.blocks_requested)
         self.form.responsible_requested.connect(self.responsible_requested)
+        self.form.terms.deliver_on_edited.connect(self.deliver_on_edited)
         self.form.cutter.edited.connect(self.cutter_edited)
         self.model = ModelView(Subject.INSOLE, "", dark)
         self.model.preset_requested.connect(self.model.look_from)
@@ -69,7 +73,7 @@ class ExportView(QWidget):
         self._part_row = QHBoxLayout()
         self.patient = QLabel()
         self.patient.setObjectName("numbers")
-        self.summary = MessageLabel()
+        self.summary, self.swatches = MessageLabel(), SwatchLegend()
         self.error, self.notes = MessageLabel("warning"), MessageLabel("warning")
         self._reason_label = QLabel(tr("Export all the same, because"))
         self.reason = QLineEdit()
@@ -110,9 +114,13 @@ class ExportView(QWidget):
         """Show what the order is called without a pseudonym; a sample is always called one."""
         self.form.show_order_number(number, is_sample=is_sample)
 
-    def show_cutter(self, diameter_mm: float) -> None:
-        """Show the diameter of the cutter."""
-        self.form.show_cutter(diameter_mm)
+    def read_day(self) -> None:
+        """Emit what is typed as the delivery date."""
+        self.form.terms.pass_on_day()
+
+    def forget_day(self) -> None:
+        """Empty the delivery date, whatever is typed there."""
+        self.form.terms.forget_day()
 
     def show_checks(self, rows: Sequence[CheckRow]) -> None:
         """Show the checks."""
@@ -143,7 +151,12 @@ class ExportView(QWidget):
             self._part_row.insertWidget(self._part_row.count() - 1, button)
 
     def show_part(
-        self, mesh: TriangleMesh | None, side: Side | None, words: Side | None, again: bool
+        self,
+        mesh: TriangleMesh | None,
+        side: Side | None,
+        words: Side | None,
+        again: bool,
+        colors: PartColors | None = None,
     ) -> None:
         """Show a solid.
 
@@ -157,14 +170,17 @@ class ExportView(QWidget):
             Side that orients medial and lateral; None for a pair.
         again
             Whether the same part is shown again, so that the camera stays.
+        colors
+            Of its zones, or of the material that the cutter leaves; None for the material's.
         """
+        self.swatches.show_swatches(() if colors is None else colors.swatches)
         if mesh is None:
             self.model.show_side(None)
             self.model.show_empty(tr("Here comes the piece, once it is made."), {})
             return
         self.model.show_side(side)
         self._bounds, self._side = mesh.bounds_mm, words
-        self.model.show_mesh(mesh)
+        self.model.show_mesh(mesh, None if colors is None else colors.coloring)
         if not again:
             self.model.look_at_whole(mesh.bounds_mm)
         self._place_words()
@@ -249,6 +265,8 @@ class ExportView(QWidget):
         middle.addLayout(self._part_row)
         middle.addWidget(self.model, 1)
         self.summary.setContentsMargins(8, 0, 8, 0)
+        self.swatches.setContentsMargins(8, 0, 8, 0)
+        middle.addWidget(self.swatches)
         middle.addWidget(self.summary)
         right.addWidget(_heading(tr("Checks")))
         right.addWidget(self._checks_area, 1)

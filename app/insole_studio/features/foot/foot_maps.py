@@ -1,4 +1,5 @@
-"""The colour maps of the foot stage: view, skin colour, uncertainty, number of observations."""
+"""The colour maps of the foot stage: view, skin colour, uncertainty, number of observations,
+correction of the sensor's matching."""
 
 from __future__ import annotations
 
@@ -56,6 +57,14 @@ def _agreement(made: MadeFoot) -> Coloring | None:
     return Coloring(spread_mm, (0.0, _span(spread_mm)), tr("Distance between the views"))
 
 
+def _correction(made: MadeFoot) -> Coloring | None:
+    correction_mm = made.reconstruction.correction_mm if made.reconstruction is not None else None
+    if correction_mm is None:
+        return None
+    span = _span(np.abs(correction_mm))
+    return Coloring(correction_mm, (-span, span), tr("Moved by the correction"), signed=True)
+
+
 def _span(values_mm: FloatArray) -> float:
     known = values_mm[np.isfinite(values_mm)]
     return max(float(np.percentile(known, 98)), _LEAST_SPAN_MM) if len(known) else _LEAST_SPAN_MM
@@ -65,4 +74,5 @@ _MAKERS: dict[FootMap, Callable[[MadeFoot], Coloring | None]] = {
     FootMap.CONFIDENCE: _confidence,
     FootMap.COVERAGE: _coverage,
     FootMap.AGREEMENT: _agreement,
+    FootMap.CORRECTION: _correction,
 }

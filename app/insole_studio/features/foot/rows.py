@@ -26,6 +26,7 @@ class FootMap(StrEnum):
     CONFIDENCE = "confidence"
     COVERAGE = "coverage"
     AGREEMENT = "agreement"
+    CORRECTION = "correction"
 
 
 @dataclass(frozen=True)

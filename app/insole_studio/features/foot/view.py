@@ -364,4 +364,5 @@ def _map_texts() -> dict[FootMap, str]:
         FootMap.CONFIDENCE: tr("Confidence"),
         FootMap.COVERAGE: tr("Coverage"),
         FootMap.AGREEMENT: tr("Distance between the views"),
+        FootMap.CORRECTION: tr("Moved by the correction"),
     }

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from datetime import date
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.records.order import Order
+from insole_core.workflows.order_package import Ordered
 from insole_studio.features.records.order_dialog import OrderDialog
 from insole_studio.features.records.record_texts import day_text
 from insole_studio.services.app_services import AppServices
@@ -31,7 +30,7 @@ class OrderActions(QObject):
         self._clinic = services.clinic
         self._tell = services.messages.show_error
 
-    def note_export(self, exported: CaseRecord, paths: Sequence[Path]) -> None:
+    def note_export(self, exported: CaseRecord, ordered: Ordered) -> None:
         """Add an order of the exported feet, once they are in the record as they were exported."""
         visit_id = self._services.keeper.visit_id
         if not visit_id:
@@ -40,8 +39,12 @@ class OrderActions(QObject):
 
         def add(records: Records) -> Order:
             newest = [records.prescriptions.versions(visit_id, side)[0].id for side in sides]
-            due_on = records.orders.usual_due_on(date.today())
-            return records.orders.add(visit_id, newest, due_on=due_on, files=list(paths))
+            terms = ordered.terms
+            due_on = terms.deliver_on or records.orders.usual_due_on(date.today())
+            return records.orders.add(
+                visit_id, newest,
+                due_on=due_on, remarks=terms.remarks, files=ordered.paths, number=ordered.number,
+            )  # fmt: skip
 
         self._services.keeper.leave(lambda: self._clinic.write(add, self._offer, self._tell))
 

@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.matching_error import (
-    Network,
+    MatchingModel,
     matching_error,
     without_matching_error,
 )
@@ -41,8 +41,8 @@ PIXEL_MM = 1.35
 
 
 @pytest.fixture(scope="module")
-def network() -> Network:
-    return Network.load()
+def model() -> MatchingModel:
+    return MatchingModel.load()
 
 
 def _bumps(seed: int, shape: tuple[int, int] = (61, 71)) -> FloatArray:
@@ -54,8 +54,8 @@ def _bumps(seed: int, shape: tuple[int, int] = (61, 71)) -> FloatArray:
     return np.where(unknown | (rng.random(shape) < 0.01), np.nan, raw)
 
 
-def _error(raw: FloatArray, network: Network, pixel_mm: float = PIXEL_MM) -> FloatArray:
-    return matching_error(raw, _even(raw), np.full(raw.shape, pixel_mm), network)
+def _error(raw: FloatArray, model: MatchingModel, pixel_mm: float = PIXEL_MM) -> FloatArray:
+    return matching_error(raw, _even(raw), np.full(raw.shape, pixel_mm), model)
 
 
 def _even(raw: FloatArray) -> Float32Array:
@@ -70,9 +70,9 @@ def _grooves(raw: FloatArray) -> Float32Array:
 
 
 @pytest.mark.parametrize("slope", [(0.0, 0.0), (0.3, 0.0), (-0.2, 0.4)])
-def test_nothing_is_foretold_of_a_plane(network: Network, slope: tuple[float, float]) -> None:
+def test_nothing_is_foretold_of_a_plane(model: MatchingModel, slope: tuple[float, float]) -> None:
     v, u = np.mgrid[:101, :121].astype(float)
-    error = _error(640 + slope[0] * u + slope[1] * v, network)
+    error = _error(640 + slope[0] * u + slope[1] * v, model)
 
     assert np.abs(error[25:-25, 25:-25]).max() < (0.2 if any(slope) else 0.01)
 
@@ -85,18 +85,18 @@ def test_the_foretold_error_is_bounded(seed: int, spread: float) -> None:
     raw = np.where(rng.random((41, 47)) < 0.3, np.nan, 700 + spread * rng.standard_normal((41, 47)))
 
     dark = rng.uniform(-1, 1, raw.shape).astype(np.float32)
-    error = matching_error(raw, dark, np.full(raw.shape, PIXEL_MM), Network.load())
+    error = matching_error(raw, dark, np.full(raw.shape, PIXEL_MM), MatchingModel.load())
 
     assert np.isfinite(error).all()
     assert np.abs(error).max() <= 2.5
     assert (error[np.isnan(raw)] == 0).all()
 
 
-def test_a_mirrored_foot_has_mirrored_errors(network: Network) -> None:
+def test_a_mirrored_foot_has_mirrored_errors(model: MatchingModel) -> None:
     raw = _bumps(1)
-    error = _error(raw, network)
+    error = _error(raw, model)
 
-    np.testing.assert_allclose(_error(raw[:, ::-1], network), error[:, ::-1], atol=2e-3)
+    np.testing.assert_allclose(_error(raw[:, ::-1], model), error[:, ::-1], atol=2e-3)
     assert np.abs(error - error[:, ::-1]).max() > 0.2, "the shape itself is not symmetric"
 
 
@@ -114,14 +114,14 @@ def test_mirrored_features_are_those_of_the_mirrored_picture() -> None:
 
 @pytest.mark.parametrize("pixel_mm", [0.9, 1.8])
 def test_nothing_is_said_of_distances_that_were_not_learnt(
-    network: Network, pixel_mm: float
+    model: MatchingModel, pixel_mm: float
 ) -> None:
-    assert not _error(_bumps(3), network, pixel_mm).any()
-    assert _error(_bumps(3), network).any()
+    assert not _error(_bumps(3), model, pixel_mm).any()
+    assert _error(_bumps(3), model).any()
 
 
-def test_nothing_known_nothing_said(network: Network) -> None:
-    assert not _error(np.full((31, 31), np.nan), network).any()
+def test_nothing_known_nothing_said(model: MatchingModel) -> None:
+    assert not _error(np.full((31, 31), np.nan), model).any()
 
 
 @pytest.mark.parametrize("turns", [1, 2, 3])

@@ -5,16 +5,20 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from datetime import date, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
 import trimesh
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication
 from pytestqt.qtbot import QtBot
 from read_pdf import text_of_pdf
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.export.order_verification import verify_order
+from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Shell
@@ -24,6 +28,8 @@ from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
+from insole_core.workflows.mill import clinic_machines
+from insole_core.workflows.order_package import Ordered
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.features.export.rows import CheckState, OrderedFoot
@@ -56,7 +62,7 @@ class Chosen:
         self.replace = False
         self.asked: list[str] = []
 
-        self.pseudonym = ""
+        self.pseudonym = self.number = self.package = ""
         self.named = Responsible("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund")
         self.told: list[Exception] = []
 
@@ -64,8 +70,21 @@ class Chosen:
         self.pseudonym, self.word = pseudonym, word
         return self.answer
 
+    def package_path(self, number: str, package: str) -> Path | None:
+        self.number, self.package = number, package
+        return self.answer
+
     def blocks(self, _own: Sequence[Block], _stock: Sequence[Block]) -> None:
         return None
+
+    def machine_file(self) -> Path | None:
+        return self.answer
+
+    def machine_file_to_write(self, _name: str) -> Path | None:
+        return self.answer
+
+    def zones_file(self) -> Path | None:
+        return self.answer
 
     def responsible(self) -> Responsible:
         return self.named
@@ -105,6 +124,7 @@ def stage(
         blocks=ClinicBlocks(tmp_path / "config" / "blocks.json"),
         asker=chosen,
         memory=LastOrder(tmp_path / "config" / "order.json", SHOP),
+        machines=clinic_machines(tmp_path / "config"),
         dark=False,
     )
     built.show()
@@ -141,8 +161,8 @@ def test_part_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[
 def test_export_names_the_side_and_writes_what_is_wanted(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
-    told: list[tuple[CaseRecord, Sequence[Path]]] = []
-    stage.exported.connect(lambda record, paths: told.append((record, paths)))
+    told: list[Ordered] = []
+    stage.exported.connect(lambda _record, ordered: told.append(ordered))
     order(stage, suffix=".3mf", prescription=True, checks=True, pseudonym="P-7")
     settle()
     chosen.answer = tmp_path / "out" / "anna.3mf"
@@ -153,8 +173,66 @@ def test_export_names_the_side_and_writes_what_is_wanted(
         "anna-left-checks.json", "anna-left-job-sheet.pdf", "anna-left-prescription.pdf",
         "anna-left.3mf",
     ]  # fmt: skip
-    assert told[0][1] == (tmp_path / "out" / "anna-left.3mf",)
+    assert told[0].paths == (tmp_path / "out" / "anna-left.3mf",)
     assert "anna-left.3mf" in stage.view.summary.text()
+
+
+def test_an_order_is_written_as_a_whole_and_numbered_anew(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path, qtbot: QtBot
+) -> None:
+    told: list[Ordered] = []
+    stage.exported.connect(lambda _record, ordered: told.append(ordered))
+    order(stage, both=True, pseudonym="P-7", prescription=True)
+    settle()
+    fields = stage.view.form.terms
+    assert fields.remarks.isVisible()
+    fields.package.setCurrentIndex(fields.package.findData("zip"))
+    fields.package.edited.emit("zip")
+    assert not stage.view.form.prescription.isEnabled()
+    day = date.today() + timedelta(days=9)
+    for field, text in (
+        (fields.quantity, "2"), (fields.colour, "black"), (fields.deliver_on, day.isoformat()),
+        (fields.remarks, "soft heel"),
+    ):  # fmt: skip
+        field.setFocus()
+        if isinstance(field, QAbstractSpinBox):
+            field.selectAll()
+        qtbot.keyClicks(field, text)
+    chosen.answer = tmp_path / "order.zip"
+    stage.view.export.click()
+    settle()
+    (ordered,) = told
+    assert ordered.paths == (chosen.answer,)
+    verification = verify_order(chosen.answer)
+    assert verification.problems == ()
+    (item,) = verification.order.items
+    assert item.terms == ordered.terms == OrderTerms(2, "black", "", "soft heel", day)
+    release = verification.order.release
+    assert (release.number, release.by) == (chosen.number, "A. Ek") == (ordered.number, "A. Ek")
+    assert {file.role for file in item.files} == {"solid", "job_sheet"}
+    assert item.sides == (Side.LEFT, Side.RIGHT)
+    stage.view.export.click()
+    assert chosen.number != ordered.number
+    assert chosen.asked == ["order.zip"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [("2026-02-30", "is no date"), ("2020-01-01", "past"), ("soon", "is no date")],
+)
+def test_a_delivery_date_that_cannot_be_right_keeps_from_exporting(
+    stage: ExportStage, settle: Callable[[], None], qtbot: QtBot, typed: str, told: str
+) -> None:
+    field = stage.view.form.terms.deliver_on
+    field.setFocus()
+    qtbot.keyClicks(field, typed)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert told in stage.view.error.text()
+    assert not stage.view.export.isEnabled()
+    field.clear()
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert stage.view.error.text() == ""
+    assert stage.view.export.isEnabled()
 
 
 def test_pair_is_nested_into_one_block(

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -53,6 +55,9 @@ class PathGiven(Questions):
         return self.answer
 
     name_to_write = file_to_write
+
+    def file_to_open(self, _kinds: str, _kept: Kept) -> Path | None:
+        return self.answer
 
 
 @pytest.fixture
@@ -437,3 +442,34 @@ def test_a_prescription_asks_for_who_prescribes_and_makes(
     QTest.mouseClick(stage.view.export, LEFT)  # nothing is missing: nothing is asked
     assert len(paths_given.suggested) == 2
     settle()
+
+
+def test_an_order_that_arrived_is_verified(
+    app: Application, paths_given: PathGiven, tmp_path: Path, qtbot: QtBot
+) -> None:
+    digest = sha256(b"solid").hexdigest()
+    file = {"name": "a-left.stl", "role": "solid", "sides": ["left"], "bytes": 5, "sha256": digest}
+    item = {
+        "pseudonym": "P-1", "kind": "insole", "sides": ["left"], "materials": {"left": ""},
+        "quantity": 1, "colour": "", "cover": "", "remarks": "", "deliver_on": None,
+        "files": [file],
+    }  # fmt: skip
+    order = {
+        "format": "insole-order", "version": 1, "number": "26-7KQ4M", "clinic": "", "program": "x",
+        "created_at": "2026-11-20T12:00:00+00:00", "items": [item],
+    }  # fmt: skip
+    folder = tmp_path / "26-7KQ4M"
+    folder.mkdir()
+    paths_given.answer = folder / "order.json"
+    paths_given.answer.write_text(json.dumps(order))
+    solid = folder / "a-left.stl"
+    solid.write_bytes(b"solid")
+    export, status = app.features.export, app.window.statusBar()
+    export.ask_verify_order()
+    qtbot.waitUntil(lambda: "26-7KQ4M is complete" in status.currentMessage(), timeout=10_000)
+    solid.unlink()
+    export.ask_verify_order()
+    dialogs = app.services.messages.dialogs
+    qtbot.waitUntil(lambda: bool(dialogs), timeout=10_000)
+    assert "do not make it:\na-left.stl is missing" in dialogs[0].report
+    dialogs[0].close()

@@ -318,6 +318,10 @@ def test_every_map_has_a_value_for_every_vertex(made: Bench) -> None:
         if coloring is not None:
             assert coloring.values.shape == (len(mesh.vertices),)
             assert coloring.limits[0] < coloring.limits[1]
+    _, moved = made.panel.feet[-1]
+    assert moved.signed
+    assert 0.02 < np.nanmean(np.abs(moved.values)) < 1
+    made.panel.map_chosen.emit(FootMap.AGREEMENT)
     _, spread = made.panel.feet[-1]
     assert 0 < np.nanmedian(spread.values) < 3
     assert np.isnan(spread.values).any()

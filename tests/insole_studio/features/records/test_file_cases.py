@@ -13,12 +13,14 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.person import Person
 from insole_core.records.place import DATABASE_FILE
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
+from insole_core.workflows.order_package import Ordered
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import KeepState
@@ -97,11 +99,14 @@ def test_an_export_of_a_visit_is_an_order_with_its_files(
     qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
     solid = tmp_path / "insole-left.stl"
     solid.write_bytes(b"solid insole")
-    clinic.features.export.exported_files.emit(clinic.case.record, [solid])
+    ordered = Ordered((solid,), OrderTerms(remarks="soft heel"), "26-7KQ4M")
+    clinic.features.export.exported_files.emit(clinic.case.record, ordered)
     notices = clinic.services.notices
     qtbot.waitUntil(lambda: bool(notices.notices), timeout=10_000)
     (order,) = records.orders.of_person(visit.person_id)
-    assert [file.name for file in records.orders.get(order.id).files] == ["insole-left.stl"]
+    kept = records.orders.get(order.id)
+    assert [file.name for file in kept.files] == ["insole-left.stl"]
+    assert (kept.number, kept.remarks) == ("26-7KQ4M", "soft heel")
     notices.take("record-order")
     qtbot.waitUntil(lambda: bool(clinic.window.findChildren(OrderDialog)), timeout=10_000)
     (dialog,) = clinic.window.findChildren(OrderDialog)

@@ -58,6 +58,13 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda: tr("Change least and usual thickness of the clinic's materials"),
         lambda design, _on: design.devices.table.open(),
     ),
+    ActionRecord(
+        "choose_shoe",
+        lambda: tr("Shoe…"),
+        lambda: tr("Choose the shoe by size or last, see where the insole is wider, and trim it"),
+        lambda design, _on: design.shoe.ask(),
+        needs_foot=True,
+    ),
     _prescription(
         lambda: tr("Posting"),
         lambda: tr("Tilt rear- and forefoot by degrees"),

@@ -22,14 +22,16 @@ def shoe_lines(shoe: ShoeOutline) -> GuideLines:
     lines = [_closed(shoe.inside), _closed(shoe.ground)]
     if shoe.pitch_mm > 0:
         lines.append(shoe.heel)
-    return GuideLines(tuple(lines), place, _text(shoe))
+    return GuideLines(tuple(lines), place, _text(shoe), shoe.wider)
 
 
 def _text(shoe: ShoeOutline) -> str:
     parts = [
-        fill(tr("Outline of a shoe EU {size:g}"), size=shoe.size_eu),
+        shoe.name or fill(tr("Outline of a shoe EU {size:g}"), size=shoe.size_eu),
         fill(tr("Heel of the shoe {mm:.1f} mm"), mm=shoe.pitch_mm),
     ]
+    if shoe.most_over_mm > 0:
+        parts.append(fill(tr("Insole up to {mm:.1f} mm wider"), mm=shoe.most_over_mm))
     if shoe.lift_mm > 0:
         parts.append(fill(tr("Heel lift {mm:.1f} mm"), mm=shoe.lift_mm))
     return "\n  ".join(parts)

@@ -1,0 +1,95 @@
+"""The shoe of the current foot's insole: chosen, read from a last, trimmed to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from insole_core.errors import InsoleError
+from insole_core.progress import Progress
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.last_folders import Kept
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_core.foot.foot import Foot
+    from insole_core.insole.prescription.design import InsoleDesign
+    from insole_core.insole.prescription.shoe import Shoe
+    from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog
+
+CHANNEL = "shoe"
+
+
+class ShoeActions:
+    """Lets the user choose the shoe that the insole is to lie in."""
+
+    def __init__(self, services: AppServices) -> None:
+        self._services = services
+        self._case = services.case
+        self._dialog: ShoeDialog | None = None
+
+    def leave_case(self) -> None:
+        """Stop what is read and asked, before another case comes."""
+        self._services.jobs.cancel(CHANNEL)
+        if self._dialog is not None:
+            self._dialog.reject()
+
+    def ask(self) -> None:
+        """Let the user choose a shoe."""
+        from insole_core.foot.measures import shoe_size_eu
+        from insole_core.insole.shoes.shoe_sizes import read_shoe_table
+        from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog
+
+        foot, design = self._case.foot, self._case.record.design
+        if foot is None or design is None or self._dialog is not None:
+            return
+        usual = design.outline.shoe_size_eu or shoe_size_eu(foot.length_mm)
+        dialog = ShoeDialog(
+            read_shoe_table(), design.outline.shoe, usual,
+            lambda shoe: _fit_words(foot, design, shoe), self._services.window,
+        )  # fmt: skip
+        self._dialog = dialog
+        dialog.last_wanted.connect(lambda: self._ask_last(dialog, foot))
+        dialog.accepted.connect(lambda: self._take(dialog.shoe()))
+        dialog.finished.connect(self._forget)
+        dialog.open()
+
+    def _forget(self) -> None:
+        self._services.jobs.cancel(CHANNEL)
+        self._dialog = None
+
+    def _ask_last(self, dialog: ShoeDialog, foot: Foot) -> None:
+        from insole_core.workflows.shoe_choice import shoe_of_last
+        from insole_studio.services.file_kinds import surface_kinds
+
+        questions = self._services.messages.questions.on(dialog)
+        path = questions.file_to_open(surface_kinds(), Kept.SCANS)
+        if path is None:
+            return
+
+        def read(_progress: Progress) -> Shoe:
+            return shoe_of_last(path, foot.side)
+
+        def refuse(error: Exception) -> None:
+            if isinstance(error, InsoleError):
+                dialog.refuse_last(str(error))
+            else:
+                self._services.messages.show_error(error, dialog)
+
+        self._services.jobs.start(CHANNEL, read, dialog.show_last, refuse)
+
+    def _take(self, shoe: Shoe | None) -> None:
+        from insole_core.workflows.shoe_choice import with_shoe
+
+        design = self._case.record.design
+        if design is not None and design.outline.shoe != shoe:
+            self._case.apply(with_shoe(design, shoe), tr("Choose the shoe"))
+
+
+def _fit_words(foot: Foot, design: InsoleDesign, shoe: Shoe) -> list[str]:
+    """Say where the insole is wider than a shoe, and what else is unusual."""
+    from insole_core.foot.landmarks import find_landmarks
+    from insole_core.insole.prescription.shoe_warnings import warnings_in_shoe
+    from insole_core.workflows.shoe_choice import with_shoe
+
+    found = warnings_in_shoe(foot, with_shoe(design, shoe), find_landmarks(foot))
+    return [one.sentence for one in found]

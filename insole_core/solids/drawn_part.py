@@ -1,0 +1,113 @@
+"""A finished part as the drawing of the job sheet shows it: its true outlines and sections."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from insole_core.errors import DesignError
+from insole_core.export.insole_drawing import (
+    STATIONS,
+    DrawnInsole,
+    Element,
+    Section,
+)
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import rigid
+from insole_core.insole.prescription.design import Correction
+from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
+from insole_core.messages import Translate
+from insole_core.solids.checks import survey_heights
+from insole_core.solids.order import Part
+from insole_core.solids.simplification import to_manifold
+
+if TYPE_CHECKING:
+    import manifold3d
+
+_XZY: Final = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, 1, 0, 0]])
+"""Lays a plane across the foot level: x stays, z becomes y."""
+_YZX: Final = np.array([[0.0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0]])
+"""Lays the plane of the side views level."""
+_POSTS: Final = {"rearfoot post": "C", "forefoot post": "A"}
+"""Facts of the prescription, and the section that is in the middle of each post."""
+_BESIDE_MM: Final = 1e-4
+"""From a round place, where vertices may lie in the plane of a cut."""
+_LEAST_MM2: Final = 0.01
+"""Of an area of a section; less is a sliver of the triangles."""
+
+
+def drawn_part(part: Part, translate: Translate = str) -> DrawnInsole | None:
+    """Return a part for the drawing, standing on z = 0, with its posts and corrections numbered.
+
+    Returns
+    -------
+    DrawnInsole or None
+        None for a mesh that is not closed, which has no sections.
+    """
+    low = part.solid.bounds_mm[0]
+    solid = part.solid.transformed(rigid(np.eye(3), np.array([0.0, 0.0, -low[2]])))
+    try:
+        body = to_manifold(solid)
+    except DesignError:
+        return None
+    lowest, highest = solid.bounds_mm
+    stations = {
+        letter: float(np.round(lowest[1] + share * (highest[1] - lowest[1])))
+        for letter, _, share in STATIONS
+    }
+    across, along = body.transform(_XZY), body.transform(_YZX)
+    sections = {letter: _section(across, y_mm) for letter, y_mm in stations.items()}
+    return DrawnInsole(
+        side=part.side,
+        bounds_mm=solid.bounds_mm,
+        heights=survey_heights(solid),
+        outline=_polygons(body.project()),
+        profile=_polygons(along.project()),
+        sections=sections,
+        lengthwise=_section(along, 0.0),
+        elements=_elements(part, sections, translate),
+    )
+
+
+def _section(body: manifold3d.Manifold, at_mm: float) -> Section:
+    cut = body.slice(at_mm + _BESIDE_MM)
+    return Section(at_mm, _polygons(cut))
+
+
+def _polygons(area: manifold3d.CrossSection) -> tuple[FloatArray, ...]:
+    found = (np.asarray(polygon, float) for polygon in area.to_polygons())
+    return tuple(polygon for polygon in found if abs(_area_mm2(polygon)) > _LEAST_MM2)
+
+
+def _area_mm2(polygon: FloatArray) -> float:
+    x, y = polygon.T
+    return float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+
+
+def _elements(
+    part: Part, sections: Mapping[str, Section], translate: Translate
+) -> tuple[Element, ...]:
+    design = part.insole.design
+    turn = -1.0 if part.order.kind == "positive" else 1.0
+    facts = make_facts(design)
+    listed: list[tuple[str, str, tuple[float, float] | None]] = [
+        (name, translate(facts[name]), _middle(sections[letter]))
+        for name, letter in _POSTS.items()
+        if name in facts
+    ]
+    for line, correction in zip(correction_lines(design), design.active, strict=True):
+        listed.append(("", translate(line), _centre(correction, turn)))
+    return tuple(Element(number, *each) for number, each in enumerate(listed, 1))
+
+
+def _middle(section: Section) -> tuple[float, float]:
+    """Return the middle of a section across, x and y in the frame of the solid."""
+    return sum(section.ends_mm) / 2, section.at_mm
+
+
+def _centre(correction: Correction, turn: float) -> tuple[float, float] | None:
+    """Return the centre of a correction that has one, in the frame of the solid."""
+    centre = getattr(correction, "centre_mm", None)
+    return None if centre is None else (turn * centre[0], centre[1])

@@ -1,0 +1,116 @@
+"""A shoe is chosen by size or last, seen round the insole, trimmed to, and undone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import CannedQuestions
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from insole_core.export.stl import write_stl
+from insole_core.geometry.side import Side
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog
+from insole_studio.widgets.combo_box import ComboBox
+from tests.insole_core.insole.test_shoes import last
+
+Settle = Callable[[], None]
+
+
+def pick(box: ComboBox, value: str) -> None:
+    """Choose an entry as the user does."""
+    box.setCurrentIndex(box.findData(value))
+    box.activated.emit(box.currentIndex())
+
+
+@pytest.fixture
+def dialog(opened: Application) -> ShoeDialog:
+    opened.window.actions_by_key["choose_shoe"].trigger()
+    (shown,) = opened.window.findChildren(ShoeDialog)
+    return shown
+
+
+def type_in(field: object, text: str) -> None:
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Tab)
+
+
+def test_a_shoe_by_size_is_trimmed_to_and_undone(
+    opened: Application, dialog: ShoeDialog, settle: Settle
+) -> None:
+    pick(dialog.kind, "size")
+    usual = dialog.size_field.value()
+    type_in(dialog.size_field, "36")
+    assert usual > 36
+    assert "wider than the shoe EU 36, regular" in dialog.note.text()
+    dialog.trim.click()
+    assert "wider" not in dialog.note.text()
+    QTest.mouseClick(dialog.take_button, Qt.MouseButton.LeftButton)
+    settle()
+    shoe = opened.case.record.design.outline.shoe
+    assert (shoe.name, shoe.trim) == ("EU 36, regular", True)
+    opened.window.actions_by_key["undo"].trigger()
+    assert opened.case.record.design.outline.shoe is None
+    opened.window.actions_by_key["redo"].trigger()
+    opened.window.actions_by_key["choose_shoe"].trigger()
+    (again,) = opened.window.findChildren(ShoeDialog)
+    assert again.kind.currentText() == "EU 36, regular"
+    assert again.trim.isChecked()
+    pick(again.kind, "any")
+    again.accept()
+    assert opened.case.record.design.outline.shoe is None
+
+
+def test_a_size_that_does_not_exist_cannot_be_used(dialog: ShoeDialog) -> None:
+    pick(dialog.kind, "size")
+    type_in(dialog.size_field, "70")
+    assert "goes from 16 to 50" in dialog.note.text()
+    assert not dialog.take_button.isEnabled()
+    dialog.reject()
+
+
+@pytest.mark.parametrize("is_right", [False, True])
+def test_a_last_is_read_and_its_side_is_checked(
+    opened: Application,
+    dialog: ShoeDialog,
+    questions: CannedQuestions,
+    settle: Settle,
+    tmp_path: Path,
+    is_right: bool,
+) -> None:
+    foot_side = opened.case.side
+    assert foot_side is not None
+    side = foot_side if is_right else foot_side.other
+    path = tmp_path / "last 40.stl"
+    write_stl(last(Side(side)), path)
+    questions.path = path
+    pick(dialog.kind, "last")
+    assert not dialog.take_button.isEnabled()
+    dialog.browse.click()
+    settle()
+    if is_right:
+        dialog.accept()
+        assert opened.case.record.design.outline.shoe.name == "last 40"
+    else:
+        assert f"is a last for the {side} foot" in dialog.note.text()
+        assert not dialog.take_button.isEnabled()
+        dialog.reject()
+
+
+def test_where_the_insole_is_wider_is_drawn(
+    opened: Application, dialog: ShoeDialog, settle: Settle
+) -> None:
+    pick(dialog.kind, "size")
+    type_in(dialog.size_field, "36")
+    dialog.accept()
+    opened.window.actions_by_key["shoe"].trigger()
+    settle()
+    lines = opened.stage.insole_presenter._shoe_lines
+    assert lines is not None
+    assert lines.faults
+    assert "wider" in lines.text
