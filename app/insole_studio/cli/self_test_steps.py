@@ -274,7 +274,7 @@ class SelfTest:
     def _reconstruct(self) -> None:
         self._studio.open(self._captured)
         self._raise_what_the_window_told()
-        side = read_session(self._captured).manifest.side
+        side = read_session(self._captured).manifest.one_side
         self._require(self._case.of_side(side) is not None, "The session gave no foot of its side.")
 
     def _design(self) -> None:

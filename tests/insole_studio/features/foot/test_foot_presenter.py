@@ -419,7 +419,7 @@ def test_a_stage_that_was_left_comes_back_when_its_foot_cannot_be_made(
     def fail(*_args: object, **_options: object) -> None:
         raise ReconstructionError("No view can be used; correct the markers.")
 
-    monkeypatch.setattr("insole_studio.features.foot.presenter.make_foot", fail)
+    monkeypatch.setattr("insole_studio.features.foot.presenter.make_feet", fail)
     opened.settle()
     opened.presenter.make()
     opened.presenter.go_on()
