@@ -49,6 +49,7 @@ from insole_core.reconstruct.volume import (
     NothingInVolumeError,
     check_any_inside,
     is_inside,
+    stands_aside,
     volume_of_interest,
 )
 from insole_core.reconstruct.warnings import misfits, warnings_of
@@ -178,7 +179,11 @@ class _Fused:
             raw=measured.raw,
             color=measured.color,
         )
-        return prepare(reading)
+        prepared = prepare(reading)
+        if stands_aside(sensor2reference, box):
+            # What it sees of the foot at the edge, it sees too slantingly to learn its colours.
+            return replace(prepared, outline=None, rim=None)
+        return prepared
 
     def note(self, part: PreparedView) -> str:
         edges = joined(part.reading.cut_edges, " and ")
@@ -242,12 +247,21 @@ class _Chain(Generic[_Part]):
         return Reconstruction(
             surface.mesh,
             tuple(results),
-            (*warnings_of(self.session, results, coverage), *misfits(results, surface)),
+            (*warnings_of(self.session, results, coverage), *self._misfits(results, surface)),
             self.clock.seconds,
             surface.deviation_mm,
             coverage,
             surface.depth_views,
         )
+
+    def _misfits(self, results: list[ViewResult], surface: Surface) -> list[str]:
+        box = volume_of_interest(self.session)
+        aside = {
+            result.name
+            for result in results
+            if result.sensor2reference is not None and stands_aside(result.sensor2reference, box)
+        }
+        return misfits(results, surface, aside)
 
     def _place(self, view: View) -> tuple[_Part, ViewResult]:
         """Measure and register one view, and cut out the foot."""

@@ -13,6 +13,8 @@ from insole_core.recording.session import FootPlace, ReferenceSystem, Session
 _BLOCK_MM = 24.0
 """Least distance of the foot from the markers: a marker's block, its mounting and a clearance."""
 _BELOW_SOLE_MM = 30.0
+_ASIDE = 0.2
+"""Tangent of the angle to the side from which on a sensor counts as standing beside a foot."""
 
 
 class NothingInVolumeError(ReconstructionError):
@@ -89,3 +91,18 @@ def enclosed_volume(system: ReferenceSystem) -> Box:
         (low[0] + _BLOCK_MM, low[1], low[2] - _BELOW_SOLE_MM),
         (high[0] - _BLOCK_MM, high[1], high[2]),
     )
+
+
+def stands_aside(sensor2reference: FloatArray, box: Box) -> bool:
+    """Return whether a sensor behind the heel stands beside its foot.
+
+    That of the other one of two feet does: it sees one flank, and the tendon only slantingly.
+
+    Parameters
+    ----------
+    sensor2reference : (4, 4) float64, mm
+    box
+        The volume of interest of the foot.
+    """
+    x, y, z = sensor2reference[:3, 3] - (np.array(box.min_mm) + box.max_mm) / 2
+    return bool(-y > abs(z) and abs(x) > _ASIDE * -y)
