@@ -16,9 +16,7 @@ from insole_core.simulate import SimulationOptions, simulate_session
 SMALL = SimulationOptions(seed=2, frames=3, color_size=(640, 480), foot_cell_mm=3.5)
 
 
-BOTH_SMALL = SimulationOptions(
-    seed=5, side=BOTH, frames=2, color_size=(640, 480), foot_cell_mm=3.5
-)
+BOTH_SMALL = SimulationOptions(seed=5, side=BOTH, frames=2, color_size=(640, 480), foot_cell_mm=3.5)
 SESSIONS = Path(__file__).parent / "sessions"
 
 

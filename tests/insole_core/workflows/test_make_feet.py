@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.errors import InputError, InsoleError, UsageError
+from insole_core.errors import InsoleError, UsageError
 from insole_core.geometry.side import BOTH, Side
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
@@ -90,7 +90,9 @@ def test_exchanged_feet_are_refused(opened: MeasuredSession) -> None:
 def test_two_left_feet_are_refused(opened: MeasuredSession) -> None:
     left, right = places_of(opened)
     twice = with_places(opened, left, replace(right, origin_mm=left.origin_mm))
-    with pytest.raises(DoubtfulFeetError, match="place of the right foot the shape looks like a le"):
+    with pytest.raises(
+        DoubtfulFeetError, match="place of the right foot the shape looks like a le"
+    ):
         reconstruct_feet(twice, method="thesis")
 
 
