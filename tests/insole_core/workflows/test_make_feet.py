@@ -39,6 +39,7 @@ def places_of(opened: MeasuredSession) -> tuple[FootPlace, FootPlace]:
     return left, right
 
 
+@pytest.mark.slow
 def test_each_foot_lands_on_its_side(opened: MeasuredSession) -> None:
     feet = make_feet(opened)
     assert [made.scan.foot.side for made in feet] == [Side.LEFT, Side.RIGHT]
