@@ -135,9 +135,7 @@ class _Marks:
         sole = low & (facing_up < -0.5)
         self.sole = self.points[sole]
         self.sole_areas = surface.area_mm2[sole]
-        back = low & (facing_up > _BACK_FACING)
-        self.backs = self.points[back] * (1.0, 1.0, -1.0)  # its ridges, as if seen from below
-        self.back_areas = surface.area_mm2[back]
+        self._low, self._areas, self._facing_up = low, surface.area_mm2, facing_up
         if not sole.any():
             raise InputError(
                 "The surface has no sole: nothing of it faces the ground;"
@@ -182,8 +180,13 @@ class _Marks:
         if self.toes == "pulps":
             x = pulp_line(self.sole, self.sole_areas, self.length, usual, search)
         else:
-            x = pulp_line(self.backs, self.back_areas, self.length, usual, search)
+            x = pulp_line(*self._backs(), self.length, usual, search)
         return (usual, False) if x is None else (np.array([x, usual[1]]), True)
+
+    def _backs(self) -> tuple[FloatArray, FloatArray]:
+        """Return points (n, 3) of the back of the foot as if seen from below, and their areas."""
+        back = self._low & (self._facing_up > _BACK_FACING)
+        return self.points[back] * (1.0, 1.0, -1.0), self._areas[back]
 
     def height(self, xy: FloatArray) -> float:
         """Compute the mean height of the sole about a position (2,)."""

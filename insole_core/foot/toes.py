@@ -15,7 +15,7 @@ _STRIP_MM = 1.5
 _BAND = (0.13, 0.015)  # shares of the length behind the tip, between which a pulp lies
 _PROMINENCE_MM = 1.0
 _SUMMIT_MM = 2.0
-_ROUNDS = 30
+_ROUNDS, _AT_REST_MM = 30, 1e-5
 
 
 def pulp_line(
@@ -79,7 +79,9 @@ def _summit(points: FloatArray, area_mm2: FloatArray, x: float, reach_mm: float)
         lift = -points[near, 2]
         low = np.maximum(lift - reach(lift, area_mm2[near]) + _SUMMIT_MM, 0.0)
         weights = area_mm2[near] * low * (1 - away[near] ** 2) ** 2
-        x = float(weights @ points[near, 0] / weights.sum())
+        before, x = x, float(weights @ points[near, 0] / weights.sum())
+        if abs(x - before) < _AT_REST_MM:
+            break
     return x
 
 
