@@ -15,7 +15,7 @@ from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import number
-from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.path_arguments import OutputPath, side_path
 
 if TYPE_CHECKING:
     from insole_core.workflows.make_feet import ReconstructedFoot
@@ -81,11 +81,6 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             values = _report(feet, time.perf_counter() - start)
             write_text(json.dumps(values, indent=1) + "\n", report)
     progress.step(1.0, f"Done: {' '.join(map(str, paths))}")
-
-
-def side_path(path: Path, side: Side, sides: Sequence[Side]) -> Path:
-    """Return where the result of a foot goes: of two feet, the name says which one."""
-    return path if len(sides) == 1 else path.with_name(f"{path.stem}_{side}{path.suffix}")
 
 
 def _with_side_doubt(foot: ReconstructedFoot) -> ReconstructedFoot:
