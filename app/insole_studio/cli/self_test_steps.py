@@ -52,6 +52,7 @@ from insole_studio.user_paths import UserPaths
 RESOURCES = (
     "example/example.insole",
     "reference_systems/lego-20.json",
+    "reference_systems/lego-40.json",
     "translations/sv/studio.qm",
     "icons",
     "devices",
