@@ -13,7 +13,7 @@ from insole_core.milling.triangles import raise_to_triangles
 STEEPEST = np.tan(np.radians(75.0))
 """Of a path: beside a rim the cutter does not fall along the wall, which the contour cuts."""
 
-_BENT_MM = 0.006
+_BENT_MM = 0.009
 """By which a ball sinks into edges between their samples."""
 _LONGEST_NORMAL = 1.015
 """To which the normals at the corners of a triangle are stretched, so that it does not sink in."""
@@ -101,7 +101,7 @@ def _touch_faces(solid: TriangleMesh, surface: Surface, cutter: Cutter, tips: Fl
     bent = solid.vertex_normals[triangles]
     # Between corners with other normals the mean normal is shorter, and the ball would sink in.
     shorter = np.linalg.norm(bent.mean(axis=1), axis=1)
-    bent = bent * np.minimum(1.002 / np.maximum(shorter, 0.5), _LONGEST_NORMAL)[:, None, None]
+    bent = bent * np.minimum(1.003 / np.maximum(shorter, 0.5), _LONGEST_NORMAL)[:, None, None]
     for normals in (solid.triangle_normals[upward][:, None], bent):
         moved = corners + cutter.radius_mm * normals
         raise_to_triangles(moved, surface.first_mm, surface.step_mm, tips)
