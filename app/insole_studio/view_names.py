@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from insole_studio.texts import tr
 
-_USUAL = re.compile(r"(left|right|top)(?:_(\d+))?")
+_USUAL = re.compile(r"(left|right|top|left_top|right_top|middle|far_left|far_right)(?:_(\d+))?")
 
 
 def view_text(view: str) -> str:
@@ -15,7 +15,16 @@ def view_text(view: str) -> str:
     match = _USUAL.fullmatch(view)
     if match is None:
         return view
-    word = {"left": tr("left"), "right": tr("right"), "top": tr("top")}[match[1]]
+    word = {
+        "left": tr("left"),
+        "right": tr("right"),
+        "top": tr("top"),
+        "left_top": tr("left, top"),
+        "right_top": tr("right, top"),
+        "middle": tr("middle"),
+        "far_left": tr("far left"),
+        "far_right": tr("far right"),
+    }[match[1]]
     return f"{word} {match[2]}" if match[2] else word
 
 

@@ -7,9 +7,10 @@ from pathlib import Path
 
 from insole_core.compare.foot_measures import recorded_foot_measures, surface_measures
 from insole_core.compare.one_view import one_view_surface
-from insole_core.errors import ReconstructionError
+from insole_core.errors import InputError, ReconstructionError
 from insole_core.foot.measure_table import Measured
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import BOTH
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruct
 from insole_core.recording.reader import is_session, read_session
@@ -57,7 +58,13 @@ def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
         measures = surface_measures(read.mesh)
         return ComparisonSource(path.name, read.mesh, tuple(read.notes), measures)
     session = read_session(path)
-    side = session.manifest.side
+    if session.manifest.side == BOTH:
+        raise InputError(
+            "{path} was recorded with both feet, but one surface is compared; reconstruct its feet "
+            "and give the mesh of one.",
+            path=path,
+        )
+    side = session.manifest.one_side
     if len(session.views) > 1:
         mesh = reconstruct(session, "fused", progress).mesh
         return ComparisonSource(path.name, mesh, measures=recorded_foot_measures(mesh, side))

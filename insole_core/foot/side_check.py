@@ -28,20 +28,15 @@ def side_doubt(mesh: TriangleMesh, side: Side) -> str:
     str
         A sentence; empty when the shape agrees or has no sole.
     """
-    facing_ground = mesh.vertex_normals[:, 2] < _GROUND_FACING
-    if mesh.vertex_areas[facing_ground].sum() < _LEAST_SOLE_MM2:
+    dissimilarity = _dissimilarity(mesh)
+    if not dissimilarity:
         return ""
-    poses = list(poses_as_it_lies(surface_points(mesh), np.eye(4)))
-    asked, other = (
-        min(pose.side_dissimilarity for pose in poses if pose.side is one)
-        for one in (side, side.other)
-    )
-    if min(asked, other) > NO_FOOT:
+    if min(dissimilarity.values()) > NO_FOOT:
         return (
             "What was measured in the volume of interest does not look like a foot; see that a "
             "foot was in place, and that the volume holds nothing else."
         )
-    if asked > CLEAR * other:
+    if dissimilarity[side] > CLEAR * dissimilarity[side.other]:
         return Message(
             "The session says that it is a {side} foot, but the shape looks like a "
             '{shape_side} one; ask which foot it is, and correct "side" in manifest.json '
@@ -50,3 +45,29 @@ def side_doubt(mesh: TriangleMesh, side: Side) -> str:
             shape_side=side.other,
         )
     return ""
+
+
+def seen_side(mesh: TriangleMesh) -> Side | None:
+    """Return which foot the shape clearly is; None when it does not tell.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    """
+    dissimilarity = _dissimilarity(mesh)
+    if not dissimilarity or min(dissimilarity.values()) > NO_FOOT:
+        return None
+    return next(
+        (side for side in Side if dissimilarity[side.other] > CLEAR * dissimilarity[side]), None
+    )
+
+
+def _dissimilarity(mesh: TriangleMesh) -> dict[Side, float]:
+    """Return how unlike a foot of each side the shape is; empty when it has no sole."""
+    facing_ground = mesh.vertex_normals[:, 2] < _GROUND_FACING
+    if mesh.vertex_areas[facing_ground].sum() < _LEAST_SOLE_MM2:
+        return {}
+    poses = list(poses_as_it_lies(surface_points(mesh), np.eye(4)))
+    return {
+        side: min(pose.side_dissimilarity for pose in poses if pose.side is side) for side in Side
+    }

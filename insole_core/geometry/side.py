@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from typing import Final, Literal
 
 
 class Side(StrEnum):
@@ -20,3 +21,13 @@ class Side(StrEnum):
     def other(self) -> Side:
         """The other foot."""
         return Side.RIGHT if self is Side.LEFT else Side.LEFT
+
+
+BOTH: Final = "both"
+"""In the place of a side: both feet, in one capture."""
+Sides = Side | Literal["both"]
+
+
+def sides_from(word: str) -> Sides:
+    """Return the side, or both, of the word in a file or an argument."""
+    return BOTH if word == BOTH else Side(word)

@@ -16,6 +16,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.depth_view import read_volume
 from insole_core.reconstruct.fusion.fused_surface import fuse
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
+from insole_core.reconstruct.markers.marker_observation import Registration
 from insole_core.reconstruct.parallel import VIEWS_AT_ONCE, both
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS, RegistrationLimits
 from insole_core.reconstruct.preview import coarse_foot
@@ -26,6 +27,7 @@ from insole_core.reconstruct.result import (
     ViewResult,
     refused_result,
 )
+from insole_core.reconstruct.shared_views import Register
 from insole_core.reconstruct.stopwatch import Stopwatch
 from insole_core.reconstruct.views.coloring import color_points
 from insole_core.reconstruct.views.foot_coverage import coverage_of
@@ -43,9 +45,16 @@ from insole_core.reconstruct.views.range_mesh import (
     triangulate,
     without_small_pieces,
 )
-from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
+from insole_core.reconstruct.volume import (
+    NothingInVolumeError,
+    check_any_inside,
+    is_inside,
+    stands_aside,
+    volume_of_interest,
+)
 from insole_core.reconstruct.warnings import misfits, warnings_of
 from insole_core.recording.box import Box
+from insole_core.recording.hand_edits import ViewEdits
 from insole_core.recording.session import Session, View
 
 _Part = TypeVar("_Part")
@@ -59,6 +68,7 @@ def reconstruct(
     *,
     on_preview: Callable[[TriangleMesh], None] | None = None,
     measure: Callable[[View], MeasuredView] = measure_view,
+    register: Register | None = None,
 ) -> Reconstruction:
     """Make one coloured foot, mm, reference frame, from the views of a session.
 
@@ -79,6 +89,8 @@ def reconstruct(
     measure
         Averages the frames of a view, for ``fused`` only; pass one with a cache when a session is
         reconstructed several times.
+    register
+        Finds the pose of a view; by default from the markers of the session's reference system.
 
     Returns
     -------
@@ -89,9 +101,15 @@ def reconstruct(
     ------
     ReconstructionError
         When no view can be used; the sentence names the reason of each.
+    NothingInVolumeError
+        When that is for the lack of a foot in some of them.
     """
     way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(measure, on_preview)
-    return _Chain(session, way, limits, Stopwatch()).run(progress)
+
+    def found(measured: MeasuredView, edits: ViewEdits) -> Registration:
+        return measured.register(session.manifest.reference_system, limits, edits)
+
+    return _Chain(session, way, register or found, Stopwatch()).run(progress)
 
 
 class _Way(Protocol[_Part]):
@@ -161,7 +179,11 @@ class _Fused:
             raw=measured.raw,
             color=measured.color,
         )
-        return prepare(reading)
+        prepared = prepare(reading)
+        if stands_aside(sensor2reference, box):
+            # What it sees of the foot at the edge, it sees too slantingly to learn its colours.
+            return replace(prepared, outline=None, rim=None)
+        return prepared
 
     def note(self, part: PreparedView) -> str:
         edges = joined(part.reading.cut_edges, " and ")
@@ -191,13 +213,14 @@ class _Chain(Generic[_Part]):
 
     session: Session
     way: _Way[_Part]
-    limits: RegistrationLimits
+    register: Register
     clock: Stopwatch
 
     def run(self, progress: Progress) -> Reconstruction:
         """Register all views, then join them."""
         parts: list[_Part] = []
         results: list[ViewResult] = []
+        errors: list[ReconstructionError] = []
         views = self.session.views
         with ThreadPoolExecutor(VIEWS_AT_ONCE) as pool:
             placing = [pool.submit(self._place, view) for view in views]
@@ -209,13 +232,14 @@ class _Chain(Generic[_Part]):
                     try:
                         part, result = placing[number].result()
                     except ReconstructionError as error:
+                        errors.append(error)
                         results.append(refused_result(view.name, error))
                         continue
                     parts.append(part)
                     results.append(result)
             finally:
                 pool.shutdown(wait=False, cancel_futures=True)
-        _check_any_used(self.session, results)
+        _check_any_used(self.session, results, errors)
         with self.clock.measuring("surface"):
             surface = self.way.join(parts, progress.part(0.5, 1.0))
         progress.step(1.0, "The foot is ready")
@@ -223,13 +247,22 @@ class _Chain(Generic[_Part]):
         return Reconstruction(
             surface.mesh,
             tuple(results),
-            (*warnings_of(self.session, results, coverage), *misfits(results, surface)),
+            (*warnings_of(self.session, results, coverage), *self._misfits(results, surface)),
             self.clock.seconds,
             surface.deviation_mm,
             surface.correction_mm,
             coverage,
             surface.depth_views,
         )
+
+    def _misfits(self, results: list[ViewResult], surface: Surface) -> list[str]:
+        box = volume_of_interest(self.session)
+        aside = {
+            result.name
+            for result in results
+            if result.sensor2reference is not None and stands_aside(result.sensor2reference, box)
+        }
+        return misfits(results, surface, aside)
 
     def _place(self, view: View) -> tuple[_Part, ViewResult]:
         """Measure and register one view, and cut out the foot."""
@@ -239,8 +272,7 @@ class _Chain(Generic[_Part]):
         with self.clock.measuring("frames"):
             measured = self.way.measure(view)
         with self.clock.measuring("markers"):
-            system = self.session.manifest.reference_system
-            registration = measured.register(system, self.limits, edits)
+            registration = self.register(measured, edits)
         measured = measured.at_scale(registration.depth_scale)
         with self.clock.measuring("cutting out"):
             part = self.way.cut_out(
@@ -249,13 +281,16 @@ class _Chain(Generic[_Part]):
         return part, used_result(measured, registration, self.way.note(part))
 
 
-def _check_any_used(session: Session, results: list[ViewResult]) -> None:
+def _check_any_used(
+    session: Session, results: list[ViewResult], errors: list[ReconstructionError]
+) -> None:
     if not any(result.used for result in results):
         reasons = (
             Message("view {view}: {reason}", view=result.name, reason=result.reason)
             for result in results
         )
-        raise ReconstructionError(
+        empty = any(isinstance(error, NothingInVolumeError) for error in errors)
+        raise (NothingInVolumeError if empty else ReconstructionError)(
             "No foot can be made from {session}, because none of its views can be used "
             "({reasons}).",
             session=session.source,

@@ -6,18 +6,44 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.side import BOTH
 from insole_core.recording.box import Box
-from insole_core.recording.session import ReferenceSystem, Session
+from insole_core.recording.session import FootPlace, ReferenceSystem, Session
 
 _BLOCK_MM = 24.0
 """Least distance of the foot from the markers: a marker's block, its mounting and a clearance."""
 _BELOW_SOLE_MM = 30.0
+_ASIDE = 0.2
+"""Tangent of the angle to the side from which on a sensor counts as standing beside a foot."""
+
+
+class NothingInVolumeError(ReconstructionError):
+    """No surface was measured in the volume of interest."""
 
 
 def volume_of_interest(session: Session) -> Box:
-    """Return the volume set by the user, else the manifest's, else the one the markers enclose."""
+    """Return the volume set by the user, else the manifest's, else the one the markers enclose.
+
+    Of both feet it is the one that holds those of the two.
+    """
+    if session.manifest.side == BOTH:
+        left, right = map(foot_volume, session.feet, session.manifest.reference_system.feet)
+        return left.joined(right)
     recorded = session.edits.volume_of_interest or session.manifest.volume_of_interest
     return recorded or enclosed_volume(session.manifest.reference_system)
+
+
+def foot_volume(foot: Session, place: FootPlace) -> Box:
+    """Return the volume of one of two feet in the frame of the system that they share.
+
+    Parameters
+    ----------
+    foot
+        Its session, in its own frame.
+    place
+        Its place in the system.
+    """
+    return volume_of_interest(foot).moved(place.origin_mm)
 
 
 def is_inside(points: FloatArray, box: Box) -> BoolArray:
@@ -47,11 +73,11 @@ def check_any_inside(found: BoolArray) -> None:
 
     Raises
     ------
-    ReconstructionError
+    NothingInVolumeError
         With the reason, as the end of a sentence.
     """
     if not found.any():
-        raise ReconstructionError(
+        raise NothingInVolumeError(
             "it measured no surface in the volume of interest; check that the foot was in place "
             'and "volume_of_interest_mm" in manifest.json'
         )
@@ -65,3 +91,18 @@ def enclosed_volume(system: ReferenceSystem) -> Box:
         (low[0] + _BLOCK_MM, low[1], low[2] - _BELOW_SOLE_MM),
         (high[0] - _BLOCK_MM, high[1], high[2]),
     )
+
+
+def stands_aside(sensor2reference: FloatArray, box: Box) -> bool:
+    """Return whether a sensor behind the heel stands beside its foot.
+
+    That of the other one of two feet does: it sees one flank, and the tendon only slantingly.
+
+    Parameters
+    ----------
+    sensor2reference : (4, 4) float64, mm
+    box
+        The volume of interest of the foot.
+    """
+    x, y, z = sensor2reference[:3, 3] - (np.array(box.min_mm) + box.max_mm) / 2
+    return bool(-y > abs(z) and abs(x) > _ASIDE * -y)

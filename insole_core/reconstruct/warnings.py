@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from itertools import combinations
 
 import numpy as np
@@ -132,7 +133,7 @@ def warnings_of(
     )
 
 
-def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
+def misfits(results: list[ViewResult], surface: Surface, aside: Collection[str] = ()) -> list[str]:
     """Warn of the two used views that fit each other worst, if their gap is too large.
 
     Parameters
@@ -141,6 +142,8 @@ def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
         Of all views.
     surface
         With the gaps between the used views, in the order of `results`.
+    aside
+        Views that see too little of the foot for a gap to be certain.
 
     Returns
     -------
@@ -151,6 +154,8 @@ def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
         return []
     used = [result for result in results if result.used]
     apart_mm = np.nan_to_num(np.linalg.norm(surface.view_gaps_mm, axis=2))
+    unsure = [result.name in aside for result in used]
+    apart_mm[unsure, :] = apart_mm[:, unsure] = 0.0
     first, second = np.unravel_index(int(apart_mm.argmax()), apart_mm.shape)
     if apart_mm[first, second] < _MISFIT_MM:
         return []

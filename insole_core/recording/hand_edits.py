@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+from insole_core.geometry.side import Side
 from insole_core.messages import Message, joined
 from insole_core.recording.box import Box
 
@@ -106,10 +107,14 @@ class HandEdits:
         By the name of the view; views without corrections are absent.
     volume_of_interest
         Replaces that of the manifest.
+    volumes
+        Replace those of the reference system where both feet were captured; each in the foot's
+        own frame.
     """
 
     views: dict[str, ViewEdits] = field(default_factory=dict)
     volume_of_interest: Box | None = None
+    volumes: dict[Side, Box] = field(default_factory=dict)
 
     def of(self, view: str) -> ViewEdits:
         """Return the corrections of a view."""
@@ -119,6 +124,11 @@ class HandEdits:
         """Replace the corrections of a view."""
         others = {name: other for name, other in self.views.items() if name != view}
         return replace(self, views=others if edits == NO_VIEW_EDITS else {**others, view: edits})
+
+    def with_volume(self, side: Side, box: Box | None) -> HandEdits:
+        """Replace the volume of one of two feet; None for that of the reference system."""
+        others = {other: kept for other, kept in self.volumes.items() if other is not side}
+        return replace(self, volumes=others if box is None else {**others, side: box})
 
 
 NO_EDITS = HandEdits()

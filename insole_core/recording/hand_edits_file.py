@@ -8,7 +8,9 @@ from typing import Any
 
 from insole_core.export.atomic import write_text
 from insole_core.export.write_errors import output_errors
+from insole_core.geometry.side import BOTH, Side
 from insole_core.json_object import JsonObject
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import (
     NO_EDITS,
     HandEdits,
@@ -16,7 +18,7 @@ from insole_core.recording.hand_edits import (
     Region,
     ViewEdits,
 )
-from insole_core.recording.manifest_json import parse_box
+from insole_core.recording.manifest_json import box_json, parse_box
 from insole_core.recording.session import Manifest
 from insole_core.recording.store import ZipStore
 
@@ -66,7 +68,12 @@ def edits_json(edits: HandEdits) -> dict[str, Any]:
         "views": {name: _view_json(view) for name, view in edits.views.items()},
     }
     if (box := edits.volume_of_interest) is not None:
-        values["volume_of_interest_mm"] = {"min": list(box.min_mm), "max": list(box.max_mm)}
+        values["volume_of_interest_mm"] = box_json(box)
+    if edits.volumes:
+        values["feet"] = {
+            side.value: {"volume_of_interest_mm": box_json(box)}
+            for side, box in edits.volumes.items()
+        }
     return values
 
 
@@ -91,10 +98,16 @@ def parse_edits(file: str, text: bytes, manifest: Manifest) -> HandEdits:
     unknown = [name for name in views.values if name not in manifest.views]
     if unknown:
         raise views.fail(unknown[0], "is no view of this session")
+    one_foot = manifest.side != BOTH
     return HandEdits(
         {name: _view(views.object(name), manifest) for name in views.values},
-        parse_box(root) if root.has("volume_of_interest_mm") else None,
+        parse_box(root) if one_foot and root.has("volume_of_interest_mm") else None,
+        {} if one_foot or not root.has("feet") else _volumes(root.object("feet")),
     )
+
+
+def _volumes(feet: JsonObject) -> dict[Side, Box]:
+    return {side: parse_box(feet.object(side.value)) for side in Side if feet.has(side.value)}
 
 
 def _is_archive_with_edits(session: Path) -> bool:

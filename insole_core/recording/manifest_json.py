@@ -5,13 +5,20 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.json_object import JsonObject
 from insole_core.recording.box import Box
-from insole_core.recording.session import CaptureCondition, Manifest, Marker, ReferenceSystem
+from insole_core.recording.session import (
+    CaptureCondition,
+    FootPlace,
+    Manifest,
+    Marker,
+    ReferenceSystem,
+)
 
 FORMAT = "insole-session"
-VERSION = 1
+VERSION = 2
+"""Of a session of both feet; that of one foot is of version 1."""
 WEIGHT_BEARING = ("none", "semi", "full")
 _KNOWN = {
     "format", "version", "recorded_at", "side", "reference_frame", "views",
@@ -38,11 +45,19 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
         Names the file and the key of the first violation.
     """
     root = JsonObject.parse(file, text)
-    root.check_format(FORMAT, VERSION)
+    version = root.check_format(FORMAT, VERSION)
+    side: Sides = BOTH
+    if version == 1:
+        side = root.choice("side", list(Side))
+    else:
+        root.choice("side", [BOTH])
+    frame = root.object("reference_frame")
+    system = parse_reference_system(frame)
+    _check_feet(root, system, version)
     return Manifest(
         recorded_at=root.date("recorded_at"),
-        side=root.choice("side", list(Side)),
-        reference_system=parse_reference_system(root.object("reference_frame")),
+        side=side,
+        reference_system=system,
         views=_view_names(root),
         volume_of_interest=parse_box(root) if root.has("volume_of_interest_mm") else None,
         capture_condition=_condition(root) if root.has("capture_condition") else None,
@@ -54,14 +69,14 @@ def manifest_json(manifest: Manifest) -> dict[str, Any]:
     """Return the JSON form of a manifest."""
     values: dict[str, Any] = {
         "format": FORMAT,
-        "version": VERSION,
+        "version": VERSION if manifest.side == BOTH else 1,
         "recorded_at": manifest.recorded_at,
-        "side": manifest.side.value,
+        "side": str(manifest.side),
         "reference_frame": reference_system_json(manifest.reference_system),
         "views": list(manifest.views),
     }
     if (box := manifest.volume_of_interest) is not None:
-        values["volume_of_interest_mm"] = {"min": list(box.min_mm), "max": list(box.max_mm)}
+        values["volume_of_interest_mm"] = box_json(box)
     if (condition := manifest.capture_condition) is not None:
         values["capture_condition"] = {
             "weight_bearing": condition.weight_bearing,
@@ -94,17 +109,73 @@ def parse_reference_system(frame: JsonObject) -> ReferenceSystem:
         )
     if not markers:
         raise frame.fail("markers", "is empty, but a reference system has at least 4 markers")
-    return ReferenceSystem(frame.text("name"), markers)
+    feet = _feet(frame.object("feet")) if frame.has("feet") else ()
+    return ReferenceSystem(frame.text("name"), markers, feet)
 
 
 def reference_system_json(system: ReferenceSystem) -> dict[str, Any]:
     """Return the JSON form of a reference system."""
-    return {
+    values: dict[str, Any] = {
         "name": system.name,
         "markers": [
             {"id": m.id, "position_mm": list(m.position_mm), "face": m.face} for m in system.markers
         ],
     }
+    if system.feet:
+        values["feet"] = {
+            place.side.value: {
+                "origin_mm": list(place.origin_mm),
+                "volume_of_interest_mm": box_json(place.volume_of_interest),
+            }
+            for place in system.feet
+        }
+    return values
+
+
+def _feet(feet: JsonObject) -> tuple[FootPlace, ...]:
+    """Read the places of both feet, the left one first."""
+    left, right = (_foot_place(feet.object(side.value), side) for side in Side)
+    if left.origin_mm[0] >= right.origin_mm[0]:
+        raise feet.fail(
+            "left",
+            "must lie at smaller x than the right foot, since +x points to the patient's right",
+        )
+    ends = [place.volume_of_interest.moved(place.origin_mm) for place in (left, right)]
+    if ends[0].max_mm[0] > ends[1].min_mm[0]:
+        raise feet.fail(
+            "left",
+            "has a volume that reaches into that of the right foot; make the volumes narrower",
+        )
+    return left, right
+
+
+def _foot_place(place: JsonObject, side: Side) -> FootPlace:
+    return FootPlace(side, place.triple("origin_mm", MOST_MM), parse_box(place))
+
+
+def _check_feet(root: JsonObject, system: ReferenceSystem, version: int) -> None:
+    """Check that there is a place for each captured foot, and that the volume is said once."""
+    if version == 1 and system.feet:
+        raise root.fail(
+            "version",
+            'is 1, that of a session of one foot, but the reference system "{system}" is for both '
+            'feet; make it 2, and "side" "both"',
+            system=system.name,
+        )
+    if version == 1:
+        return
+    if not system.feet:
+        raise root.fail(
+            "side",
+            'is "both", but the reference system "{system}" is for one foot; name the foot that '
+            "was captured, or the system for two feet that was used",
+            system=system.name,
+        )
+    if root.has("volume_of_interest_mm"):
+        raise root.fail(
+            "volume_of_interest_mm",
+            'is for a session of one foot; of both, each has its own in "reference_frame.feet"',
+        )
 
 
 def _view_names(root: JsonObject) -> tuple[str, ...]:
@@ -119,6 +190,11 @@ def _view_names(root: JsonObject) -> tuple[str, ...]:
     if not names or len(set(names)) < len(names):
         raise root.fail("views", "must name at least one view, and none twice")
     return tuple(names)
+
+
+def box_json(box: Box) -> dict[str, Any]:
+    """Return the JSON form of a volume of interest."""
+    return {"min": list(box.min_mm), "max": list(box.max_mm)}
 
 
 def parse_box(root: JsonObject) -> Box:

@@ -1,13 +1,13 @@
-"""A recorded capture of one foot, as a value (docs/formats/session.md)."""
+"""A recorded capture of one foot or of both, as a value (docs/formats/session.md)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from insole_core.geometry.arrays import ByteArray, RawArray
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.sensing.sensor import Sensor
@@ -31,15 +31,53 @@ class Marker:
 
 
 @dataclass(frozen=True)
+class FootPlace:
+    """The place of one of two feet in a reference system for both.
+
+    Parameters
+    ----------
+    origin_mm
+        Origin of the foot's own reference frame, in that of the system; their axes are parallel.
+    volume_of_interest
+        In the foot's own frame.
+    """
+
+    side: Side
+    origin_mm: tuple[float, float, float]
+    volume_of_interest: Box
+
+
+@dataclass(frozen=True)
 class ReferenceSystem:
-    """The rigid system of markers around the foot, which defines the reference frame."""
+    """The rigid system of markers around the foot, which defines the reference frame.
+
+    Parameters
+    ----------
+    feet
+        Of a system for both feet, the place of the left one and of the right one.
+    """
 
     name: str
     markers: tuple[Marker, ...]
+    feet: tuple[FootPlace, ...] = ()
 
     def facing(self, faces: tuple[str, ...]) -> tuple[Marker, ...]:
         """Return the markers of the named groups, in order."""
         return tuple(marker for marker in self.markers if marker.face in faces)
+
+    def place(self, side: Side) -> FootPlace:
+        """Return the place of a foot in a system for both."""
+        return next(place for place in self.feet if place.side is side)
+
+    def around(self, place: FootPlace) -> ReferenceSystem:
+        """Return all markers in the own frame of one of the two feet."""
+        x, y, z = place.origin_mm
+
+        def moved(marker: Marker) -> Marker:
+            at = marker.position_mm
+            return replace(marker, position_mm=(at[0] - x, at[1] - y, at[2] - z))
+
+        return ReferenceSystem(self.name, tuple(map(moved, self.markers)))
 
 
 @dataclass(frozen=True)
@@ -67,20 +105,44 @@ class Manifest:
     ----------
     recorded_at
         ISO 8601.
+    side
+        Both only with a reference system that has places for two feet.
     views
         Names of the views, in order.
     volume_of_interest
-        Limits the reconstruction; None for the volume that the markers enclose.
+        Limits the reconstruction; None for the volume that the markers enclose. Of both feet the
+        reference system tells it.
     """
 
     recorded_at: str
-    side: Side
+    side: Sides
     reference_system: ReferenceSystem
     views: tuple[str, ...]
     volume_of_interest: Box | None = None
     capture_condition: CaptureCondition | None = None
     extra: dict[str, Any] = field(default_factory=dict)
     """Keys that this version does not know; preserved when the session is copied."""
+
+    @property
+    def sides(self) -> tuple[Side, ...]:
+        """The feet that were captured."""
+        return tuple(Side) if self.side == BOTH else (self.side,)
+
+    @property
+    def one_side(self) -> Side:
+        """The side of a capture of one foot."""
+        (side,) = self.sides
+        return side
+
+    def of_foot(self, side: Side) -> Manifest:
+        """Return the manifest of one of the captured feet, in the foot's own reference frame."""
+        if self.side != BOTH:
+            assert side is self.side, "only a foot that was captured has a manifest"
+            return self
+        place = self.reference_system.place(side)
+        system = self.reference_system.around(place)
+        volume = place.volume_of_interest
+        return replace(self, side=side, reference_system=system, volume_of_interest=volume)
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,3 +177,15 @@ class Session:
     """Where it was read from, for messages."""
     edits: HandEdits = NO_EDITS
     """Manual corrections, which `reconstruct` applies."""
+
+    @property
+    def feet(self) -> tuple[Session, ...]:
+        """One session for each captured foot: all views, in the foot's own reference frame."""
+        return tuple(self.of_foot(side) for side in self.manifest.sides)
+
+    def of_foot(self, side: Side) -> Session:
+        """Return the session of one of the captured feet, in the foot's own reference frame."""
+        if self.manifest.side != BOTH:
+            return replace(self, manifest=self.manifest.of_foot(side))
+        edits = replace(self.edits, volume_of_interest=self.edits.volumes.get(side), volumes={})
+        return replace(self, manifest=self.manifest.of_foot(side), edits=edits)

@@ -15,7 +15,8 @@ from insole_core.recording.sensor_folder import CORRECTION_FILE, SENSOR_FILE
 from insole_core.recording.store import MAX_FILE_BYTES
 
 MANIFEST = "manifest.json"
-_IN_SESSION = (MANIFEST, EDITS, "truth.ply", "truth_poses.json")
+_TRUTHS = ("truth.ply", "truth_left.ply", "truth_right.ply")
+_IN_SESSION = (MANIFEST, EDITS, *_TRUTHS, "truth_poses.json")
 _IN_VIEW = re.compile(
     rf"(?:depth_\d{{3,}}\.png|color_\d{{3,}}\.png|{re.escape(SENSOR_FILE)}"
     rf"|{re.escape(CORRECTION_FILE)})"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import zipfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from insole_core.export.atomic import replacing_file, replacing_folder, scratch_
 from insole_core.export.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import NAME as EDITS
@@ -26,7 +28,7 @@ from insole_core.recording.store import FolderStore
 def write_session(
     session: Session,
     path: Path,
-    truth: TriangleMesh | None = None,
+    truth: TriangleMesh | Mapping[Side, TriangleMesh] | None = None,
     sensor2reference: dict[str, FloatArray] | None = None,
     progress: Progress = SILENT,
 ) -> None:
@@ -35,7 +37,7 @@ def write_session(
     Parameters
     ----------
     truth : mm, reference frame, optional
-        The true surface of a simulated session.
+        The true surface of a simulated session; of both feet, each in its own reference frame.
     sensor2reference
         The true poses of a simulated session, (4, 4), mm, by the name of the view.
 
@@ -58,7 +60,7 @@ def write_session(
 def _write_parts(
     session: Session,
     folder: Path,
-    truth: TriangleMesh | None,
+    truth: TriangleMesh | Mapping[Side, TriangleMesh] | None,
     sensor2reference: dict[str, FloatArray] | None,
     progress: Progress,
 ) -> None:
@@ -68,8 +70,11 @@ def _write_parts(
     for index, view in enumerate(session.views):
         progress.step(index / len(session.views), "Writing view {view}", view=view.name)
         _write_view(view, folder / "views" / view.name)
-    if truth is not None:
+    if isinstance(truth, TriangleMesh):
         write_ply(truth, folder / "truth.ply")
+    elif truth is not None:
+        for side, mesh in truth.items():
+            write_ply(mesh, folder / f"truth_{side}.ply")
     if sensor2reference is not None:
         poses = {name: pose.tolist() for name, pose in sensor2reference.items()}
         _write_json(folder / "truth_poses.json", {"sensor2reference": poses})

@@ -39,6 +39,7 @@ def build_scene(
     Parameters
     ----------
     foot : mm, reference frame, with colours
+        Or both feet as one mesh.
     reference_system
     rng
         For the positions of bed and clutter.
@@ -48,7 +49,8 @@ def build_scene(
     TriangleMesh, mm, reference frame, with colours
     """
     bricks = (_brick(marker) for marker in reference_system.markers)
-    return joined([foot, *bricks, _bed(rng), *_clutter(rng)])
+    left = next((place.origin_mm for place in reference_system.feet), (0.0, 0.0, 0.0))
+    return joined([foot, *bricks, _bed(rng), *_clutter(rng, np.array(left))])
 
 
 def joined(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
@@ -80,8 +82,14 @@ def _bed(rng: np.random.Generator) -> TriangleMesh:
     return _box(centre, np.array([660.0, 60.0, 480.0]), _six_faces(_BED))
 
 
-def _clutter(rng: np.random.Generator) -> list[TriangleMesh]:
-    """Return blue objects that are not markers: a cloth, a cable, a dot, and a pen on the bed."""
+def _clutter(rng: np.random.Generator, origin: FloatArray) -> list[TriangleMesh]:
+    """Return blue objects that are not markers: a cloth, a cable, a dot, and a pen on the bed.
+
+    Parameters
+    ----------
+    origin : (3,) float64, mm, reference frame
+        Of the foot that they lie around.
+    """
     things = [
         # centre, size, colour
         ((40, 262, 70), (140, 78, 4), _CLOTH_BLUE),
@@ -91,7 +99,7 @@ def _clutter(rng: np.random.Generator) -> list[TriangleMesh]:
     ]
     boxes = []
     for centre, size, color in things:
-        moved = np.array(centre, dtype=float) + rng.uniform(-6, 6, 3) * [1, 1, 0]
+        moved = origin + centre + rng.uniform(-6, 6, 3) * [1, 1, 0]
         turn = rotation_about(np.array([0.0, 0.0, 1.0]), rng.uniform(-8, 8))
         boxes.append(_box(moved, np.array(size, dtype=float), _six_faces(color), turn))
     return boxes

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from typing import Protocol
@@ -12,25 +12,33 @@ import numpy as np
 from insole_core.errors import UsageError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side, Sides
+from insole_core.geometry.transforms import rigid, transform
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.box import Box
 from insole_core.recording.sensor_json import COLOR_SIZES
-from insole_core.recording.session import CaptureCondition, Manifest, ReferenceSystem, Session, View
+from insole_core.recording.session import (
+    CaptureCondition,
+    Manifest,
+    ReferenceSystem,
+    Session,
+    View,
+)
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.color_image import ColorRecording, record_color
 from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_foot
 from insole_core.simulate.foot_shape import FootShape, vary_shape
-from insole_core.simulate.poses import stand_sensor
+from insole_core.simulate.poses import AROUND_ONE_FOOT, Stand, stand_sensor, stands_around_both
 from insole_core.simulate.ray_caster import SceneCaster
-from insole_core.simulate.scene import build_scene, load_reference_system
+from insole_core.simulate.scene import build_scene, joined, load_reference_system
 from insole_core.simulate.simulation_limits import Limits, check_limits
 
-_SENSOR_FACES = {"left": "sole", "right": "sole", "top": "achilles"}
 _VOLUME = Box((-72.0, -150.0, -25.0), (72.0, 150.0, 165.0))
+_ONE_FOOT, _BOTH_FEET = "lego-20", "lego-40"
+"""Reference systems."""
 _RECORDED_AT = "2026-01-01T00:00:00Z"
 _LIMITS: Limits = {
     "seed": ("seed of the simulation", 0, 2**32 - 1),
@@ -39,8 +47,28 @@ _LIMITS: Limits = {
     "bursts": ("number of places each sensor stands in", 1, 9),
     "frames": ("number of depth frames", 1, 999),
     "color_frames": ("number of colour frames", 1, 999),
+    "sensors": ("number of sensors around both feet", 4, 6),
     "foot_cell_mm": ("resolution of the foot's surface (mm)", 1, 8),
 }
+
+
+@dataclass(frozen=True)
+class StandingFoot:
+    """A foot in the place of one of two.
+
+    Parameters
+    ----------
+    shape
+        Its side may be the wrong one.
+    place
+        The side whose place it is in.
+    aside_mm
+        How far it is towards +x from the middle of its place.
+    """
+
+    shape: FootShape
+    place: Side
+    aside_mm: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -52,6 +80,7 @@ class SimulationOptions:
     seed
         The same seed gives the same session, value for value.
     side
+        One foot, or both in one capture.
     distance_mm
         From the sensors to the foot.
     bursts
@@ -70,6 +99,11 @@ class SimulationOptions:
         Whether the sensors have no matching window: depth errors are as large as a real sensor's,
         but fine structure is kept and rims are not widened. The method ``fused`` corrects the
         window of a real sensor, and so degrades the views of an ideal one (decision 0023).
+    sensors
+        Number of sensors around both feet.
+    standing
+        What stands in the places of both feet, by default a foot of each side, drawn from the
+        seed. Other feet make captures that must be refused.
 
     Raises
     ------
@@ -78,7 +112,7 @@ class SimulationOptions:
     """
 
     seed: int = 1
-    side: Side = Side.LEFT
+    side: Sides = Side.LEFT
     distance_mm: float = 800.0
     bursts: int = 1
     frames: int = 10
@@ -88,6 +122,8 @@ class SimulationOptions:
     color_size: tuple[int, int] = (1280, 1024)
     foot_cell_mm: float = DEFAULT_CELL_MM
     ideal: bool = False
+    sensors: int = 4
+    standing: tuple[StandingFoot, ...] | None = None
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -115,20 +151,32 @@ class SimulatedSession:
     ----------
     session
         Its frames are drawn when they are read, and always the same.
-    foot
-        The true surface with its shape and landmarks, mm, reference frame.
+    feet
+        By place, the true surface with its shape and landmarks, mm, in the foot's own reference
+        frame.
     sensor2reference : view name -> (4, 4) float64, mm
         True poses of the depth cameras.
     """
 
     session: Session
-    foot: FootModel
+    feet: dict[Side, FootModel]
     sensor2reference: dict[str, FloatArray]
 
     @property
+    def foot(self) -> FootModel:
+        """The only foot."""
+        (foot,) = self.feet.values()
+        return foot
+
+    @property
     def truth(self) -> TriangleMesh:
-        """The true surface with its colours, mm, reference frame."""
+        """The true surface of the only foot with its colours, mm, reference frame."""
         return self.foot.mesh
+
+    @property
+    def truths(self) -> dict[Side, TriangleMesh]:
+        """The true surface of every foot with its colours, mm, in its own reference frame."""
+        return {side: foot.mesh for side, foot in self.feet.items()}
 
 
 def simulate_session(options: SimulationOptions, progress: Progress = SILENT) -> SimulatedSession:
@@ -147,20 +195,24 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     """
     progress.step(0.0, "Shaping the foot")
     rng = np.random.default_rng([options.seed, 0])
-    foot = build_foot(options.shape or vary_shape(rng, options.side), rng, options.foot_cell_mm)
-    reference_system = load_reference_system()
-    caster = SceneCaster(build_scene(foot.mesh, reference_system, rng))
+    both = options.side == BOTH
+    reference_system = load_reference_system(_BOTH_FEET if both else _ONE_FOOT)
+    feet = {foot.place: _foot(foot, options, rng) for foot in _standing(options, rng)}
+    surface = joined(_in_system(feet[side].mesh, side, reference_system) for side in feet)
+    caster = SceneCaster(build_scene(surface, reference_system, rng))
 
-    record = _recorder_of_depth(options, foot, reference_system)
-    plan = _plan(options.bursts)
+    record = _recorder_of_depth(options, surface, reference_system)
+    stands = _stands(options.sensors, reference_system)
+    plan = _plan(stands, options.bursts)
     devices = {
-        sensor: _device(options, number, sensor) for number, sensor in enumerate(_SENSOR_FACES)
+        name: _device(options, number, stand.face)
+        for number, (name, stand) in enumerate(stands.items())
     }
     views, poses = [], {}
     for number, (name, sensor) in enumerate(plan):
         progress.step(0.1 + 0.9 * number / len(plan), "Simulating view {name}", name=name)
         rng = np.random.default_rng([options.seed, 2, number])
-        poses[name] = stand_sensor(sensor, options.distance_mm, options.half_angle_deg, rng)
+        poses[name] = stand_sensor(stands[sensor], options.distance_mm, options.half_angle_deg, rng)
         recorder = Recorder(
             record(caster, devices[sensor], poses[name], rng),
             record_color(caster, devices[sensor].sensor, poses[name]),
@@ -171,23 +223,58 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     session = Session(
         manifest, tuple(views), Message("the simulation with seed {seed}", seed=options.seed)
     )
-    return SimulatedSession(session, foot, poses)
+    return SimulatedSession(session, feet, poses)
 
 
-def _plan(bursts: int) -> list[tuple[str, str]]:
+def _standing(options: SimulationOptions, rng: np.random.Generator) -> tuple[StandingFoot, ...]:
+    """Return the feet of a scene; those that are not given are drawn."""
+    if options.side != BOTH:
+        shape = options.shape or vary_shape(rng, options.side)
+        return (StandingFoot(shape, options.side),)
+    if options.standing is not None:
+        return options.standing
+    return tuple(StandingFoot(vary_shape(rng, side), side) for side in Side)
+
+
+def _foot(
+    standing: StandingFoot, options: SimulationOptions, rng: np.random.Generator
+) -> FootModel:
+    foot = build_foot(standing.shape, rng, options.foot_cell_mm)
+    if standing.aside_mm == 0.0:
+        return foot
+    aside = rigid(np.eye(3), np.array([standing.aside_mm, 0.0, 0.0]))
+    landmarks = {name: transform(aside, point) for name, point in foot.landmarks_mm.items()}
+    return FootModel(foot.shape, foot.mesh.transformed(aside), landmarks)
+
+
+def _in_system(mesh: TriangleMesh, side: Side, system: ReferenceSystem) -> TriangleMesh:
+    """Return the surface of a foot in the frame of the reference system."""
+    if not system.feet:
+        return mesh
+    return mesh.transformed(rigid(np.eye(3), np.array(system.place(side).origin_mm)))
+
+
+def _stands(sensors: int, system: ReferenceSystem) -> dict[str, Stand]:
+    if not system.feet:
+        return AROUND_ONE_FOOT
+    left_mm, right_mm = (place.origin_mm[0] for place in system.feet)
+    return stands_around_both(sensors, left_mm, right_mm)
+
+
+def _plan(stands: Iterable[str], bursts: int) -> list[tuple[str, str]]:
     """Return (view, sensor) of all views: left, left_2, ... right, ..."""
     return [
         (sensor if burst == 1 else f"{sensor}_{burst}", sensor)
-        for sensor in _SENSOR_FACES
+        for sensor in stands
         for burst in range(1, bursts + 1)
     ]
 
 
-def _device(options: SimulationOptions, number: int, sensor: str) -> Device:
+def _device(options: SimulationOptions, number: int, face: str) -> Device:
     rng = np.random.default_rng([options.seed, 1, number])
     return make_device(
         f"SIM{options.seed:05d}{number}",
-        (_SENSOR_FACES[sensor],),
+        (face,),
         options.distance_mm,
         options.color_size,
         rng,
@@ -213,7 +300,7 @@ def _manifest(
         side=options.side,
         reference_system=reference_system,
         views=views,
-        volume_of_interest=_VOLUME,
+        volume_of_interest=None if reference_system.feet else _VOLUME,
         capture_condition=CaptureCondition(notes=f"Simulated, seed {options.seed}"),
     )
 
@@ -227,12 +314,12 @@ class _DepthView(Protocol):
 
 
 def _recorder_of_depth(
-    options: SimulationOptions, foot: FootModel, reference_system: ReferenceSystem
+    options: SimulationOptions, feet: TriangleMesh, reference_system: ReferenceSystem
 ) -> Callable[[SceneCaster, Device, FloatArray, np.random.Generator], _DepthView]:
     if options.ideal:
         return record_depth
     markers = [marker.position_mm for marker in reference_system.markers]
-    return partial(record_matched_depth, things=np.vstack([foot.mesh.vertices, *markers]))
+    return partial(record_matched_depth, things=np.vstack([feet.vertices, *markers]))
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,10 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.errors import InsoleError, ReconstructionError
+from insole_core.errors import InsoleError, ReconstructionError, UsageError
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import (
@@ -21,6 +22,7 @@ from insole_core.reconstruct import (
 )
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.reconstruct.result import refused_result
+from insole_core.reconstruct.shared_views import SharedViews
 from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view, used_result
 from insole_core.reconstruct.views.view_consistency import ViewConsistency, view_consistency
 from insole_core.reconstruct.volume import volume_of_interest
@@ -59,6 +61,41 @@ class MeasuredSession:
     def box(self) -> Box:
         """Volume of interest, reference frame."""
         return volume_of_interest(self.session)
+
+    @property
+    def feet(self) -> tuple[MeasuredSession, ...]:
+        """One session for each captured foot, in the foot's own reference frame."""
+        return tuple(replace(self, session=foot) for foot in self.session.feet)
+
+    def of_foot(self, side: Side | None) -> MeasuredSession:
+        """Return the session of one of the captured feet, in the foot's own reference frame.
+
+        Parameters
+        ----------
+        side
+            None for the only one.
+
+        Raises
+        ------
+        UsageError
+            When it holds both feet and none is named, or another foot than the one named.
+        """
+        sides = self.session.manifest.sides
+        if side is None and len(sides) > 1:
+            raise UsageError(
+                "{path} was recorded with both feet; say which one, with --side left or --side "
+                "right.",
+                path=self.path,
+            )
+        if side is not None and side not in sides:
+            raise UsageError(
+                "The {side} foot is asked for, by --side, --other or the prescription, but {path} "
+                "was recorded as the {recorded} foot; correct the call.",
+                side=side,
+                path=self.path,
+                recorded=sides[0],
+            )
+        return replace(self, session=self.session.of_foot(side or sides[0]))
 
     def with_edits(self, edits: HandEdits) -> MeasuredSession:
         """Replace the manual corrections; the measurements stay."""
@@ -153,6 +190,26 @@ def open_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
     return MeasuredSession(path, read_session(path), {}, {})
 
 
+def open_foot(path: Path, side: Side | None, progress: Progress = SILENT) -> MeasuredSession:
+    """Read a session as that of one foot, in the foot's own reference frame.
+
+    Parameters
+    ----------
+    path
+        Folder or zip archive.
+    side
+        Which foot; None for the only one.
+
+    Raises
+    ------
+    UsageError
+        When it holds both feet and none is named, or another foot than the one named.
+    InputError
+        When the session violates the format.
+    """
+    return open_session(path, progress).of_foot(side)
+
+
 def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
     """Read a session and average its frames, so that it can be reconstructed several times.
 
@@ -189,6 +246,7 @@ def reconstruct_session(
     *,
     method: Method = "fused",
     on_preview: Callable[[TriangleMesh], None] | None = None,
+    shared: SharedViews | None = None,
 ) -> Reconstruction:
     """Reconstruct the coloured surface of a session, in the reference frame.
 
@@ -202,6 +260,8 @@ def reconstruct_session(
         Beyond which the pose of a view is refused.
     on_preview
         Called once with a coarse surface, by the fused method only.
+    shared
+        Of one foot of two, what it has in common with the other.
 
     Returns
     -------
@@ -215,7 +275,13 @@ def reconstruct_session(
     Cancelled
     """
     return reconstruct(
-        opened.session, method, progress, limits, on_preview=on_preview, measure=opened.measure
+        opened.session,
+        method,
+        progress,
+        limits,
+        on_preview=on_preview,
+        measure=opened.measure if shared is None else shared.measure,
+        register=None if shared is None else shared.around(opened.session.manifest.one_side),
     )
 
 
@@ -227,6 +293,7 @@ def make_foot(
     on_preview: Callable[[MadeFoot], None] | None = None,
     compare_views: bool = False,
     force: bool = False,
+    shared: SharedViews | None = None,
 ) -> MadeFoot:
     """Reconstruct the foot of a session, and find heel and toes.
 
@@ -240,6 +307,8 @@ def make_foot(
         Whether to measure how far the views deviate from each other on the foot.
     force
         Continue although the shape looks like the other foot.
+    shared
+        Of one foot of two, what it has in common with the other.
 
     Returns
     -------
@@ -257,7 +326,7 @@ def make_foot(
     session, source = opened.session, session_source(opened.path, opened.session)
 
     def placed(mesh: TriangleMesh, warnings: tuple[str, ...], certain: bool) -> MadeFoot:
-        foot = place_foot(mesh, session.manifest.side, frame="reference", force=certain)
+        foot = place_foot(mesh, session.manifest.one_side, frame="reference", force=certain)
         return MadeFoot(mesh, ScannedFoot(foot, source, warnings), opened.edits, limits)
 
     def show(mesh: TriangleMesh) -> None:
@@ -269,7 +338,11 @@ def make_foot(
         on_preview(coarse)
 
     result = reconstruct_session(
-        opened, limits, progress.part(0.0, 0.9), on_preview=show if on_preview else None
+        opened,
+        limits,
+        progress.part(0.0, 0.9),
+        on_preview=show if on_preview else None,
+        shared=shared,
     )
     progress.step(0.9, "Finding heel and toes")
     made = placed(result.mesh, result.warnings, certain=force)

@@ -14,7 +14,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
 from insole_core.scans.scan_folder import holds_scans
 from insole_core.workflows.import_scan import examine_scan, take_foot
-from insole_core.workflows.make_foot import make_foot, open_session
+from insole_core.workflows.make_foot import make_foot, open_foot
 from insole_core.workflows.scanned_foot import ScannedFoot
 
 
@@ -30,7 +30,8 @@ def open_scan(
     Parameters
     ----------
     side
-        Required for a mesh; a session states its own.
+        Required for a mesh, and to choose from a session of both feet; one of one foot states its
+        own.
     choice
         What else was said of a mesh. Of a session, only `force` counts.
 
@@ -71,16 +72,7 @@ def _session_foot(
             "{path} is a session, which says how the foot lies; leave out form and points.",
             path=path,
         )
-    opened = open_session(path, progress)
-    recorded = opened.session.manifest.side
-    if side not in (None, recorded):
-        raise UsageError(
-            "The {side} foot is asked for, by --side, --other or the prescription, but {path} was "
-            "recorded as the {recorded} foot; correct the call.",
-            side=side,
-            path=path,
-            recorded=recorded,
-        )
+    opened = open_foot(path, side, progress)
     return make_foot(opened, progress=progress.part(0.05, 1.0), force=choice.force).scan
 
 

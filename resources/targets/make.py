@@ -1,11 +1,12 @@
 """Make what is printed at true size: ``python resources/targets/make.py``.
 
-The boards beside this file, and the plan of the reference system of bricks.
+The boards beside this file, and the plans of the reference systems of bricks.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import chain
 from pathlib import Path
 
@@ -23,13 +24,14 @@ from insole_core.calibration.boards.printed_page import (
     marker_pages,
 )
 from insole_core.calibration.markers.reference_file import load_reference_system, positions
-from insole_core.recording.session import Marker, ReferenceSystem
+from insole_core.recording.session import FootPlace, Marker, ReferenceSystem
 
 A4_MM = (297.0, 210.0)
 A3_MM = (420.0, 297.0)
 STUD_MM = 8.0
 PLATE_MM = 3.2
 """Three plates are one brick of 9.6 mm."""
+_PLATES_A_BRICK = 3
 _INCH_MM = 25.4
 
 
@@ -43,8 +45,9 @@ def main() -> None:
     ):
         write([draw(page)], here / name)
     systems = here.parent / "reference_systems"
-    plan = draw_building_plan(load_reference_system(systems / "lego-20.json"))
-    write(plan, systems / "lego-20-plan.pdf")
+    for name in ("lego-20", "lego-40"):
+        plan = draw_building_plan(load_reference_system(systems / f"{name}.json"))
+        write(plan, systems / f"{name}-plan.pdf")
 
 
 def write(pages: Sequence[Figure], path: Path) -> None:
@@ -62,10 +65,93 @@ def draw_building_plan(system: ReferenceSystem) -> list[Figure]:
     UsageError
         When a face does not fit A3.
     """
+    if not system.feet:
+        return _building_sheets(system)
+    sheets = [_building_sheets(_around(system, place)) for place in system.feet]
+    return [_overview(system), *chain.from_iterable(sheets)]
+
+
+def _around(system: ReferenceSystem, place: FootPlace) -> ReferenceSystem:
+    """Return the markers around one of two feet, in the foot's own frame."""
+    near = [m for m in system.markers if (m.position_mm[0] > 0) == (place.origin_mm[0] > 0)]
+    part = replace(system, name=f"{system.name}, {place.side} foot", markers=tuple(near))
+    return part.around(place)
+
+
+def _building_sheets(system: ReferenceSystem) -> list[Figure]:
     faces = dict.fromkeys(marker.face for marker in system.markers)
     tables = [_table_page(system.name, face, system.facing((face,))) for face in faces]
     templates = [draw(page) for page in marker_pages(system, A3_MM)]
     return list(chain.from_iterable(zip(tables, templates, strict=True)))
+
+
+def _overview(system: ReferenceSystem) -> Figure:
+    """Show where both frames stand, and list the parts."""
+    figure = Figure(figsize=(A4_MM[0] / _INCH_MM, A4_MM[1] / _INCH_MM), facecolor="white")
+    axes = figure.add_axes((0.05, 0.08, 0.62, 0.8))
+    axes.set_aspect("equal")
+    axes.axis("off")
+    for place in system.feet:
+        box = place.volume_of_interest.moved(place.origin_mm)
+        low, high = box.min_mm, box.max_mm
+        size = (high[0] - low[0], high[1] - low[1])
+        axes.add_patch(Rectangle(low[:2], *size, fill=False, ls="--", edgecolor="grey"))
+        middle = (place.origin_mm[0], place.origin_mm[1])
+        axes.text(*middle, f"{place.side} foot\ntoes up", ha="center", va="center", fontsize=9)
+    for marker in system.markers:
+        x, y, _ = marker.position_mm
+        on_sole = marker.face == "sole"
+        color = "#1634a8" if on_sole else "#9aa7d6"
+        axes.add_patch(Rectangle((x - 7.9, y - 7.9), 15.8, 15.8, color=color, lw=0))
+        if on_sole:  # those at the heel stand above each other
+            axes.text(x + 10, y, marker.id, fontsize=5, va="center")
+    left, right = (place.origin_mm[0] for place in system.feet)
+    axes.annotate(
+        "",
+        (left, -185),
+        (right, -185),
+        arrowprops={"arrowstyle": "<->", "shrinkA": 0, "shrinkB": 0},
+    )
+    axes.text(0, -181, f"{right - left:.0f} mm = {(right - left) / STUD_MM:.0f} studs", ha="center")
+    axes.set(xlim=(-250, 260), ylim=(-200, 195))
+    figure.text(0.05, 0.92, f"{system.name}: frame for both feet, seen from above", fontsize=13)
+    figure.text(
+        0.05,
+        0.04,
+        "Dark blue: markers that face the sensors below the soles. Light blue: eight markers "
+        "beside each heel, some above each other,\nthat face backwards. Dashed: the room for each "
+        "foot. The patient's right is at the right. Not to scale; the templates that follow are.",
+        fontsize=8,
+    )
+    figure.text(0.69, 0.85, "\n".join(_parts(system)), fontsize=9, va="top", linespacing=1.6)
+    return figure
+
+
+def _parts(system: ReferenceSystem) -> list[str]:
+    """List the parts of a frame for both feet."""
+    lines = ["Parts", ""]
+    bricks, plates = 0, 0
+    for face in dict.fromkeys(marker.face for marker in system.markers):
+        for place in system.feet:
+            markers = _around(system, place).facing((face,))
+            raised = [round(steps) for *_, steps in brick_steps(markers)]
+            bricks += sum(steps // _PLATES_A_BRICK for steps in raised)
+            plates += sum(steps % _PLATES_A_BRICK for steps in raised)
+    lines += [
+        f"{len(system.markers)}  blue bricks of 2 × 2 studs (markers)",
+        f"{bricks}  grey bricks of 2 × 2 studs, to raise them",
+        f"{plates}  grey plates of 2 × 2 studs, to raise them",
+        "    base plates of studs 8.0 mm apart, as large as",
+        "    the four templates, open where the feet are",
+        "1  stiff board, 600 × 450 mm, on which both",
+        "    frames are screwed",
+        "",
+        "No part but the markers may be blue. The",
+        "frame for the left foot and the one for the",
+        "right differ, and neither is like the frame",
+        "for one foot (lego-20): do not exchange them.",
+    ]
+    return lines
 
 
 def draw(page: PrintedPage) -> Figure:

@@ -18,6 +18,8 @@ MOST_BURSTS = 9
 _BURST_STEP_DEG = 1.0
 _VIEW = re.compile(r"[a-z0-9_]{1,32}")
 _TOP_FACE = "achilles"
+_TOP = "top"
+"""In the name of a view from above the tendon, such as ``left_top``."""
 
 
 @dataclass(frozen=True)
@@ -188,7 +190,7 @@ def parse_assignment(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
 
 
 def view_faces(view: str, system: ReferenceSystem) -> tuple[str, ...]:
-    """Return the marker groups that a view sees: for the top view the tendon's, else the others.
+    """Return the marker groups that a view sees: for a top view the tendon's, else the others.
 
     Every view sees all groups of a reference system that has no group at the Achilles tendon.
 
@@ -205,7 +207,7 @@ def view_faces(view: str, system: ReferenceSystem) -> tuple[str, ...]:
     groups = tuple(dict.fromkeys(marker.face for marker in system.markers))
     if _TOP_FACE not in groups or len(groups) == 1:
         return groups
-    if view.startswith("top"):
+    if _TOP in view.split("_"):
         return (_TOP_FACE,)
     return tuple(group for group in groups if group != _TOP_FACE)
 

@@ -9,6 +9,8 @@ from typing import Literal, Protocol
 
 from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.calibration.stored_correction import apply_correction
+from insole_core.errors import InputError
+from insole_core.geometry.side import BOTH, Sides
 from insole_core.messages import Message
 from insole_core.recording.box import Box
 from insole_core.recording.session import ReferenceSystem, Session
@@ -18,6 +20,7 @@ from insole_studio.acquisition.capture_plan import view_faces
 from insole_studio.acquisition.rig import OpenSensor
 
 DEFAULT_SYSTEM = "reference_systems/lego-20.json"
+SYSTEM_FOR_BOTH = "reference_systems/lego-40.json"
 
 Origin = Literal["settings", "recording", "factory"]
 
@@ -55,19 +58,48 @@ class CaptureSetup:
     Parameters
     ----------
     system
-        The markers around the foot.
+        The markers around the foot, or around both feet.
     stored
         Calibrations kept on this computer.
     volume_of_interest
         Reference frame; None lets the reconstruction find it.
     recorded
         Sensors of the emulated session, by view.
+    other
+        The system that stands ready for the other number of feet; None where there is none.
     """
 
     system: ReferenceSystem
     stored: SensorFiles
     volume_of_interest: Box | None = None
     recorded: dict[str, Sensor] = field(default_factory=dict)
+    other: ReferenceSystem | None = None
+
+    def of_side(self, side: Sides) -> CaptureSetup:
+        """Return the setup with the reference system for one foot, or for both.
+
+        Raises
+        ------
+        InputError
+            When there is only a system for the other number of feet.
+        """
+        if (side == BOTH) == bool(self.system.feet):
+            return self
+        if self.other is not None:
+            return replace(self, system=self.other, other=self.system)
+        if side == BOTH:
+            raise InputError(
+                'The reference system "{system}" has a place for one foot only; choose a foot, or '
+                "set up the one for two feet, {pair}.",
+                system=self.system.name,
+                pair=Path(SYSTEM_FOR_BOTH).stem,
+            )
+        raise InputError(
+            'The reference system "{system}" is for both feet; capture both, or set up the one '
+            "for one foot, {single}.",
+            system=self.system.name,
+            single=Path(DEFAULT_SYSTEM).stem,
+        )
 
     def calibrated(self, opened: OpenSensor, view: str) -> Calibrated:
         """Return the calibration of a sensor for a view: the stored one, else the device's own.
@@ -145,14 +177,18 @@ def own_setup(stored: SensorFiles, system_file: Path | None = None) -> CaptureSe
     stored
         Calibrations kept on this computer.
     system_file
-        File of the reference system; None selects the bundled one.
+        File of the reference system; None selects the bundled ones, for one foot and for both.
 
     Raises
     ------
     InputError
     """
-    system = load_reference_system(system_file or resource_path(DEFAULT_SYSTEM))
-    return CaptureSetup(system, stored)
+    if system_file is not None:
+        return CaptureSetup(load_reference_system(system_file), stored)
+    single, pair = (
+        load_reference_system(resource_path(name)) for name in (DEFAULT_SYSTEM, SYSTEM_FOR_BOTH)
+    )
+    return CaptureSetup(single, stored, other=pair)
 
 
 def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:

@@ -10,6 +10,7 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import transform
 from insole_core.reconstruct.markers.blobs import find_blobs
 from insole_core.reconstruct.markers.detections import locate_blobs
@@ -32,6 +33,10 @@ _MOVING_SHARE = 0.05
 _LEAST_VALID_SHARE = 0.01
 _FOOT_POINTS = 1500
 """Minimum number of pixels on a foot at 1 m."""
+_LEAST_POINTS = 300
+"""Of a foot that is there at all: as many as a toe or a strip of the heel."""
+_HIDDEN_SHARE = 0.5
+"""Pixels on one of two feet, as a share of those on the other, below which something hides it."""
 
 
 class HintKind(Enum):
@@ -43,6 +48,8 @@ class HintKind(Enum):
     NO_MARKERS = "no markers"
     MARKERS_HIDDEN = "markers hidden"
     NO_FOOT = "no foot"
+    FOOT_MISSING = "foot missing"
+    FOOT_HIDDEN = "foot hidden"
     TOO_DARK = "too dark"
     TOO_BRIGHT = "too bright"
     MOVING = "moving"
@@ -56,11 +63,14 @@ class Hint:
     ----------
     found, wanted
         Actual and required value, where the kind has any: mm, or number of markers.
+    side
+        The one of two feet that it is about.
     """
 
     kind: HintKind
     found: float = 0.0
     wanted: float = 0.0
+    side: Side | None = None
 
 
 @dataclass(frozen=True)
@@ -108,12 +118,13 @@ def guide(
     Parameters
     ----------
     volume
-        Box that the foot should be in, reference frame.
+        Box that the foot should be in, reference frame; a system for both feet has its own.
     """
     depth, color = snapshot.depth, snapshot.color
     depth_mm = sensor.depth_mm(np.where(depth == NO_READING, np.nan, depth.astype(float)))
     valid_share = float(np.isfinite(depth_mm).mean())
-    seen, foot_points = _locate(_for_picture(sensor, color), system, volume, depth_mm, color)
+    volumes = [p.volume_of_interest.moved(p.origin_mm) for p in system.feet] or [volume]
+    seen, foot_points = _locate(_for_picture(sensor, color), system, volumes, depth_mm, color)
     wanted = len(system.facing(sensor.faces))
     hints = [
         *_distance_hints(depth_mm, valid_share),
@@ -165,17 +176,21 @@ def _for_picture(sensor: Sensor, color: ByteArray) -> Sensor:
 
 
 def _locate(
-    sensor: Sensor, system: ReferenceSystem, volume: Box, depth_mm: FloatArray, color: ByteArray
-) -> tuple[int, int | None]:
-    """Count the recognised markers and the points inside the volume; None = unknown."""
+    sensor: Sensor,
+    system: ReferenceSystem,
+    volumes: list[Box],
+    depth_mm: FloatArray,
+    color: ByteArray,
+) -> tuple[int, list[int]]:
+    """Count the recognised markers and the points inside each volume; none = unknown."""
     points = sensor.points(depth_mm)
     sightings = locate_blobs(find_blobs(color), points, sensor)
     try:
         found = PoseSearch(system, sensor).by_places(sightings)
     except ReconstructionError:
-        return 0, None
-    inside = is_inside(transform(found.sensor2reference, points), volume)
-    return len(found.fixes), int(np.count_nonzero(inside))
+        return 0, []
+    placed = transform(found.sensor2reference, points)
+    return len(found.fixes), [int(np.count_nonzero(is_inside(placed, box))) for box in volumes]
 
 
 def _distance_hints(depth_mm: FloatArray, valid_share: float) -> list[Hint]:
@@ -189,15 +204,27 @@ def _distance_hints(depth_mm: FloatArray, valid_share: float) -> list[Hint]:
     return []
 
 
-def _marker_hints(seen: int, wanted: int, foot_points: int | None) -> list[Hint]:
-    if foot_points is None:
+def _marker_hints(seen: int, wanted: int, foot_points: list[int]) -> list[Hint]:
+    if not foot_points:
         return [Hint(HintKind.NO_MARKERS)]
     hints = []
     if seen < wanted:
         hints.append(Hint(HintKind.MARKERS_HIDDEN, wanted - seen, wanted))
-    if foot_points < _FOOT_POINTS:
+    if max(foot_points) < _FOOT_POINTS:
         hints.append(Hint(HintKind.NO_FOOT))
+    elif len(foot_points) > 1:
+        hints += _hints_of_both(dict(zip(Side, foot_points, strict=True)))
     return hints
+
+
+def _hints_of_both(points: dict[Side, int]) -> list[Hint]:
+    """Say which of two feet the sensor sees less of than it could, one before the other."""
+    side = min(points, key=lambda one: points[one])
+    if points[side] < _LEAST_POINTS:
+        return [Hint(HintKind.FOOT_MISSING, side=side)]
+    if points[side] < _HIDDEN_SHARE * points[side.other]:
+        return [Hint(HintKind.FOOT_HIDDEN, side=side)]
+    return []
 
 
 def _light_hints(color: ByteArray) -> list[Hint]:

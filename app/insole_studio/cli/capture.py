@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import InsoleError, UsageError
+from insole_core.geometry.side import sides_from
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
@@ -42,7 +43,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="which sensor gives which view, in the order of the capture; a sensor that is named "
         "twice is moved by hand in between",
     )  # fmt: skip
-    parser.add_argument("--side", choices=["left", "right"], help="of the foot")
+    parser.add_argument(
+        "--side", choices=["left", "right", "both"],
+        help="of the foot, or both feet in the reference system for two",
+    )  # fmt: skip
     parser.add_argument("--frames", type=whole, default=10, help="depth frames a view (10)")
     parser.add_argument("--color-frames", type=whole, default=1, help="colour pictures a view (1)")
     parser.add_argument(
@@ -167,23 +171,23 @@ def _new_draft(
 
     views = request.plan().views
     manifest = replace(_manifest(arguments, source, setup), extra=request.as_extra())
-    name = f"{manifest.recorded_at.replace(':', '')}-{manifest.side.value}"
+    name = f"{manifest.recorded_at.replace(':', '')}-{manifest.side}"
     begun = Drafts(drafts_folder_of_user()).begin(name)
     held.callback(begun.release)
     return Draft(begun.folder, manifest, views)
 
 
 def _manifest(arguments: argparse.Namespace, source: SensorSource, setup: CaptureSetup) -> Manifest:
-    from insole_core.geometry.side import Side
     from insole_core.recording.session import CaptureCondition, Manifest
 
-    recorded = source.session.manifest.side.value if source.session else None
-    side = arguments.side or recorded
+    recorded = source.session.manifest.side if source.session else None
+    side = sides_from(arguments.side) if arguments.side else recorded
     if side is None:
-        raise UsageError("Say which foot is captured: --side left or --side right.")
+        raise UsageError("Say which foot is captured: --side left, right or both.")
+    setup = setup.of_side(side)
     return Manifest(
         recorded_at=datetime.now(UTC).isoformat(timespec="milliseconds"),
-        side=Side(side),
+        side=side,
         reference_system=setup.system,
         views=(),
         volume_of_interest=setup.volume_of_interest,

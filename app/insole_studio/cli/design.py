@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +13,7 @@ from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli import export_arguments, foot_argument, prescribed, shoe_arguments
-from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.path_arguments import OutputPath, side_path
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
@@ -27,7 +29,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
     parser.add_argument(
-        "--out", action=OutputPath, required=True, metavar="insole.stl", help=".stl .3mf .ply .obj"
+        "--out",
+        action=OutputPath,
+        required=True,
+        metavar="insole.stl",
+        help=".stl .3mf .ply .obj; of a session of both feet insole_left.stl and insole_right.stl",
     )
     parser.add_argument("--prescription", type=Path, metavar="design.json")
     parser.add_argument(
@@ -52,34 +58,76 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     shoe_arguments.check(arguments)
     if arguments.pair is not None and arguments.block is None:
         raise UsageError("--pair nests two insoles into one block; name it with --block.")
-    with export_arguments.outputs(arguments) as beside:
-        parts = progress.part(0.0, 0.8).parts(1 if arguments.pair is None else 2)
-        side = None if arguments.side is None else Side(arguments.side)
-        insoles = [_insole(arguments.foot, side, arguments.prescription, arguments, parts[0])]
-        if arguments.pair is not None:
-            other = insoles[0].design.side.other
-            prescription = arguments.pair_prescription
-            insoles.append(_insole(arguments.pair, other, prescription, arguments, parts[1]))
-        insoles.sort(key=lambda insole: insole.design.side is Side.RIGHT)
-        export_arguments.deliver(tuple(insoles), arguments, beside, progress.part(0.8, 1.0))
-    progress.step(1.0, f"Done: {arguments.out}")
+    feet = _feet(arguments)
+    if len(feet) == 1 or arguments.block is not None:
+        orders = [(arguments, feet)]
+    else:
+        orders = [(_of_side(arguments, foot.side), [foot]) for foot in feet]
+    parts = progress.parts(len(orders))
+    with ExitStack() as opened:
+        beside = [opened.enter_context(export_arguments.outputs(one)) for one, _ in orders]
+        for (one, wanted), places, part in zip(orders, beside, parts, strict=True):
+            insoles: list[Insole] = []
+            for foot, step in zip(wanted, part.part(0.0, 0.8).parts(len(wanted)), strict=True):
+                other = insoles[0].design.side.other if insoles else foot.side
+                side = _agreed_side(other, foot.prescription)
+                insoles.append(_insole(replace(foot, side=side), one, step))
+            insoles.sort(key=lambda insole: insole.design.side is Side.RIGHT)
+            export_arguments.deliver(tuple(insoles), one, places, part.part(0.8, 1.0))
+    progress.step(1.0, f"Done: {' '.join(str(one.out) for one, _ in orders)}")
 
 
-def _insole(
-    path: Path,
-    named: Side | None,
-    prescription: Path | None,
-    arguments: argparse.Namespace,
-    progress: Progress,
-) -> Insole:
+@dataclass(frozen=True)
+class _Wanted:
+    """A foot that gets an insole.
+
+    Parameters
+    ----------
+    side
+        None for what the scan says, or for the other one of the first foot.
+    is_one_of_two
+        Whether both feet get insoles.
+    """
+
+    path: Path
+    side: Side | None
+    prescription: InsoleDesign | None
+    is_one_of_two: bool = False
+
+
+def _feet(arguments: argparse.Namespace) -> list[_Wanted]:
+    """Return the feet of the call: one, one and its pair, or both of a session."""
+    given = _read_prescription(arguments.prescription)
+    side = _agreed_side(None if arguments.side is None else Side(arguments.side), given)
+    first = _Wanted(arguments.foot, side, given)
+    if arguments.pair is not None:
+        other = _read_prescription(arguments.pair_prescription)
+        second = _Wanted(arguments.pair, None, other, is_one_of_two=True)
+        return [replace(first, is_one_of_two=True), second]
+    if side is not None:
+        return [first]
+    sides = foot_argument.recorded_sides(arguments.foot)
+    if len(sides) < 2:
+        return [first]
+    return [replace(first, side=one, is_one_of_two=True) for one in sides]
+
+
+def _of_side(arguments: argparse.Namespace, side: Side | None) -> argparse.Namespace:
+    """Return the call with the names of its results saying the side."""
+    assert side is not None, "of two feet the sides are known"
+    results = ("out", "checks", "job_sheet", "prescription_paper")
+    named = {key: path for key in results if (path := getattr(arguments, key)) is not None}
+    paths = {key: side_path(path, side, tuple(Side)) for key, path in named.items()}
+    return argparse.Namespace(**{**vars(arguments), **paths})
+
+
+def _insole(wanted: _Wanted, arguments: argparse.Namespace, progress: Progress) -> Insole:
     """Read a foot and build its insole, printing the warnings about both."""
     from insole_core.insole.build import build_insole
 
-    given = _read_prescription(prescription)
-    side = _agreed_side(named, given)
-    foot = foot_argument.read_foot(path, side, arguments, progress.part(0.0, 0.8))
-    design = prescribed.prescribed(foot, given, arguments)
-    design = shoe_arguments.in_shoe(design, arguments)
+    foot = foot_argument.read_foot(wanted.path, wanted.side, arguments, progress.part(0.0, 0.8))
+    design = prescribed.prescribed(foot, wanted.prescription, arguments)
+    design = shoe_arguments.in_shoe(design, arguments, either=wanted.is_one_of_two)
     insole = build_insole(foot, design, progress.part(0.8, 1.0))
     _print_warnings(insole, arguments.materials)
     return insole

@@ -20,7 +20,11 @@ if TYPE_CHECKING:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what can be said of a foot's scan, besides its path."""
-    parser.add_argument("--side", choices=[side.value for side in Side], help="needed for a mesh")
+    parser.add_argument(
+        "--side",
+        choices=[side.value for side in Side],
+        help="needed for a mesh; of a session of both feet, only this one",
+    )
     add_scan_arguments(parser)
     parser.add_argument(
         "--force", action="store_true",
@@ -85,6 +89,22 @@ def said_of_scan(arguments: argparse.Namespace, *, force: bool = False) -> Impor
         pose=PoseClicks(*given) if given else None,
         force=force,
     )
+
+
+def recorded_sides(path: Path) -> tuple[Side, ...]:
+    """Return the sides that a session was recorded with; none of a mesh.
+
+    Raises
+    ------
+    InputError
+        When it is a session that cannot be read.
+    """
+    from insole_core.recording.reader import is_session, read_session
+    from insole_core.scans.scan_folder import holds_scans
+
+    if not is_session(path) or holds_scans(path):
+        return ()
+    return read_session(path).manifest.sides
 
 
 def read_foot(

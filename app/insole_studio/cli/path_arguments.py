@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from insole_core.geometry.side import Side
+
 
 class OutputPath(argparse.Action):
     """Stores the path or paths of results, and notes that the argument names some."""
@@ -53,3 +55,8 @@ def _paths(value: object) -> Iterator[Path]:
     elif isinstance(value, list | tuple):
         for part in value:
             yield from _paths(part)
+
+
+def side_path(path: Path, side: Side, sides: Sequence[Side]) -> Path:
+    """Return where the result of a foot goes: of two feet, the name says which one."""
+    return path if len(sides) == 1 else path.with_name(f"{path.stem}_{side}{path.suffix}")

@@ -6,17 +6,22 @@ import argparse
 import json
 import sys
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from insole_core.errors import UsageError
+from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import number
-from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.path_arguments import OutputPath, side_path
+
+if TYPE_CHECKING:
+    from insole_core.workflows.make_feet import ReconstructedFoot
 
 NAME = "reconstruct"
-HELP = "rebuild the coloured foot from a recorded session"
+HELP = "rebuild the coloured foot, or both feet, from a recorded session"
 LIMITS = (
     ("residual-mm", "MM", "mean distance of the markers from the reference system"),
     ("reprojection-px", "PX", "root mean square of the distances in the colour image"),
@@ -27,7 +32,13 @@ LIMITS = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument("session", type=Path, metavar="SESSION", help="folder or .zip")
-    parser.add_argument("--out", action=OutputPath, required=True, metavar="foot.ply")
+    parser.add_argument(
+        "--out", action=OutputPath, required=True, metavar="foot.ply",
+        help="of both feet, foot_left.ply and foot_right.ply",
+    )  # fmt: skip
+    parser.add_argument(
+        "--side", choices=[side.value for side in Side], help="only this foot of both"
+    )
     parser.add_argument(
         "--method", choices=["fused", "thesis"], default="fused",
         help="the best there is (default), or the chain of the 2013 thesis",
@@ -39,7 +50,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the session, reconstruct the foot and write it."""
+    """Read the session, reconstruct the foot or both feet and write them."""
     if arguments.out.suffix.lower() != ".ply":
         raise UsageError(f"--out is {arguments.out}, but the foot is written as .ply.")
     start = time.perf_counter()
@@ -47,28 +58,54 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.export.atomic import write_text
     from insole_core.export.ply import write_ply
     from insole_core.export.transaction import Transaction
-    from insole_core.foot.side_check import side_doubt
-    from insole_core.reconstruct import RegistrationLimits, report_json
-    from insole_core.workflows.make_foot import open_session, reconstruct_session
+    from insole_core.reconstruct import RegistrationLimits
+    from insole_core.workflows.make_feet import reconstruct_feet
+    from insole_core.workflows.make_foot import open_session
 
+    limits = RegistrationLimits(**_given_limits(arguments))
+    opened = open_session(arguments.session, progress)
+    if arguments.side is not None:
+        opened = opened.of_foot(Side(arguments.side))
+    sides = opened.session.manifest.sides
     with Transaction() as outputs:
-        foot_file = outputs.file(arguments.out)
+        paths = [side_path(arguments.out, side, sides) for side in sides]
+        files = [outputs.file(path) for path in paths]
         report = arguments.report and outputs.file(arguments.report)
-        opened = open_session(arguments.session, progress)
-        limits = RegistrationLimits(**_given_limits(arguments))
-        result = reconstruct_session(
-            opened, limits, progress.part(0.1, 0.9), method=arguments.method
-        )
+        feet = reconstruct_feet(opened, limits, progress.part(0.1, 0.9), method=arguments.method)
         progress.step(0.9, "Writing the foot")
-        write_ply(result.mesh, foot_file)
-        doubt = side_doubt(result.mesh, opened.session.manifest.side)
-        result = replace(result, warnings=(*result.warnings, *filter(None, [doubt])))
-        for warning in result.warnings:
-            print(f"Warning: {warning}", file=sys.stderr)
+        feet = tuple(_with_side_doubt(foot) for foot in feet)
+        for foot, file in zip(feet, files, strict=True):
+            write_ply(foot.result.mesh, file)
+        _print_warnings(feet)
         if report:
-            values = report_json(result, time.perf_counter() - start)
+            values = _report(feet, time.perf_counter() - start)
             write_text(json.dumps(values, indent=1) + "\n", report)
-    progress.step(1.0, f"Done: {arguments.out}")
+    progress.step(1.0, f"Done: {' '.join(map(str, paths))}")
+
+
+def _with_side_doubt(foot: ReconstructedFoot) -> ReconstructedFoot:
+    from insole_core.foot.side_check import side_doubt
+
+    doubt = side_doubt(foot.result.mesh, foot.side)
+    warnings = (*foot.result.warnings, *filter(None, [doubt]))
+    return replace(foot, result=replace(foot.result, warnings=warnings))
+
+
+def _print_warnings(feet: Sequence[ReconstructedFoot]) -> None:
+    for foot in feet:
+        which = f"{foot.side} foot: " if len(feet) > 1 else ""
+        for warning in foot.result.warnings:
+            print(f"Warning: {which}{warning}", file=sys.stderr)
+
+
+def _report(feet: Sequence[ReconstructedFoot], total_seconds: float) -> dict[str, Any]:
+    """Return the report of a foot, or those of both by their side."""
+    from insole_core.reconstruct import report_json
+
+    if len(feet) == 1:
+        return report_json(feet[0].result, total_seconds)
+    reports = {foot.side.value: report_json(foot.result, total_seconds) for foot in feet}
+    return {"feet": reports, "seconds": {"total": total_seconds}}
 
 
 def _given_limits(arguments: argparse.Namespace) -> dict[str, Any]:

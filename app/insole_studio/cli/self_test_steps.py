@@ -52,6 +52,7 @@ from insole_studio.user_paths import UserPaths
 RESOURCES = (
     "example/example.insole",
     "reference_systems/lego-20.json",
+    "reference_systems/lego-40.json",
     "translations/sv/studio.qm",
     "icons",
     "devices",
@@ -274,7 +275,7 @@ class SelfTest:
     def _reconstruct(self) -> None:
         self._studio.open(self._captured)
         self._raise_what_the_window_told()
-        side = read_session(self._captured).manifest.side
+        side = read_session(self._captured).manifest.one_side
         self._require(self._case.of_side(side) is not None, "The session gave no foot of its side.")
 
     def _design(self) -> None:

@@ -47,24 +47,30 @@ def check(arguments: argparse.Namespace) -> None:
         raise UsageError("--shoe-width is for a size, and a last has its own; leave it out.")
 
 
-def in_shoe(design: InsoleDesign, arguments: argparse.Namespace) -> InsoleDesign:
-    """Return a design for the shoe that the arguments name; without one the design itself."""
+def in_shoe(design: InsoleDesign, arguments: argparse.Namespace, *, either: bool) -> InsoleDesign:
+    """Return a design for the shoe that the arguments name; without one the design itself.
+
+    Parameters
+    ----------
+    either
+        Whether both feet get insoles, so that the last of either foot serves.
+    """
     from insole_core.workflows.shoe_choice import with_shoe
 
-    shoe = _shoe(design.side, arguments)
+    shoe = _shoe(design.side, arguments, either=either)
     if shoe is None:
         return design
     return with_shoe(design, replace(shoe, trim=arguments.trim_to_shoe))
 
 
-def _shoe(side: Side, arguments: argparse.Namespace) -> Shoe | None:
+def _shoe(side: Side, arguments: argparse.Namespace, *, either: bool) -> Shoe | None:
     from insole_core.insole.shoes.shoe_sizes import REGULAR, read_shoe_table, said_size
     from insole_core.workflows.shoe_choice import shoe_of_last
 
     if arguments.shoe is None:
         return None
     if _is_file(arguments.shoe):
-        return shoe_of_last(Path(arguments.shoe), side, either=arguments.pair is not None)
+        return shoe_of_last(Path(arguments.shoe), side, either=either)
     table = read_shoe_table(arguments.shoe_table)
     system, size = said_size(arguments.shoe, table)
     width = arguments.shoe_width or REGULAR

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from insole_core.geometry.side import Side
+from insole_core.errors import UsageError
+from insole_core.geometry.side import BOTH, Side, sides_from
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
@@ -17,7 +18,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument("out", action=OutputPath, metavar="OUT", help="folder or .zip to write")
     parser.add_argument("--seed", type=whole, default=0, help="same seed, same session (default 0)")
-    parser.add_argument("--side", choices=[side.value for side in Side], default="left")
+    parser.add_argument("--side", choices=[*map(str, Side), BOTH], default="left")
+    parser.add_argument(
+        "--sensors",
+        type=whole,
+        metavar="N",
+        help="sensors around both feet, 4 to 6 (default 4); one foot has three",
+    )
     parser.add_argument(
         "--distance", type=number, default=800.0, metavar="MM", help="sensors to foot (default 800)"
     )
@@ -42,18 +49,22 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.simulate import SimulationOptions, simulate_session
 
     check_session_target(arguments.out)
+    both = arguments.side == BOTH
+    if arguments.sensors is not None and not both:
+        raise UsageError("--sensors is for both feet; add --side both, or leave it out.")
     options = SimulationOptions(
         seed=arguments.seed,
-        side=Side(arguments.side),
+        side=sides_from(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,
         ideal=arguments.ideal,
+        sensors=4 if arguments.sensors is None else arguments.sensors,
     )
     simulated = simulate_session(options, progress.part(0.0, 0.8))
     write_session(
         simulated.session,
         arguments.out,
-        simulated.truth,
+        simulated.truths if both else simulated.truth,
         simulated.sensor2reference,
         progress.part(0.8, 1.0),
     )

@@ -36,6 +36,9 @@ class MarkerMatchLimits:
         Height of the flattest triangle of markers that the search starts from.
     elsewhere_mm
         Mean displacement of the markers from which on a pose is a different one.
+    most_triples
+        Number of triangles of markers that the search starts from. Of the 2024 of 24 markers half
+        of which are hidden, an eighth are seen whole, so a fifth of them suffices.
     """
 
     near_mm: float = 6.0
@@ -46,6 +49,7 @@ class MarkerMatchLimits:
     least_width_mm: float = 15.0
     narrowest_triple_mm: float = 20.0
     elsewhere_mm: float = 15.0
+    most_triples: int = 400
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,9 +107,9 @@ def match_markers(
 
     Every triangle of markers is compared with every triangle of points of the same side lengths;
     each agreement gives a pose (Horn), and the pose that explains most markers, then the one with
-    the least error, is refined on all that it explains. The search is exhaustive, so the result
-    does not depend on chance; a mirrored arrangement cannot be rotated onto the markers and is
-    refused.
+    the least error, is refined on all that it explains. The search is exhaustive up to 14 markers,
+    and starts from a fixed choice of triangles with more, so the result does not depend on chance;
+    a mirrored arrangement cannot be rotated onto the markers and is refused.
 
     Parameters
     ----------
@@ -195,8 +199,11 @@ def _congruent_triples(
     fits = np.abs(between_points - between_markers[..., None, None]) < limits.near_mm
     three_points, three_markers = [np.empty((0, 3), np.int64)], [np.empty((0, 3), np.int64)]
     triples = np.array(list(combinations(range(len(markers)), 3)), dtype=np.int64).reshape(-1, 3)
-    wide = _heights(markers[triples]) >= limits.narrowest_triple_mm
-    for k, l, p in triples[wide]:  # noqa: E741
+    wide = triples[_heights(markers[triples]) >= limits.narrowest_triple_mm]
+    if len(wide) > limits.most_triples:
+        # A fixed choice, so that the result does not depend on chance.
+        wide = np.random.default_rng(0).permutation(wide)[: limits.most_triples]
+    for k, l, p in wide:  # noqa: E741
         first, second = np.nonzero(fits[k, l])
         pair, third = np.nonzero(fits[k, p][first] & fits[l, p][second])
         found = np.stack([first[pair], second[pair], third], axis=1)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import transform
 from insole_core.reconstruct.poses.camera_pose import CameraPose
 
 
@@ -77,3 +78,34 @@ class Registration:
     def residuals_mm(self) -> FloatArray:
         """(k,) residuals of the markers that determined the pose."""
         return np.array([fix.residual_mm for fix in self.fixes if fix.used])
+
+    def moved(self, from2to: FloatArray, middle: FloatArray) -> Registration:
+        """Return the registration in another frame.
+
+        Parameters
+        ----------
+        from2to : (4, 4) float64, mm
+        middle : (3,) float64, mm, old frame
+            Middle of the foot, of which the displacement is told.
+        """
+        pose, displacement_mm = self.camera_pose, self.displacement_mm
+        if pose is not None:
+            displacement_mm = pose.displacement_mm(middle)
+            pose = pose.moved(from2to)
+        fixes = tuple(
+            replace(fix, position_mm=_triple(transform(from2to, np.array([fix.position_mm]))[0]))
+            for fix in self.fixes
+        )
+        sensor2reference = from2to @ self.sensor2reference
+        return replace(
+            self,
+            sensor2reference=sensor2reference,
+            fixes=fixes,
+            camera_pose=pose,
+            displacement_mm=displacement_mm,
+        )
+
+
+def _triple(point: FloatArray) -> tuple[float, float, float]:
+    x, y, z = point.tolist()
+    return x, y, z

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _ROUNDS = 20
@@ -102,6 +102,19 @@ class CameraPose:
         # A small rotation t moves the point by t × arm.
         change = np.concatenate([np.cross(np.eye(3), arm).T, np.eye(3)], axis=1)
         return float(np.sqrt(np.trace(change @ self.covariance @ change.T)))
+
+    def moved(self, from2to: FloatArray) -> CameraPose:
+        """Return the pose with its reference frame replaced by another.
+
+        Parameters
+        ----------
+        from2to : (4, 4) float64, mm
+        """
+        return replace(
+            self,
+            reference2color=self.reference2color @ inverse(from2to),
+            center=transform(from2to, self.center[None])[0],
+        )
 
     @property
     def turn_deviation_deg(self) -> float:

@@ -44,12 +44,24 @@
             <translation>Ingen fot mellan markörerna</translation>
         </message>
         <message>
+            <source>No left foot in its place</source>
+            <translation>Ingen vänsterfot på sin plats</translation>
+        </message>
+        <message>
+            <source>No right foot in its place</source>
+            <translation>Ingen högerfot på sin plats</translation>
+        </message>
+        <message>
             <source>Put the sensor in its place for view {view}, then say that it stands.</source>
             <translation>Ställ sensorn på sin plats för vy {view}, och säg sedan att den står.</translation>
         </message>
         <message>
             <source>Something moves; hold the foot still</source>
             <translation>Något rör sig; håll foten stilla</translation>
+        </message>
+        <message>
+            <source>The capture of {time} (both feet) was not used; {there} of {wanted} views are there.</source>
+            <translation>Avbildningen från {time} (båda fötterna) har inte använts; {there} av {wanted} vyer finns.</translation>
         </message>
         <message>
             <source>The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there.</source>
@@ -64,8 +76,16 @@
             <translation>Den tidigare skanningen finns kvar.</translation>
         </message>
         <message>
+            <source>The left foot is partly hidden by the right one; move the sensor or part the feet</source>
+            <translation>Vänsterfoten skyms delvis av högerfoten; flytta sensorn eller sära på fötterna</translation>
+        </message>
+        <message>
             <source>The markers are not recognised; bring the reference system into the picture</source>
             <translation>Markörerna känns inte igen; för in referenssystemet i bilden</translation>
+        </message>
+        <message>
+            <source>The right foot is partly hidden by the left one; move the sensor or part the feet</source>
+            <translation>Högerfoten skyms delvis av vänsterfoten; flytta sensorn eller sära på fötterna</translation>
         </message>
         <message>
             <source>Tilting the sensor for view {view}</source>
@@ -94,6 +114,26 @@
         <message>
             <source>Waiting for steady depth of view {view}</source>
             <translation>Väntar på stadigt djup i vy {view}</translation>
+        </message>
+        <message>
+            <source>far left</source>
+            <translation>längst till vänster</translation>
+        </message>
+        <message>
+            <source>far right</source>
+            <translation>längst till höger</translation>
+        </message>
+        <message>
+            <source>left, top</source>
+            <translation>vänster, uppifrån</translation>
+        </message>
+        <message>
+            <source>middle</source>
+            <translation>mitten</translation>
+        </message>
+        <message>
+            <source>right, top</source>
+            <translation>höger, uppifrån</translation>
         </message>
         <message>
             <source>top</source>

@@ -964,6 +964,10 @@
             <translation>Märkning på inlägget</translation>
         </message>
         <message>
+            <source>In the place of the {side} foot the shape looks like a {other} one; see that the two feet are of one person, and stand in their own places.</source>
+            <translation>På platsen för {side} fot liknar formen en {other} fot; se till att de båda fötterna hör till en person och står på sina egna platser.</translation>
+        </message>
+        <message>
             <source>In the view {view} nothing of {least_mm:g} to {most_mm:g} mm stands out from its background; lay the mould or insole alone on a flat table under the sensor, and record it again.</source>
             <translation>I vyn {view} avtecknar sig inget på {least_mm:g} till {most_mm:g} mm mot bakgrunden; lägg formen eller inlägget ensamt på ett plant bord under sensorn, och spela in igen.</translation>
         </message>
@@ -2128,6 +2132,10 @@
             <translation>Sidorna {faces} mättes tillsammans.</translation>
         </message>
         <message>
+            <source>The feet look exchanged: a right one is in the place of the left, and a left one in the place of the right; see that they are not crossed, and that the pictures are not flipped.</source>
+            <translation>Fötterna verkar förväxlade: en högerfot är på vänsterfotens plats och en vänsterfot på högerfotens; se till att de inte är korsade och att bilderna inte är spegelvända.</translation>
+        </message>
+        <message>
             <source>The file does not say how the foot lies: of all ways it could stand, the one that looks most like a foot was taken.</source>
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
         </message>
@@ -2536,6 +2544,14 @@
             <translation>Registret hänvisar till en fil med ”{name}”, som inte är någon SHA-256; återställ databasen från en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>The reference system "{system}" has a place for one foot only; choose a foot, or set up the one for two feet, {pair}.</source>
+            <translation>Referenssystemet ”{system}” har plats för en enda fot; välj en fot, eller ställ upp det för två fötter, {pair}.</translation>
+        </message>
+        <message>
+            <source>The reference system "{system}" is for both feet; capture both, or set up the one for one foot, {single}.</source>
+            <translation>Referenssystemet ”{system}” är för båda fötterna; avbilda båda, eller ställ upp det för en fot, {single}.</translation>
+        </message>
+        <message>
             <source>The result does not fit a Kinect v1: {findings}; {reason}.</source>
             <translation>Resultatet passar inte en Kinect v1: {findings}; {reason}.</translation>
         </message>
@@ -2884,8 +2900,16 @@
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>
         <message>
+            <source>The {side} foot reaches out of its volume, so part of it is missing or of the other foot; put each foot in the middle of its place, where they neither touch nor cross, and capture them again.</source>
+            <translation>Foten på {side} sida når ut ur sin volym, så att en del av den saknas eller hör till den andra foten; ställ varje fot i mitten av sin plats, där de varken rör vid eller korsar varandra, och avbilda dem igen.</translation>
+        </message>
+        <message>
             <source>The {side} foot was changed while the map was being aligned to it, so the map was not laid; lay it again.</source>
             <translation>Foten ({side}) ändrades medan bilden passades in under den, så bilden lades inte dit; lägg den igen.</translation>
+        </message>
+        <message>
+            <source>The {side} foot: {reason}</source>
+            <translation>Foten på {side} sida: {reason}</translation>
         </message>
         <message>
             <source>The {side} insole has no pad {zone}; its pads are: {names}.</source>
@@ -4128,6 +4152,10 @@
             <translation>har en lateral kant på den mediala sidan; byt de två</translation>
         </message>
         <message>
+            <source>has a volume that reaches into that of the right foot; make the volumes narrower</source>
+            <translation>har en volym som når in i högerfotens; gör volymerna smalare</translation>
+        </message>
+        <message>
             <source>has more than {most} corners</source>
             <translation>har fler än {most} hörn</translation>
         </message>
@@ -4296,6 +4324,10 @@
             <translation>intern</translation>
         </message>
         <message>
+            <source>is "both", but the reference system "{system}" is for one foot; name the foot that was captured, or the system for two feet that was used</source>
+            <translation>är "both", men referenssystemet ”{system}” är för en fot; ange vilken fot som avbildades, eller det system för två fötter som användes</translation>
+        </message>
+        <message>
             <source>is "{name}", but must be the plain name of a file, without folders</source>
             <translation>är ”{name}” men måste vara ett filnamn utan mappar</translation>
         </message>
@@ -4308,12 +4340,20 @@
             <translation>är 0, så att fräsen skulle stå stilla; ange det verkliga värdet</translation>
         </message>
         <message>
+            <source>is 1, that of a session of one foot, but the reference system "{system}" is for both feet; make it 2, and "side" "both"</source>
+            <translation>är 1, som för en session med en fot, men referenssystemet ”{system}” är för båda fötterna; ändra till 2, och "side" till "both"</translation>
+        </message>
+        <message>
             <source>is empty, but a reference system has at least 4 markers</source>
             <translation>är tomt, men ett referenssystem har minst 4 markörer</translation>
         </message>
         <message>
             <source>is empty; mark the points in the image</source>
             <translation>är tom; märk punkterna i bilden</translation>
+        </message>
+        <message>
+            <source>is for a session of one foot; of both, each has its own in "reference_frame.feet"</source>
+            <translation>är för en session med en fot; med båda har var och en sin egen i "reference_frame.feet"</translation>
         </message>
         <message>
             <source>is missing</source>
@@ -4902,6 +4942,10 @@
         <message>
             <source>must hold one of the name "regular"</source>
             <translation>måste hålla en med namnet ”regular”</translation>
+        </message>
+        <message>
+            <source>must lie at smaller x than the right foot, since +x points to the patient's right</source>
+            <translation>måste ligga vid mindre x än högerfoten, eftersom +x pekar åt patientens höger</translation>
         </message>
         <message>
             <source>must name a file beside sensor.json</source>
@@ -7116,6 +7160,14 @@
             <translation>{path} ändrades medan den sparades; försök igen.</translation>
         </message>
         <message>
+            <source>{path} was recorded with both feet, but one surface is compared; reconstruct its feet and give the mesh of one.</source>
+            <translation>{path} spelades in med båda fötterna, men en yta jämförs; rekonstruera fötterna och ange den enas yta.</translation>
+        </message>
+        <message>
+            <source>{path} was recorded with both feet; say which one, with --side left or --side right.</source>
+            <translation>{path} spelades in med båda fötterna; ange vilken, med --side left eller --side right.</translation>
+        </message>
+        <message>
             <source>{path}: "{text}" is no distance of sensors; write such as 5 or 5 x 7.</source>
             <translation>{path}: ”{text}” är inget avstånd mellan sensorer; skriv till exempel 5 eller 5 x 7.</translation>
         </message>
@@ -7274,6 +7326,10 @@
         <message>
             <source>{serial}: {step} {value:.2f} {unit}</source>
             <translation>{serial}: {step} {value:.2f} {unit}</translation>
+        </message>
+        <message>
+            <source>{session} was recorded with both feet, but no {side} foot is in its place; capture both again, or choose the {other} foot alone.</source>
+            <translation>{session} spelades in med båda fötterna, men ingen {side} fot är på sin plats; avbilda båda igen, eller välj enbart {other} fot.</translation>
         </message>
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>

@@ -92,6 +92,10 @@
             <translation>Uteslut {id}</translation>
         </message>
         <message>
+            <source>Foot that is shown</source>
+            <translation>Fot som visas</translation>
+        </message>
+        <message>
             <source>Frames</source>
             <translation>Bilder</translation>
         </message>

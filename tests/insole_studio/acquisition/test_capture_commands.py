@@ -350,3 +350,38 @@ def test_a_recording_without_colour(
         picture.unlink()
     assert run(["import-fakenect", str(fakenect), "--out", str(tmp_path / "s")]) == 1
     assert "holds no colour pictures" in last_line(capsys)
+
+
+def test_both_feet_are_captured_in_one_go(small_session: Path, tmp_path: Path) -> None:
+    recorded, out = small_session.with_name("both_small.zip"), tmp_path / "session"
+    call = ["capture", "--emulate", str(recorded), "--out", str(out), "--frames", "2"]
+    assert run(call) == 0
+    sent, came = read_session(recorded), read_session(out)
+    assert json.loads((out / "manifest.json").read_text())["version"] == 2
+    assert came.manifest.side == sent.manifest.side == "both"
+    assert came.manifest.reference_system == sent.manifest.reference_system
+    faces = {view.name: view.sensor.faces for view in came.views}
+    assert faces == {view.name: view.sensor.faces for view in sent.views}
+    assert faces["left_top"] == ("achilles",)
+
+
+@pytest.mark.parametrize(
+    ("session", "side", "sentence"),
+    [
+        ("left_small.zip", "both", '"lego-20" has a place for one foot only; choose a foot'),
+        ("both_small.zip", "left", '"lego-40" is for both feet; capture both'),
+    ],
+)
+def test_the_frame_must_have_a_place_for_each_foot(
+    small_session: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    session: str,
+    side: str,
+    sentence: str,
+) -> None:
+    recorded, out = small_session.with_name(session), tmp_path / "session"
+    call = ["capture", "--emulate", str(recorded), "--out", str(out), "--side", side]
+    assert run(call) == 1
+    assert sentence in last_line(capsys)
+    assert not out.exists()

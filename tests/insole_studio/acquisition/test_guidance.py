@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from insole_core.geometry.side import Side
 from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.box import Box
 from insole_core.recording.reader import read_session
@@ -102,3 +103,33 @@ def test_colours_grow_with_depth_and_grey_is_nothing() -> None:
     assert tuple(colors[2047]) == (48, 48, 48)
     assert tuple(colors[399]) == (68, 1, 84)
     assert tuple(colors[1000]) == (253, 231, 37)
+
+
+@pytest.fixture(scope="module")
+def session_of_both() -> Session:
+    return read_session(Path(__file__).parents[2] / "data" / "sessions" / "both_small.zip")
+
+
+def seen_of_both(session: Session, hidden: slice) -> Guidance:
+    """Look at both feet with some columns of the depth image covered."""
+    view = session.views[0]
+    depth = view.read_depth(0)
+    depth[:, hidden] = 2047
+    system, place = session.manifest.reference_system, volume_of_interest(session)
+    return guide(view.sensor, system, place, FrameSnapshot(depth, depth, view.read_color(0)))
+
+
+@pytest.mark.parametrize(
+    ("hidden", "kinds"),
+    [
+        (slice(0), []),
+        (slice(-300, None), [(HintKind.FOOT_MISSING, Side.RIGHT)]),
+        (slice(-260, None), [(HintKind.FOOT_HIDDEN, Side.RIGHT)]),
+    ],
+)
+def test_a_foot_that_is_missing_or_hidden_by_the_other_is_named(
+    session_of_both: Session, hidden: slice, kinds: list[tuple[HintKind, Side]]
+) -> None:
+    found = seen_of_both(session_of_both, hidden)
+    of_feet = [(hint.kind, hint.side) for hint in found.hints if hint.side is not None]
+    assert of_feet == kinds

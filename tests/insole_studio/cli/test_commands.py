@@ -380,3 +380,29 @@ def test_reader_that_has_read_enough_ends_a_command_without_a_complaint() -> Non
     )
     os.close(write)
     assert (done.returncode, done.stderr) == (128 + signal.SIGPIPE, "")
+
+
+def test_both_feet_of_a_session_are_written_beside_each_other(
+    small_session: Path, tmp_path: Path
+) -> None:
+    out, report = tmp_path / "foot.ply", tmp_path / "report.json"
+    both = str(small_session.with_name("both_small.zip"))
+    call = ["reconstruct", both, "--method", "thesis", "--out", str(out), "--report", str(report)]
+    assert run(call) == 0
+    assert {path.name for path in tmp_path.glob("*.ply")} == {"foot_left.ply", "foot_right.ply"}
+    reports = json.loads(report.read_text())["feet"]
+    assert [len(reports[side]["views"]) for side in ("left", "right")] == [4, 4]
+    lengths = [
+        np.ptp(trimesh.load(tmp_path / f"foot_{side}.ply", process=False).vertices[:, 1])
+        for side in ("left", "right")
+    ]
+    assert lengths[0] > lengths[1] + 10  # as simulated
+
+
+def test_one_foot_of_both_is_named(
+    small_session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    both, report = str(small_session.with_name("both_small.zip")), tmp_path / "m.json"
+    assert run(["measure", both, "--report", str(report)]) == 2
+    assert "both feet; say which one, with --side left or --side right" in capsys.readouterr().err
+    assert not report.exists()

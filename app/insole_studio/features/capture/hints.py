@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from insole_core.geometry.side import Side
 from insole_studio.acquisition.guidance import Hint, HintKind
 from insole_studio.texts import fill, tr
 
 
 def hint_text(hint: Hint) -> str:
     """Return the translated text of a hint."""
+    if hint.side is not None:
+        return _text_of_one_foot(hint.kind, hint.side)
     texts = {
         HintKind.NOTHING_MEASURED: tr("Almost nothing is measured; check distance and light"),
         HintKind.TOO_NEAR: tr("Too near: {found:.0f} mm, at least {wanted:.0f} mm is good"),
@@ -22,3 +25,14 @@ def hint_text(hint: Hint) -> str:
         HintKind.MOVING: tr("Something moves; hold the foot still"),
     }
     return fill(texts[hint.kind], found=hint.found, wanted=hint.wanted)
+
+
+def _text_of_one_foot(kind: HintKind, side: Side) -> str:
+    left = side is Side.LEFT
+    if kind is HintKind.FOOT_MISSING:
+        return tr("No left foot in its place") if left else tr("No right foot in its place")
+    return (
+        tr("The left foot is partly hidden by the right one; move the sensor or part the feet")
+        if left
+        else tr("The right foot is partly hidden by the left one; move the sensor or part the feet")
+    )

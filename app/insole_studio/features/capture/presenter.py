@@ -11,7 +11,7 @@ from typing import Any, Protocol
 from insole_core.errors import InsoleError, UsageError
 from insole_core.export.atomic import make_output_folder
 from insole_core.geometry.arrays import ByteArray
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.messages import Message, joined
 from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
@@ -223,6 +223,7 @@ class CapturePresenter:
         if self._left is None or self._is_busy:
             return
         try:
+            self._use_setup(self._left.manifest.side)
             held, left = hold_unfinished(self._left.folder)
         except InsoleError as error:
             self._offer_left()
@@ -280,11 +281,31 @@ class CapturePresenter:
 
     def edit_options(self, options: CaptureOptions) -> None:
         """Apply the options; another side begins a new capture."""
-        if options.side is not self.options.side:
+        if options.side != self.options.side:
+            try:
+                self._use_setup(options.side)
+            except InsoleError as error:
+                self._panel.show_options(self.options)
+                self._show_error(error)
+                return
             self._leave_scan()
             self._offer_left()
         self.options = options
         self._show()
+
+    def _use_setup(self, side: Sides) -> None:
+        """Take the reference system that has a place for each foot.
+
+        Raises
+        ------
+        InputError
+            When there is none.
+        """
+        setup = self._setup.of_side(side)
+        if setup is not self._setup:
+            self._setup = setup
+            self._watches.clear()
+            self._welcome()
 
     def _take(self, event: Event) -> None:
         if isinstance(event, Sensors):
@@ -319,7 +340,7 @@ class CapturePresenter:
         """Assign views to new sensors, and start following each sensor."""
         serials = [state.serial for state in self._sensors.states]
         for serial in serials:
-            self._assignment.welcome(serial, serials)
+            self._assignment.welcome(serial, serials, self.options.side)
             view, watch = self._view_of(serial), self._watches.get(serial)
             if watch is None or watch.view != view:
                 self._watches[serial] = SensorWatch(self._setup, serial, view)
@@ -358,7 +379,7 @@ class CapturePresenter:
 
     def _begin_scan(self, plan: CapturePlan) -> Scan:
         stamp = datetime.now().strftime("%Y-%m-%d-%H%M%S")
-        held = self._drafts.begin(f"{stamp}-{self.options.side.value}")
+        held = self._drafts.begin(f"{stamp}-{self.options.side}")
         if self._scan is not None and self._scan.finished:
             self._earlier = self._scan
         else:
@@ -522,11 +543,17 @@ class CapturePresenter:
 def _offer(left: UnfinishedCapture) -> str:
     """Return the text that offers to continue an unfinished capture."""
     begun = datetime.fromisoformat(left.manifest.recorded_at).astimezone()
-    return tr(
-        "The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there."
-    ).format(
+    if left.manifest.side == BOTH:
+        text = tr(
+            "The capture of {time} (both feet) was not used; {there} of {wanted} views are there."
+        )
+    else:
+        text = tr(
+            "The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there."
+        )
+    return text.format(
         time=begun.strftime("%Y-%m-%d %H:%M"),
-        side={Side.LEFT: tr("left"), Side.RIGHT: tr("right")}[left.manifest.side],
+        side=tr("left") if left.manifest.side is Side.LEFT else tr("right"),
         there=len(left.manifest.views),
         wanted=len(left.order),
     )

@@ -7,13 +7,15 @@ from typing import Literal
 
 import numpy as np
 
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import Side, Sides
 from insole_studio.acquisition.guidance import DEPTH_RANGE_MM
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
 
 Mode = Literal["turns", "together", "moved"]
 USUAL_VIEWS = ("left", "right", "top")
+VIEWS_OF_BOTH = ("left", "right", "left_top", "right_top", "middle", "far_left", "far_right")
+"""The first four are enough for both feet."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,7 @@ class CaptureOptions:
     Parameters
     ----------
     side
-        Side of the foot.
+        The foot, or both.
     weight_bearing
         ``none``, ``semi`` or ``full``.
     held
@@ -40,7 +42,7 @@ class CaptureOptions:
         Series per view, each tilted by one degree.
     """
 
-    side: Side = Side.LEFT
+    side: Sides = Side.LEFT
     weight_bearing: str = "none"
     held: bool = False
     notes: str = ""

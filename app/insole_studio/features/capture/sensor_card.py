@@ -23,14 +23,14 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.geometry.arrays import ByteArray
-from insole_studio.features.capture.rows import SensorRow
+from insole_studio.features.capture.rows import USUAL_VIEWS, VIEWS_OF_BOTH, SensorRow
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.picture_view import PictureView
 
 MIME = "application/x-insole-studio-sensor"
-VIEWS = ("left", "right", "top", *(f"view_{number}" for number in range(4, 9)))
+VIEWS = (*dict.fromkeys(USUAL_VIEWS + VIEWS_OF_BOTH), *(f"view_{n}" for n in range(4, 9)))
 
 
 class SensorCard(QFrame):

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.geometry.arrays import ByteArray
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side, Sides, sides_from
 from insole_studio.features.capture.rows import (
     CaptureOptions,
     CaptureRow,
@@ -161,8 +161,8 @@ class CaptureView(QWidget):
     def show_options(self, options: CaptureOptions) -> None:
         """Show the options."""
         self._options = options
-        self._badge.show_side(options.side)
-        self._side.show_value(options.side.value)
+        self._show_side(options.side)
+        self._side.show_value(str(options.side))
         self._weight.show_value(options.weight_bearing)
         self._mode.show_value(options.mode)
         self._frames.show_value(options.frames)
@@ -171,6 +171,10 @@ class CaptureView(QWidget):
             self._held.setChecked(options.held)
         self._notes.setText(options.notes)
         self._show_views(options)
+
+    def _show_side(self, side: Sides) -> None:
+        self._badge.show_side(None if side == BOTH else Side(side))
+        self._other.setVisible(side != BOTH)
 
     def _show_views(self, options: CaptureOptions) -> None:
         self._views.setText(" ".join(options.views))
@@ -201,8 +205,14 @@ class CaptureView(QWidget):
 
     def _make_options(self) -> None:
         self._badge = SideBadge()
-        self._side = ComboBox([(Side.LEFT.value, tr("left")), (Side.RIGHT.value, tr("right"))])
-        self._side.edited.connect(lambda word: self._edit(side=Side(word)))
+        self._side = ComboBox(
+            [
+                (Side.LEFT.value, tr("left")),
+                (Side.RIGHT.value, tr("right")),
+                (BOTH, tr("Both feet")),
+            ]
+        )
+        self._side.edited.connect(lambda word: self._edit(side=sides_from(word)))
         self._weight = ComboBox(
             [
                 ("none", tr("Not weight-bearing")),
@@ -335,6 +345,6 @@ class CaptureView(QWidget):
         options = replace(self._options, **changes)
         if options != self._options:
             self._options = options
-            self._badge.show_side(options.side)
+            self._show_side(options.side)
             self._show_views(options)
             self.options_edited.emit(options)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from dataclasses import replace
 
+from insole_core.geometry.side import BOTH, Sides
 from insole_studio.acquisition.plan_request import PlanRequest
-from insole_studio.features.capture.rows import USUAL_VIEWS, CaptureOptions
+from insole_studio.features.capture.rows import USUAL_VIEWS, VIEWS_OF_BOTH, CaptureOptions
 
 _FURTHER_VIEWS = tuple(f"view_{number}" for number in range(4, 12))
 
@@ -40,7 +41,7 @@ class ViewAssignment:
         """Return the view of a sensor."""
         return self._views[serial]
 
-    def welcome(self, serial: str, present: Collection[str]) -> None:
+    def welcome(self, serial: str, present: Collection[str], side: Sides) -> None:
         """Assign an unused view to a new sensor.
 
         Parameters
@@ -49,10 +50,12 @@ class ViewAssignment:
             Serial number of the new sensor.
         present
             Serial numbers of the connected sensors.
+        side
+            What is captured.
         """
         if serial not in self._views:
             taken = {view for other, view in self._views.items() if other in present}
-            names = (*USUAL_VIEWS, *_FURTHER_VIEWS)
+            names = (*(VIEWS_OF_BOTH if side == BOTH else USUAL_VIEWS), *_FURTHER_VIEWS)
             self._views[serial] = next(name for name in names if name not in taken)
 
     def name(self, serial: str, view: str) -> None:

@@ -11,16 +11,19 @@ import numpy as np
 
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid
 from insole_core.progress import Progress
-from insole_core.reconstruct import RegistrationLimits
+from insole_core.reconstruct import RegistrationLimits, ViewResult
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
+from insole_core.workflows.make_feet import DoubtfulFeetError, make_feet
 from insole_core.workflows.make_foot import (
     MadeFoot,
-    make_foot,
+    MeasuredSession,
     measure_session,
 )
 from insole_core.workflows.scanned_foot import ScannedFoot
@@ -47,6 +50,7 @@ READING, MAKING = "read-session", "reconstruct"
 class FootStagePanel(ImagePanel, Protocol):
     """The panel of the foot stage as its presenter sees it, with the signals it emits."""
 
+    foot_chosen: Any
     view_chosen: Any
     view_switched: Any
     box_edited: Any
@@ -59,7 +63,8 @@ class FootStagePanel(ImagePanel, Protocol):
     cancel_requested: Any
     go_on_requested: Any
 
-    def show_session(self, name: str, side: Side) -> None: ...  # noqa: D102
+    def show_session(self, name: str, sides: Sequence[Side]) -> None: ...  # noqa: D102
+    def show_side(self, side: Side) -> None: ...  # noqa: D102
     def show_views(self, rows: Sequence[ViewRow], selected: str) -> None: ...  # noqa: D102
     def show_foot(self, mesh: TriangleMesh, coloring: Coloring | None) -> None: ...  # noqa: D102
     def show_nothing(self, sentence: str) -> None: ...  # noqa: D102
@@ -124,8 +129,10 @@ class FootStagePresenter:
         self._meshes: dict[str, TriangleMesh] = {}
         self._mesh_box: Box | None = None
         self._map = FootMap.VIEWS
-        self._made: MadeFoot | None = None
-        self._handed: MadeFoot | None = None
+        self._side = Side.LEFT
+        """The foot that is shown, of those that were captured."""
+        self._made_feet: dict[Side, MadeFoot] = {}
+        self._handed: dict[Side, MadeFoot] = {}
         self._trouble = ""
         self._hands_over = False
         """Whether to hand over the foot as soon as it is made."""
@@ -136,7 +143,7 @@ class FootStagePresenter:
         self._show_buttons()
 
     def open(self, path: Path, hand_over: bool) -> None:
-        """Read a session and make its foot.
+        """Read a session and make its foot, or both.
 
         Parameters
         ----------
@@ -158,7 +165,8 @@ class FootStagePresenter:
 
     def _forget(self, sentence: str) -> None:
         """Let go of the session, and show a sentence instead of all that was shown of it."""
-        self._work = self._made = self._handed = self._mesh_box = None
+        self._work = self._mesh_box = None
+        self._made_feet, self._handed = {}, {}
         self._meshes = {}
         self._hands_over = self._leaves = False
         self._trouble = ""
@@ -167,13 +175,21 @@ class FootStagePresenter:
 
     @property
     def box(self) -> Box | None:
-        """The volume of interest; None before a session is open."""
-        return None if self._work is None else self._work.box
+        """The volume of interest of the foot that is shown; None before a session is open."""
+        return None if self._work is None else self._foot(self._work).box
 
     @property
     def edits(self) -> HandEdits:
         """The manual corrections."""
         return NO_EDITS if self._work is None else self._work.edits
+
+    def choose_foot(self, side: Side) -> None:
+        """Show the other one of two feet."""
+        if self._work is None or side is self._side:
+            return
+        self._side, self._mesh_box = side, None
+        self._panel.show_side(side)
+        self._take_change(frozenset(self._work.names))
 
     def choose_view(self, name: str) -> None:
         """Show the image of another view."""
@@ -187,12 +203,17 @@ class FootStagePresenter:
 
     def edit_box(self, box: Box) -> None:
         """Set the volume of interest."""
-        edits = replace(self.edits, volume_of_interest=box)
-        self._apply(edits, tr("Change the volume"), merge_key="box")
+        key = f"box {self._side}"
+        self._apply(self._edits_with_box(box), tr("Change the volume"), merge_key=key)
 
     def reset_box(self) -> None:
         """Restore the recorded volume of interest."""
-        self._apply(replace(self.edits, volume_of_interest=None), tr("Reset the volume"))
+        self._apply(self._edits_with_box(None), tr("Reset the volume"))
+
+    def _edits_with_box(self, box: Box | None) -> HandEdits:
+        if self._work is not None and len(self._work.opened.feet) > 1:
+            return self.edits.with_volume(self._side, box)
+        return replace(self.edits, volume_of_interest=box)
 
     def edit_limits(self, limits: Limits) -> None:
         """Set the limits beyond which poses are rejected."""
@@ -222,7 +243,7 @@ class FootStagePresenter:
             self._work.redo()
 
     def make(self, force: bool = False) -> None:
-        """Make the foot with the current corrections; `force` makes it despite a warning."""
+        """Make every foot with the current corrections; `force` makes it despite a warning."""
         if self._work is None:
             return
         work, opened, limits = self._work, self._work.opened, self._limits
@@ -232,14 +253,15 @@ class FootStagePresenter:
             _prepare_display(made)
             self._jobs.tell(lambda: self._take_preview(work, made))
 
-        def task(progress: Progress) -> MadeFoot:
-            made = make_foot(
+        def task(progress: Progress) -> tuple[MadeFoot, ...]:
+            feet = make_feet(
                 opened, limits, progress, on_preview=tell, compare_views=True, force=force
             )
-            _prepare_display(made)
-            return made
+            for made in feet:
+                _prepare_display(made)
+            return feet
 
-        self._jobs.start(MAKING, task, self._take_foot, self._take_trouble)
+        self._jobs.start(MAKING, task, self._take_feet, self._take_trouble)
         self._show_buttons()
 
     def cancel(self) -> None:
@@ -251,15 +273,14 @@ class FootStagePresenter:
         self._show_buttons()
 
     def go_on(self) -> None:
-        """Hand the foot over and leave; a foot still being made is handed over when it is ready."""
+        """Hand the feet over and leave; one still being made is handed over when it is ready."""
         self._leaves = True
         running = self._jobs.is_running(MAKING)
         if self._is_stale and not running:
             self._hands_over = True
             self.make()
             return
-        if self._made is not None and self._made is not self._handed:
-            self._give(self._made)
+        self._give()
         self._hands_over = running
         self._finished(not running)
 
@@ -270,10 +291,25 @@ class FootStagePresenter:
 
     @property
     def _is_stale(self) -> bool:
-        made = self._made
-        return made is None or (made.edits, made.limits) != (self.edits, self._limits)
+        if self._work is None:
+            return True
+        wanted = {
+            foot.session.manifest.one_side: (foot.edits, self._limits)
+            for foot in self._work.opened.feet
+        }
+        return wanted != {side: (foot.edits, foot.limits) for side, foot in self._made_feet.items()}
+
+    @property
+    def _made(self) -> MadeFoot | None:
+        """The foot that is shown, if it is made."""
+        return self._made_feet.get(self._side)
+
+    def _foot(self, work: SessionEditor) -> MeasuredSession:
+        """Return the session of the foot that is shown, in the foot's own reference frame."""
+        return work.opened.of_foot(self._side)
 
     def _connect(self, panel: FootStagePanel) -> None:
+        panel.foot_chosen.connect(self.choose_foot)
         panel.view_chosen.connect(self.choose_view)
         panel.view_switched.connect(self.switch_view)
         panel.box_edited.connect(self.edit_box)
@@ -298,9 +334,11 @@ class FootStagePresenter:
 
     def _show_session(self, work: SessionEditor) -> None:
         self._work = work
-        session = work.opened.session
-        self._panel.show_session(work.opened.path.stem, session.manifest.side)
-        self._panel.show_box(work.box)
+        sides = work.opened.session.manifest.sides
+        self._side = sides[0]
+        self._panel.show_session(work.opened.path.stem, sides)
+        self._panel.show_side(self._side)
+        self._panel.show_box(self._foot(work).box)
         self._markers.take(work)
         self._take_change(frozenset(work.names))
 
@@ -308,8 +346,9 @@ class FootStagePresenter:
         """Show the views after a correction that moved some of them."""
         if self._work is None:
             return
-        if self._work.box != self._mesh_box:
-            self._mesh_box = self._work.box
+        box = self._foot(self._work).box
+        if box != self._mesh_box:
+            self._mesh_box = box
             self._panel.show_box(self._mesh_box)
             moved = frozenset(self._work.names)
         for name in moved:
@@ -322,18 +361,19 @@ class FootStagePresenter:
         self._show_buttons()
 
     def _take_preview(self, work: SessionEditor, made: MadeFoot) -> None:
-        still = work is self._work and made.edits == self.edits
+        side = made.scan.foot.side
+        still = work is self._work and made.edits == work.opened.of_foot(side).edits
         if still and self._jobs.is_running(MAKING):
-            self._made = made
+            self._made_feet[side] = made
             self._show_foot()
             self._show_buttons()
 
-    def _take_foot(self, made: MadeFoot) -> None:
-        self._made = made
+    def _take_feet(self, feet: Sequence[MadeFoot]) -> None:
+        self._made_feet = {made.scan.foot.side: made for made in feet}
         self._panel.show_progress(0.0, "")
         if self._hands_over:
             self._hands_over = False
-            self._give(made)
+            self._give()
         if self._leaves:
             self._finished(True)
             return
@@ -343,7 +383,7 @@ class FootStagePresenter:
 
     def _take_trouble(self, error: Exception) -> None:
         self._panel.show_progress(0.0, "")
-        if isinstance(error, SideMismatchError) and self._ask(str(error)):
+        if isinstance(error, SideMismatchError | DoubtfulFeetError) and self._ask(str(error)):
             self.make(force=True)
             return
         if not isinstance(error, InsoleError):
@@ -355,9 +395,12 @@ class FootStagePresenter:
         if was_left:
             self._needed_again()
 
-    def _give(self, made: MadeFoot) -> None:
-        self._handed = made
-        self._hand_over(made.scan)
+    def _give(self) -> None:
+        """Hand over the feet that were not handed over yet."""
+        for side, made in self._made_feet.items():
+            if self._handed.get(side) is not made:
+                self._handed[side] = made
+                self._hand_over(made.scan)
 
     def _apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
         if self._work is not None:
@@ -393,22 +436,32 @@ class FootStagePresenter:
         """Show every registered view in its own colour."""
         if self._work is None:
             return
-        results, measured = self._work.results, self._work.opened.measured
+        foot = self._foot(self._work)
+        results, measured = self._work.results, foot.measured
         for number, name in enumerate(self._work.names):
-            pose = results[name].sensor2reference
+            pose = self._pose(self._work, results[name])
             if name not in self._meshes and pose is not None:
                 color = VIEW_COLORS[number % len(VIEW_COLORS)]
-                self._meshes[name] = view_mesh(measured[name], pose, self._work.box, color)
+                self._meshes[name] = view_mesh(measured[name], pose, foot.box, color)
         shown = [mesh for name, mesh in self._meshes.items() if results[name].used]
         if shown:
             self._panel.show_foot(_together(shown), None)
         else:
             self._panel.show_nothing(tr("No view is placed. Correct its markers, or tick a view."))
 
+    def _pose(self, work: SessionEditor, result: ViewResult) -> FloatArray | None:
+        """Return the pose of a view in the own reference frame of the foot that is shown."""
+        system = work.opened.session.manifest.reference_system
+        pose = result.sensor2reference
+        if pose is None or not system.feet:
+            return pose
+        return rigid(np.eye(3), -np.array(system.place(self._side).origin_mm)) @ pose
+
     def _show_sentences(self) -> None:
         sentences = [self._trouble] if self._trouble else self._troubles_of_views()
-        if self._made is not None and self._made.reconstruction is not None and not self._is_stale:
-            sentences += self._made.scan.warnings
+        made = self._made
+        if made is not None and made.reconstruction is not None and not self._is_stale:
+            sentences += made.scan.warnings
         self._panel.show_sentences(sentences)
 
     def _troubles_of_views(self) -> list[str]:

@@ -33,6 +33,7 @@ from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
@@ -48,6 +49,7 @@ _BAR_PX = 12
 class FootStageView(QWidget):
     """The panel of the foot stage; emits the user's intents."""
 
+    foot_chosen = Signal(object)
     view_chosen = Signal(str)
     view_switched = Signal(str, bool)
     marker_toggled = Signal(str)
@@ -87,6 +89,8 @@ class FootStageView(QWidget):
         self.go_on.setObjectName("primary")
         self.go_on.setShortcut(QKeySequence("Ctrl+Return"))
         self.go_on.setToolTip(tr("Work on this foot") + " (Ctrl+Enter)")
+        self.feet = ComboBox([(side.value, text) for side, text in _foot_texts().items()])
+        self.feet.setAccessibleName(tr("Foot that is shown"))
         self._name = QLabel()
         self._name.setObjectName("heading")
         self._sentences = MessageLabel("warning")
@@ -98,9 +102,14 @@ class FootStageView(QWidget):
         self._layout()
         self._connect()
 
-    def show_session(self, name: str, side: Side) -> None:
-        """Show the name of the open session and the side of its foot."""
+    def show_session(self, name: str, sides: Sequence[Side]) -> None:
+        """Show the name of the open session; of both feet, let the user choose the one shown."""
         self._name.setText(name)
+        self.feet.setVisible(len(sides) > 1)
+
+    def show_side(self, side: Side) -> None:
+        """Show which foot is shown."""
+        self.feet.show_value(side.value)
         self.foot.show_side(side)
         self._fitted = False
 
@@ -144,6 +153,7 @@ class FootStageView(QWidget):
         self.markers.show_nothing()
         self.foot.clear()
         self.foot.show_side(None)
+        self.feet.hide()
         self.show_nothing(sentence)
         self.show_sentences([])
         self._bounds = None
@@ -216,6 +226,7 @@ class FootStageView(QWidget):
 
     def _connect(self) -> None:
         markers = self.markers
+        self.feet.edited.connect(lambda word: self.foot_chosen.emit(Side(word)))
         self.table.view_chosen.connect(self.view_chosen)
         self.table.view_switched.connect(self.view_switched)
         for name in (
@@ -300,6 +311,8 @@ class FootStageView(QWidget):
         row = QHBoxLayout()
         row.setContentsMargins(8, 4, 8, 0)
         row.setSpacing(8)
+        self.feet.hide()
+        row.addWidget(self.feet)
         row.addWidget(QLabel(tr("Colours")))
         row.addWidget(self.maps)
         row.addStretch(1)
@@ -355,6 +368,10 @@ def _limit_field(unit: str) -> NumberField:
     field = NumberField(unit, least=0.1, greatest=20.0, step=0.1)
     field.set_room(_LIMIT_PX)
     return field
+
+
+def _foot_texts() -> dict[Side, str]:
+    return {Side.LEFT: tr("Left foot"), Side.RIGHT: tr("Right foot")}
 
 
 def _map_texts() -> dict[FootMap, str]:

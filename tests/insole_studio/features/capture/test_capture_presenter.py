@@ -10,11 +10,11 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.capture_setup import Calibrated, recorded_setup
+from insole_studio.acquisition.capture_setup import Calibrated, own_setup, recorded_setup
 from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.draft import Draft, ViewFacts
 from insole_studio.acquisition.messages import Command, Event, Sensors, SensorState, Start, Tilt
@@ -380,3 +380,33 @@ def test_orders_go_to_the_sensor(bench: Bench) -> None:
     bench.panel.tilt_requested.emit("A1", 2.0)  # type: ignore[attr-defined]
     bench.panel.level_requested.emit("B2")  # type: ignore[attr-defined]
     assert bench.service.sent == [Tilt("A1", 2.0), Tilt("B2", None)]
+
+
+def test_both_feet_need_the_frame_for_both(bench: Bench) -> None:
+    bench.plug_in()
+    bench.panel.options_edited.emit(CaptureOptions(BOTH))  # type: ignore[attr-defined]
+    assert "place for one foot only" in bench.panel.sentence
+    assert bench.presenter.options.side is Side.LEFT
+
+
+def test_both_feet_are_captured_in_the_frame_for_both(
+    qapp: QApplication, tmp_path: Path, small_session: Path
+) -> None:
+    jobs = Jobs()
+    bench = Bench(jobs, tmp_path, small_session.with_name("both_small.zip"))
+    bench.panel.options_edited.emit(CaptureOptions(BOTH))  # type: ignore[attr-defined]
+    bench.plug_in()
+    bench.presenter.capture()
+    manifest = bench.started().manifest
+    assert manifest.side == BOTH
+    assert [place.side for place in manifest.reference_system.feet] == [Side.LEFT, Side.RIGHT]
+    bench.presenter.close()
+    jobs.close()
+
+
+def test_the_setup_of_this_computer_has_a_frame_for_one_foot_and_for_both() -> None:
+    setup = own_setup(NothingStored())
+    assert setup.of_side(Side.RIGHT) is setup
+    both = setup.of_side(BOTH)
+    assert both.system.name == "lego-40"
+    assert both.of_side(Side.LEFT).system == setup.system

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.errors import ReconstructionError
+from insole_core.geometry.side import Side
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS
@@ -423,7 +424,7 @@ def test_a_stage_that_was_left_comes_back_when_its_foot_cannot_be_made(
     def fail(*_args: object, **_options: object) -> None:
         raise ReconstructionError("No view can be used; correct the markers.")
 
-    monkeypatch.setattr("insole_studio.features.foot.presenter.make_foot", fail)
+    monkeypatch.setattr("insole_studio.features.foot.presenter.make_feet", fail)
     opened.settle()
     opened.presenter.make()
     opened.presenter.go_on()
@@ -434,3 +435,37 @@ def test_a_stage_that_was_left_comes_back_when_its_foot_cannot_be_made(
     opened.presenter.make()
     opened.settle()
     assert opened.needed == 1  # nobody had left
+
+
+@pytest.fixture
+def both(qapp: QApplication, qtbot: QtBot, tmp_path: Path, small_session: Path) -> Iterator[Bench]:
+    """A session of both feet, which are made in one go."""
+    session = tmp_path / "both.zip"
+    shutil.copy(small_session.with_name("both_small.zip"), session)
+    jobs = Jobs()
+    bench = Bench(jobs, session, qtbot)
+    bench.open(hand_over=True)
+    yield bench
+    jobs.close()
+
+
+@pytest.mark.slow
+def test_both_feet_are_handed_over_in_one_go_and_corrected_apart(both: Bench) -> None:
+    assert both.errors == []
+    assert [scanned.foot.side for scanned in both.handed] == [Side.LEFT, Side.RIGHT]
+    left_mm, right_mm = (scanned.foot.length_mm for scanned in both.handed)
+    assert left_mm > right_mm + 10  # as simulated
+    assert both.panel.shown["show_session"] == ("both", (Side.LEFT, Side.RIGHT))
+    assert both.panel.shown["show_side"] == (Side.LEFT,)
+
+    both.panel.foot_chosen.emit(Side.RIGHT)
+    assert both.panel.shown["show_side"] == (Side.RIGHT,)
+    mesh, _ = both.panel.feet[-1]
+    assert abs(mesh.vertices[:, 0].mean()) < 30  # in the foot's own frame, not between the two
+    box = Box((-60, -150, -20), (60, 150, 150))
+    both.panel.box_edited.emit(box)
+    assert both.presenter.box == box
+    assert read_session(both.session).edits.volumes == {Side.RIGHT: box}
+    assert both.panel.buttons.is_stale
+    both.panel.foot_chosen.emit(Side.LEFT)
+    assert both.presenter.box != box
