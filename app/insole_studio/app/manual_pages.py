@@ -23,6 +23,7 @@ PAGE_OF_MODULE = {
     "features.compare": "two-feet",
     "features.design.devices": "rim-and-device",
     "features.design.plantar": "pressure",
+    "features.design.shoe": "design",
     "features.export": "export",
     "features.foot": "foot",
     "features.import_scan": "scans",
