@@ -145,7 +145,7 @@ def _floors(
         known = _readings(replace(session, views=tuple(views)))
         known = _with_true_poses(known, path)
         yield "floor: and true distortion", [prepare(one) for one in known]
-    without = [prepare(_exact(one, truth.mesh), exact=True) for one in placed]
+    without = [prepare(_exact(one, truth.mesh), corrected=False) for one in placed]
     yield "floor: and depth without error", without
 
 

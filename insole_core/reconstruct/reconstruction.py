@@ -66,6 +66,7 @@ def reconstruct(
     progress: Progress = SILENT,
     limits: RegistrationLimits = DEFAULT_LIMITS,
     *,
+    corrected: bool = True,
     on_preview: Callable[[TriangleMesh], None] | None = None,
     measure: Callable[[View], MeasuredView] = measure_view,
     register: Register | None = None,
@@ -83,6 +84,8 @@ def reconstruct(
     progress
     limits
         When the pose of a view is good enough.
+    corrected
+        Whether the learnt error of the sensor's matching is subtracted; for ``fused`` only.
     on_preview
         Called with a coarse coloured mesh as soon as the poses of all views are known, in a thread
         that ends before this function returns; for ``fused`` only.
@@ -104,7 +107,7 @@ def reconstruct(
     NothingInVolumeError
         When that is for the lack of a foot in some of them.
     """
-    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(measure, on_preview)
+    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(measure, on_preview, corrected)
 
     def found(measured: MeasuredView, edits: ViewEdits) -> Registration:
         return measured.register(session.manifest.reference_system, limits, edits)
@@ -164,6 +167,7 @@ class _Fused:
 
     measuring: Callable[[View], MeasuredView]
     on_preview: Callable[[TriangleMesh], None] | None
+    corrected: bool
 
     def measure(self, view: View) -> MeasuredView:
         return self.measuring(view)
@@ -179,7 +183,7 @@ class _Fused:
             raw=measured.raw,
             color=measured.color,
         )
-        prepared = prepare(reading)
+        prepared = prepare(reading, corrected=self.corrected)
         if stands_aside(sensor2reference, box):
             # What it sees of the foot at the edge, it sees too slantingly to learn its colours.
             return replace(prepared, outline=None, rim=None)

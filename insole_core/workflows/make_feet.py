@@ -57,6 +57,7 @@ def reconstruct_feet(
     progress: Progress = SILENT,
     *,
     method: Method = "fused",
+    corrected: bool = True,
 ) -> tuple[ReconstructedFoot, ...]:
     """Reconstruct the surface of every foot of a session; all or none.
 
@@ -66,6 +67,8 @@ def reconstruct_feet(
         Views that were not measured yet are measured here.
     limits
         Beyond which the pose of a view is refused.
+    corrected
+        Whether the learnt error of the sensor's matching is subtracted, by the fused method only.
 
     Returns
     -------
@@ -85,7 +88,9 @@ def reconstruct_feet(
     results = []
     for foot, part in zip(feet, progress.parts(len(feet)), strict=True):
         with _naming(foot, feet):
-            result = reconstruct_session(foot, limits, part, method=method, shared=shared)
+            result = reconstruct_session(
+                foot, limits, part, method=method, corrected=corrected, shared=shared
+            )
         results.append(ReconstructedFoot(foot.session.manifest.one_side, result))
     if shared is not None:
         _check_places(feet, [one.result.mesh for one in results])

@@ -245,6 +245,7 @@ def reconstruct_session(
     progress: Progress = SILENT,
     *,
     method: Method = "fused",
+    corrected: bool = True,
     on_preview: Callable[[TriangleMesh], None] | None = None,
     shared: SharedViews | None = None,
 ) -> Reconstruction:
@@ -258,6 +259,8 @@ def reconstruct_session(
         Views that were not measured yet are measured here.
     limits
         Beyond which the pose of a view is refused.
+    corrected
+        Whether the learnt error of the sensor's matching is subtracted, by the fused method only.
     on_preview
         Called once with a coarse surface, by the fused method only.
     shared
@@ -279,6 +282,7 @@ def reconstruct_session(
         method,
         progress,
         limits,
+        corrected=corrected,
         on_preview=on_preview,
         measure=opened.measure if shared is None else shared.measure,
         register=None if shared is None else shared.around(opened.session.manifest.one_side),

@@ -43,6 +43,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--method", choices=["fused", "thesis"], default="fused",
         help="the best there is (default), or the chain of the 2013 thesis",
     )  # fmt: skip
+    parser.add_argument(
+        "--correction", choices=["learnt", "none"], default="learnt",
+        help="whether the learnt error of the sensor is subtracted (default), by --method fused",
+    )  # fmt: skip
     parser.add_argument("--report", action=OutputPath, metavar="report.json")
     limits = parser.add_argument_group("when the pose of a view is refused")
     for name, unit, what in LIMITS:
@@ -71,7 +75,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         paths = [side_path(arguments.out, side, sides) for side in sides]
         files = [outputs.file(path) for path in paths]
         report = arguments.report and outputs.file(arguments.report)
-        feet = reconstruct_feet(opened, limits, progress.part(0.1, 0.9), method=arguments.method)
+        feet = reconstruct_feet(
+            opened, limits, progress.part(0.1, 0.9),
+            method=arguments.method, corrected=arguments.correction == "learnt",
+        )  # fmt: skip
         progress.step(0.9, "Writing the foot")
         feet = tuple(_with_side_doubt(foot) for foot in feet)
         for foot, file in zip(feet, files, strict=True):

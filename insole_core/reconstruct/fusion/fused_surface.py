@@ -98,10 +98,11 @@ def fuse(
         lambda: touches_of(supported, rims), lambda: _colored(supported, readings)
     )
     fine = fine.with_attributes(touches=touches)
+    moved_mm = corrections_mm(supported, views)
     return Surface(
         fine,
         deviation_mm=refined.deviation_mm[kept][ends].mean(1),
-        correction_mm=corrections_mm(supported, views)[ends].mean(1),
+        correction_mm=None if moved_mm is None else moved_mm[ends].mean(1),
         view_gaps_mm=refined.view_gaps_mm,
     )
 

@@ -23,7 +23,8 @@ class PreparedView:
     measured
         The view as it was cut out of the depth image.
     within
-        The view without readings outside the foot's silhouette.
+        The view without readings outside the foot's silhouette, not corrected; None if the reading
+        is not corrected either.
     reading
         The same without the sensor's matching error.
     outline
@@ -35,21 +36,21 @@ class PreparedView:
     """
 
     measured: DepthView
-    within: DepthView
+    within: DepthView | None
     reading: DepthView
     outline: Silhouette | None
     depth: SmoothDepth
     rim: OccludingContour | None = None
 
 
-def prepare(reading: DepthView, *, exact: bool = False) -> PreparedView:
+def prepare(reading: DepthView, *, corrected: bool = True) -> PreparedView:
     """Find the outline of the foot in a view; correct and smooth the readings inside.
 
     Parameters
     ----------
     reading
-    exact
-        Whether the readings have no matching error to be corrected.
+    corrected
+        Whether the sensor's matching error is subtracted.
 
     Returns
     -------
@@ -57,8 +58,8 @@ def prepare(reading: DepthView, *, exact: bool = False) -> PreparedView:
     """
     outline = find_silhouette(reading)
     within = within_outline(reading, outline)
-    corrected = within if exact else without_matching_error(within)
-    rim = None if outline is None else find_occluding_contour(corrected, outline)
-    smooth = smooth_depth(corrected)
+    right = without_matching_error(within) if corrected else within
+    rim = None if outline is None else find_occluding_contour(right, outline)
     # Copies, so that the properties cached so far are not kept in memory.
-    return PreparedView(replace(reading), replace(within), corrected, outline, smooth, rim)
+    given = replace(within) if corrected else None
+    return PreparedView(replace(reading), given, right, outline, smooth_depth(right), rim)

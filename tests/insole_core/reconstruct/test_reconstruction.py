@@ -180,6 +180,15 @@ def test_the_report_tells_how_far_the_correction_moved_the_surface(
         assert 0.02 < moved["mean"] < moved["p95"] < 3
 
 
+def test_without_the_correction_the_readings_stay_as_they_are(session: Session) -> None:
+    part = replace(session, views=(view_of(session, "left"),))
+    plain, corrected = (reconstruct(part, corrected=one) for one in (False, True))
+    assert report_json(plain, 1.0)["correction_mm"] is None
+    assert report_json(corrected, 1.0)["correction_mm"] is not None
+    assert plain.mesh.area_mm2 == pytest.approx(corrected.mesh.area_mm2, rel=0.1)
+    assert plain.mesh.vertices.mean() != corrected.mesh.vertices.mean()
+
+
 @pytest.mark.parametrize(("method", "whole"), [("thesis", True), ("fused", False)])
 def test_the_thesis_has_its_depth_in_whole_mm(
     session: Session, method: Method, whole: bool

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -59,5 +61,6 @@ def test_views_are_averaged_and_unseen_places_are_unknown() -> None:
     _, other = _seen(0.0, 0.0)
     alone = corrections_mm(plane, [one])
     np.testing.assert_allclose(corrections_mm(plane, [one, other]), alone / 2, atol=1e-6)
+    assert corrections_mm(plane, [replace(one, within=None)]) is None, "nothing was corrected"
     aside = TriangleMesh(plane.vertices + np.array([500, 0, 0]), plane.triangles)
     assert np.isnan(corrections_mm(aside, [one])).all()
