@@ -15,6 +15,8 @@ STEEPEST = np.tan(np.radians(75.0))
 
 _BENT_MM = 0.009
 """By which a ball sinks into edges between their samples."""
+_OFF_MM = 0.004
+"""By which the path stays off what it touches, which it is known to no better."""
 _LONGEST_NORMAL = 1.015
 """To which the normals at the corners of a triangle are stretched, so that it does not sink in."""
 
@@ -85,7 +87,7 @@ def finishing_heights(surface: Surface, cutter: Cutter) -> FloatArray:
     slope = STEEPEST * surface.step_mm * np.arange(tips.shape[1])
     falling = np.maximum.accumulate(tips + slope, axis=1) - slope
     rising = np.maximum.accumulate((tips - slope)[:, ::-1], axis=1)[:, ::-1] + slope
-    return _over_arcs(np.maximum(falling, rising))
+    return _over_arcs(np.maximum(falling, rising)) + _OFF_MM
 
 
 def _touch_faces(solid: TriangleMesh, surface: Surface, cutter: Cutter, tips: FloatArray) -> None:
