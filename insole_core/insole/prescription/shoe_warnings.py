@@ -22,7 +22,7 @@ from insole_core.messages import Message
 
 _TIGHT_MM = 5.0
 """Least room before the toes: feet lengthen as they step."""
-_CUT_MM = 1.0
+_CUT_MM, _ROUNDED_MM = 1.0, 0.5
 _ENDS = 0.1
 
 
@@ -39,7 +39,7 @@ def warnings_in_shoe(
     if shoe is None or inside is None:
         return
     room_mm = float(inside[:, 1].max()) - foot.length_mm
-    if room_mm < 0:
+    if room_mm < -_ROUNDED_MM:
         yield DesignWarning(
             Message(
                 "The foot is {longer:.0f} mm longer than the shoe {shoe} is inside; check the "
@@ -54,7 +54,7 @@ def warnings_in_shoe(
                 "The shoe {shoe} leaves {room:.0f} mm before the toes of this foot, and 10 to 15 "
                 "mm are usual; check the size.",
                 shoe=shoe.name,
-                room=room_mm,
+                room=max(room_mm, 0.0),
             )
         )
     try:

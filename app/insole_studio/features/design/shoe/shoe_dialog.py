@@ -113,9 +113,15 @@ class ShoeDialog(QDialog):
         self._of_last = None
         self.refresh()
         self.note.say(sentence)
+        self._make_room()
 
     def refresh(self, _value: object = None) -> None:
         """Show the fields of the chosen kind, and how the insole lies in the shoe."""
+        self._show_fields()
+        self._tell()
+        self._make_room()
+
+    def _show_fields(self) -> None:
         kind = self.kind.currentData()
         for field in (self.system, self.size_field, self.width_field):
             self._form.setRowVisible(field, kind == _SIZE)
@@ -126,6 +132,8 @@ class ShoeDialog(QDialog):
         for row in (self.trim, self.clearance):
             self._form.setRowVisible(row, kind != _ANY)
         self.clearance.setEnabled(self.trim.isChecked())
+
+    def _tell(self) -> None:
         try:
             shoe = self.shoe()
         except InputError as error:
@@ -134,6 +142,11 @@ class ShoeDialog(QDialog):
             return
         self.note.say_all([] if shoe is None else self._fit(shoe))
         self.take_button.setEnabled(True)
+
+    def _make_room(self) -> None:
+        """Grow with the rows; else they would be squeezed."""
+        self._outer.activate()
+        self.resize(self.width(), max(self.height(), self.sizeHint().height()))
 
     def _found(self) -> Shoe | None:
         kind = self.kind.currentData()
@@ -168,7 +181,7 @@ class ShoeDialog(QDialog):
         self._form.addRow(self.trim)
         self._form.addRow(tr("Room that stays"), self.clearance)
         mark_labels(self._form)
-        layout = QVBoxLayout(self)
+        self._outer = layout = QVBoxLayout(self)
         layout.setSpacing(12)
         layout.addLayout(self._form)
         layout.addWidget(self.note)
