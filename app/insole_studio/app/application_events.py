@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QFileOpenEvent, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
+from shiboken6 import isValid
 
 from insole_studio.widgets.typed_text import commit_typed_text
 
@@ -41,7 +42,8 @@ class ApplicationEvents(QObject):
         super().__init__(application)
         application.installEventFilter(self)
         for widget in application.allWidgets():  # those that were made before
-            _show_as_it_is(widget)
+            if isValid(widget):  # else it goes at the next turn, with the window it was in
+                _show_as_it_is(widget)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Look at an event on its way; F1 and files to open are withheld."""
