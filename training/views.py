@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from insole_core.geometry.transforms import rotation_about
 from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
 from insole_core.recording.box import Box
 from insole_core.sensing.frames import average_raw
+from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.block_matching import Matcher, record_matched_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.poses import look_at
@@ -75,8 +77,7 @@ def simulate_examples(seed: int) -> dict[str, Example]:
     """Simulate one foot, or another object, seen by three sensors at random positions."""
     rng = np.random.default_rng([seed, 15])
     foot = varied_foot(rng) if seed % _NO_FOOT else varied_thing(rng)
-    scene = SceneCaster(build_scene(foot, load_reference_system(), rng))
-    alone = SceneCaster(TriangleMesh(foot.vertices, foot.triangles))
+    shown = _Shown.between_markers(foot, rng)
     distance_mm, half_deg = rng.uniform(600, 950), rng.uniform(15, 40)
     poses = {
         "left": _stand(_SOLE_MM, (rng.normal(-3, 7), half_deg, 0), distance_mm, rng),
@@ -88,12 +89,44 @@ def simulate_examples(seed: int) -> dict[str, Example]:
     examples = {}
     for name, pose in poses.items():
         device = make_device(name, (), distance_mm, (640, 480), rng)
+        examples[name] = shown.seen(device, pose, _matcher(rng), rng)
+    return examples
+
+
+def seen_by_stations(
+    thing: TriangleMesh, distance_mm: float, matcher: Matcher, rng: np.random.Generator
+) -> Iterator[tuple[Example, Sensor]]:
+    """Yield what two sensors see of an object: one beside the sole, and the upper one."""
+    shown = _Shown.between_markers(thing, rng)
+    for target, angles_deg in ((_SOLE_MM, (-3, 25, 0)), (_ACHILLES_MM, (-100, 0, 0))):
+        pose = _stand(target, angles_deg, distance_mm, rng)
+        device = make_device("station", (), distance_mm, (640, 480), rng)
+        yield shown.seen(device, pose, matcher, rng), device.sensor
+
+
+@dataclass(frozen=True, eq=False)
+class _Shown:
+    """An object, between the markers and alone, to be seen by sensors."""
+
+    thing: TriangleMesh
+    scene: SceneCaster
+    alone: SceneCaster
+
+    @staticmethod
+    def between_markers(thing: TriangleMesh, rng: np.random.Generator) -> _Shown:
+        """Set an object between the markers, with what lies about there."""
+        scene = SceneCaster(build_scene(thing, load_reference_system(), rng))
+        return _Shown(thing, scene, SceneCaster(TriangleMesh(thing.vertices, thing.triangles)))
+
+    def seen(
+        self, device: Device, pose: FloatArray, matcher: Matcher, rng: np.random.Generator
+    ) -> Example:
+        """Return what a sensor at a place reads."""
         recording = record_matched_depth(
-            scene, device, pose, rng, things=foot.vertices, matcher=_matcher(rng)
+            self.scene, device, pose, rng, things=self.thing.vertices, matcher=matcher
         )
         average = average_raw(recording.frame(rng) for _ in range(_FRAMES))
-        examples[name] = _example(average.raw, device, pose, alone, rng)
-    return examples
+        return _example(average.raw, device, pose, self.alone, rng)
 
 
 def _matcher(rng: np.random.Generator) -> Matcher:
