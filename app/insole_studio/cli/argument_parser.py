@@ -21,6 +21,22 @@ class Parser(argparse.ArgumentParser):
         self.exit(2, f"{self.prog}: {said}; {self.prog} --help says what can be given.\n")
 
 
+class PrintVersion(argparse.Action):
+    """Prints the version and ends; looking it up takes longer than parsing, so only then."""
+
+    def __init__(self, option_strings: list[str], dest: str) -> None:
+        super().__init__(
+            option_strings, argparse.SUPPRESS, nargs=0, help="show the version and exit"
+        )
+
+    def __call__(self, parser: argparse.ArgumentParser, *_values: object) -> None:
+        """Print the version."""
+        from importlib.metadata import version
+
+        print(version("insole-studio"))
+        parser.exit()
+
+
 def number(text: str) -> float:
     """Convert an argument to a finite number."""
     value = float(text)

@@ -10,7 +10,6 @@ import argparse
 import os
 import sys
 import traceback
-from importlib.metadata import version
 from pathlib import Path
 
 from insole_core.errors import InsoleError, UsageError
@@ -34,7 +33,7 @@ from insole_studio.cli import (
     simulate,
     window,
 )
-from insole_studio.cli.argument_parser import Parser
+from insole_studio.cli.argument_parser import Parser, PrintVersion
 from insole_studio.cli.order import command as order
 from insole_studio.cli.path_arguments import check_paths
 from insole_studio.cli.records import command as records
@@ -141,7 +140,7 @@ def command_parser() -> argparse.ArgumentParser:
         prog="insole-studio",
         description="Custom insoles from scans of the foot. Without a command the window opens.",
     )
-    parser.add_argument("--version", action="version", version=version("insole-studio"))
+    parser.add_argument("--version", action=PrintVersion)
     parser.add_argument(
         "--emulate", type=Path, metavar="SESSION",
         help="play a recorded session as live sensors, in the window and in sensors and capture",
