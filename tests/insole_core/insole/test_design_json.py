@@ -49,8 +49,10 @@ from insole_core.insole.prescription.design_limits import (
     POST_RANGES,
     RIM_RANGES,
     SHELL_RANGES,
+    SHOE_RANGES,
     Range,
 )
+from insole_core.insole.prescription.shoe import Shoe
 
 SCHEMA = json.loads(
     (Path(__file__).parents[3] / "docs" / "formats" / "design.schema.json").read_text("utf-8")
@@ -245,6 +247,7 @@ def test_every_design_comes_back_and_obeys_the_schema(design):
 DESCRIBED = [
     (InsoleDesign, DESIGN_RANGES, SCHEMA["properties"]),
     (Outline, OUTLINE_RANGES, SCHEMA["$defs"]["outline"]["properties"]),
+    (Shoe, SHOE_RANGES, SCHEMA["$defs"]["shoe"]["properties"]),
     (Layers, LAYER_RANGES, SCHEMA["$defs"]["layers"]["properties"]),
     (BaseForm, BASE_RANGES, SCHEMA["$defs"]["base"]["properties"]),
     (Form, FORM_RANGES, SCHEMA["$defs"]["form"]["properties"]),
