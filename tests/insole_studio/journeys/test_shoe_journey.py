@@ -108,9 +108,11 @@ def test_where_the_insole_is_wider_is_drawn(
     pick(dialog.kind, "size")
     type_in(dialog.size_field, "36")
     dialog.accept()
-    opened.window.actions_by_key["shoe"].trigger()
     settle()
     lines = opened.stage.insole_presenter._shoe_lines
     assert lines is not None
     assert lines.faults
     assert "wider" in lines.text
+    opened.window.actions_by_key["undo"].trigger()
+    settle()
+    assert opened.stage.insole_presenter._shoe_lines is None

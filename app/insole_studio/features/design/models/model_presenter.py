@@ -598,14 +598,18 @@ class InsolePresenter(ModelPresenter):
 
     def _show_shoe(self) -> None:
         foot, design = self._case.foot, self._case.shown.design
-        if not self._shoe or foot is None or design is None or self._surface.mesh is None:
+        worn = None if design is None else design.outline.shoe
+        wanted = self._shoe or worn is not None
+        if not wanted or foot is None or design is None or self._surface.mesh is None:
             self._shoe_of = None
             self._draw_shoe(None)
             return
-        made_of = foot, design.outline, design.shell, heel_lift_mm(design)
+        made_of = foot, design.outline, design.shell, heel_lift_mm(design), self._shoe
         if made_of != self._shoe_of:  # not for every step of a pad
             self._shoe_of = made_of
-            self._draw_shoe(shoe_lines(shoe_outline(foot, design)))
+            lines = shoe_lines(shoe_outline(foot, design))
+            # An insole that is wider than its shoe is shown unasked.
+            self._draw_shoe(lines if self._shoe or lines.faults else None)
 
     def _draw_shoe(self, lines: GuideLines | None) -> None:
         self.panel.show_shoe(lines)
