@@ -59,9 +59,10 @@ def contour(
     """
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
     walls = _wall_tops(surface, machine.contour.cutter.radius_mm)
+    over_tabs = tabs.axis_heights(surface)
     for loop in loops:
         line = _densified(loop.line_mm)
-        heights = np.maximum(loop.level_mm, tabs.axis_heights(line, surface))
+        heights = np.maximum(loop.level_mm, over_tabs[surface.index_of(line)])
         path = np.column_stack([line, heights])
         for run in _pieces(path, _needed(path, loop.level_mm, surface, walls, machine)):
             writer.start(without_collinear(run))
@@ -101,14 +102,14 @@ def contour_loops(
     heights = bottom_mm + (top - bottom_mm) * np.arange(count * sections - 1, -1, -1) / (
         count * sections
     )
-    for number, height in enumerate(heights, 1):
+    for level in heights.reshape(count, sections):
         # At the bottom itself the section may be empty or ambiguous; just above, it is the wall.
-        section = body.slice(float(height) + _ABOVE_MM).simplify(_CHORD_MM)
-        seen = (seen + section).simplify(_CHORD_MM)
-        if number % sections:
-            continue
+        cuts = [body.slice(float(height) + _ABOVE_MM).simplify(_CHORD_MM) for height in level]
+        seen = manifold3d.CrossSection.batch_boolean([seen, *cuts], manifold3d.OpType.Add)
+        seen = seen.simplify(_CHORD_MM)
         grown = seen.offset(how.cutter.radius_mm + 2 * _CHORD_MM, circular_segments=_ARC_PIECES)
-        loops.extend(Loop(float(height), line) for line in _outer_loops(grown.simplify(_CHORD_MM)))
+        lines = _outer_loops(grown.simplify(_CHORD_MM))
+        loops.extend(Loop(float(level[-1]), line) for line in lines)
     _require_room(outermost(loops), block_mm, machine)
     return loops
 

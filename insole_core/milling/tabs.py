@@ -38,20 +38,16 @@ class Tabs:
     def over(self, surface: Surface, floor_mm: float | Float32Array) -> Float32Array:
         """Return heights (nx, ny) beside the solids, raised where a tab stays."""
         floor = np.full(surface.inside.shape, floor_mm, np.float32)
-        reach = float(np.hypot(self.how.tab_length_mm / 2, self.how.cutter.radius_mm))
-        within = self._near(surface, reach)
+        within = self._near(
+            surface, np.hypot(self.how.tab_length_mm / 2, self.how.cutter.radius_mm)
+        )
         floor[within] = np.maximum(floor, self.heights_mm)[within]
         return floor
 
-    def axis_heights(self, line_mm: FloatArray, surface: Surface) -> FloatArray:
-        """Return the lowest heights (n,) of the contour cutter along a line (n, 2)."""
-        heights = np.full(len(line_mm), -np.inf)
-        if len(self.places_mm):
-            reach = self.how.tab_length_mm / 2 + self.how.cutter.radius_mm
-            away = np.linalg.norm(line_mm[:, None] - self.places_mm, axis=2).min(axis=1)
-            near = away <= reach
-            heights[near] = self.heights_mm[surface.index_of(line_mm[near])]
-        return heights
+    def axis_heights(self, surface: Surface) -> Float32Array:
+        """Return the lowest heights (nx, ny) of the contour cutter's axis; -inf off the tabs."""
+        within = self._near(surface, self.how.tab_length_mm / 2 + self.how.cutter.radius_mm)
+        return np.where(within, self.heights_mm, np.float32(-np.inf))
 
     def _near(self, surface: Surface, reach_mm: float) -> BoolArray:
         marked = np.zeros(surface.inside.shape, np.uint8)
