@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from found_once import KEPT, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
@@ -20,6 +21,7 @@ from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.memo import Memo
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
@@ -118,6 +120,19 @@ class CannedQuestions:
         return self.path
 
     name_to_write = file_to_write
+
+
+@pytest.fixture(scope="session")
+def kept() -> Memo:
+    return Memo(KEPT)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def same_results(kept: Memo) -> Iterator[None]:
+    """Let the core find and make the same things once for all tests."""
+    with pytest.MonkeyPatch.context() as patch:
+        share_results(kept, patch)
+        yield
 
 
 @pytest.fixture(scope="session")
