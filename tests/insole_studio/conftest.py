@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from found_once import KEPT, share_results
+from found_once import SharedResults, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
@@ -21,7 +21,6 @@ from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.memo import Memo
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
@@ -123,16 +122,22 @@ class CannedQuestions:
 
 
 @pytest.fixture(scope="session")
-def kept() -> Memo:
-    return Memo(KEPT)
+def kept() -> SharedResults:
+    return SharedResults()
 
 
 @pytest.fixture(scope="module", autouse=True)
-def same_results(kept: Memo) -> Iterator[None]:
+def same_results(kept: SharedResults) -> Iterator[None]:
     """Let the core find and make the same things once for all tests."""
     with pytest.MonkeyPatch.context() as patch:
         share_results(kept, patch)
         yield
+
+
+@pytest.fixture
+def forget_results(kept: SharedResults) -> Callable[[], None]:
+    """For tests that watch how something is found or made."""
+    return kept.forget
 
 
 @pytest.fixture(scope="session")

@@ -8,7 +8,7 @@ and each looks at what the window or a command does with it.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 from pathlib import Path
@@ -49,7 +49,21 @@ SHARED = (
 """Functions whose results are told by the content of what they are given."""
 
 
-def share_results(kept: Memo, patch: pytest.MonkeyPatch) -> None:
+class SharedResults:
+    """The results that tests share, until one asks that all be made anew."""
+
+    def __init__(self) -> None:
+        self._memo = Memo(KEPT)
+
+    def forget(self) -> None:
+        """Let everything be found and made anew."""
+        self._memo = Memo(KEPT)
+
+    def get(self, kind: str, key: Hashable, make: Callable[[], Any]) -> Any:
+        return self._memo.get(kind, key, make)
+
+
+def share_results(kept: SharedResults, patch: pytest.MonkeyPatch) -> None:
     """Let equal scans and equal feet share what is found in them and made of them."""
     patch.setattr(Foot, "__init__", _sharing(kept, Foot.__init__))
     for owner, name in SHARED:
@@ -59,7 +73,7 @@ def share_results(kept: Memo, patch: pytest.MonkeyPatch) -> None:
     patch.setattr(insole_builder, "closed_insole", _closed_once(insole_builder.closed_insole))
 
 
-def _sharing(kept: Memo, begin: Callable[..., None]) -> Callable[..., None]:
+def _sharing(kept: SharedResults, begin: Callable[..., None]) -> Callable[..., None]:
     def init(foot: Foot, *args: Any, **kwargs: Any) -> None:
         begin(foot, *args, **kwargs)
         key = _content(foot.side, foot.mesh, foot.source2insole, foot.length_mm, foot.form)
@@ -68,7 +82,7 @@ def _sharing(kept: Memo, begin: Callable[..., None]) -> Callable[..., None]:
     return init
 
 
-def _made_once(kept: Memo, name: str, make: Callable[..., Any]) -> Callable[..., Any]:
+def _made_once(kept: SharedResults, name: str, make: Callable[..., Any]) -> Callable[..., Any]:
     def made(*given: Any, **named: Any) -> Any:
         def make_in_list() -> list[Any]:
             return [make(*given, **named)]  # None is an answer as well
@@ -78,7 +92,7 @@ def _made_once(kept: Memo, name: str, make: Callable[..., Any]) -> Callable[...,
     return made
 
 
-def _placed_once(kept: Memo, place: Callable[..., Foot]) -> Callable[..., Foot]:
+def _placed_once(kept: SharedResults, place: Callable[..., Foot]) -> Callable[..., Foot]:
     once = _made_once(kept, "place_foot", place)
 
     def placed(*given: Any, **named: Any) -> Foot:
