@@ -23,6 +23,11 @@ MakeFoot = Callable[[Side], Foot]
 Settle = Callable[[], None]
 
 
+@pytest.fixture(scope="module")
+def same_results() -> None:
+    """Share nothing with other tests: what they keep is never freed."""
+
+
 def own_foot(make_foot: MakeFoot, side: Side = Side.LEFT) -> Foot:
     """A foot that nobody else holds."""
     foot = make_foot(side)
