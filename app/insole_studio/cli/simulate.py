@@ -13,6 +13,8 @@ from insole_studio.cli.path_arguments import OutputPath
 NAME = "simulate"
 HELP = "write a simulated session with its true surface and poses"
 
+_COLOR_SIZES = {"1280x1024": (1280, 1024), "1280x960": (1280, 960), "640x480": (640, 480)}
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
@@ -36,6 +38,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="places each sensor stands in (default 1)",
     )
     parser.add_argument(
+        "--color-frames",
+        type=whole,
+        default=1,
+        metavar="N",
+        help="colour pictures a view, each with its own noise (default 1)",
+    )
+    parser.add_argument(
+        "--color-size",
+        choices=list(_COLOR_SIZES),
+        default="1280x1024",
+        help="size of the colour pictures (default 1280x1024)",
+    )
+    parser.add_argument(
         "--ideal",
         action="store_true",
         help="sensors without a matching window, which see finer than real ones (quicker)",
@@ -57,6 +72,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         side=sides_from(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,
+        color_frames=arguments.color_frames,
+        color_size=_COLOR_SIZES[arguments.color_size],
         ideal=arguments.ideal,
         sensors=4 if arguments.sensors is None else arguments.sensors,
     )
