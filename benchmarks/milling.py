@@ -8,28 +8,38 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from benchmarks._random_designs import random_design, random_foot
 from insole_core.errors import DesignError
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import build_insole
 from insole_core.milling.gcode import gcode
 from insole_core.milling.machine import Machine, read_machine
-from insole_core.milling.plan import MillingPlan, plan_milling, turned_over
+from insole_core.milling.plan import MillingPlan, plan_milling
+from insole_core.milling.sides import turned_over
 from insole_core.resources import resource_path
 from insole_core.solids.nesting import closest_nest
 from insole_core.solids.simplification import simplify
 from insole_core.solids.solid import make_solid
-from tests.insole_core.milling.judgement import judge
+from tests.insole_core.milling.judgement import (
+    edge_round,
+    judge,
+    seen_from_above,
+    tabs_that_hold,
+)
 from tests.insole_core.milling.test_milling import left_of
 
 DESIGNS, HEIGHT_MM = 50, 60.0
 GOUGE_MM, SURPLUS_MM, SECONDS = 0.02, 0.05, 1.5
 PITCH_MM = 0.3
 BOTH_SIDES_EVERY = 5
+LEAST_TABS = 0.8
+"""Share that holds: where an edge falls steeply, or pieces lie close, one may hold nothing."""
 
 
 def main() -> None:
@@ -37,7 +47,7 @@ def main() -> None:
     machine = read_machine(resource_path("milling/linuxcnc.json"))
     first, last = map(int, os.environ.get("INSOLE_BENCHMARK_SEEDS", "1:999").split(":"))
     failed: list[int] = []
-    print("seed  sides   gouge  surplus (99.99 %)  beside   rapid  interpreter  CPU s")
+    print("seed  sides   gouge  surplus (99.99 %)  beside   rapid  tabs  interpreter  CPU s")
     done, seed = 0, first - 1
     while done < DESIGNS and seed < last:
         seed += 1
@@ -49,23 +59,14 @@ def main() -> None:
         started = time.process_time()
         plan = _planned(solid, machine, both)
         seconds = time.process_time() - started
-        gouge, surplus, usual, beside, rapid = _judged(plan, both)
-        accepted = _interpreted(gcode(plan))
-        print(
-            f"{seed:>4}{1 + both:>7}{gouge:>8.3f}{surplus:>9.3f}{usual:>10.3f}"
-            f"{beside:>8.3f}{rapid:>8.3f}  {accepted:<11}{seconds:>7.2f}",
-            flush=True,
-        )
-        short = max(usual, beside) > SURPLUS_MM
-        if gouge > GOUGE_MM or short or rapid > 0.01 or accepted == "refused":
+        found, accepted = _judged(plan, both), _interpreted(gcode(plan))
+        print(f"{seed:>4}{1 + both:>7}{found}  {accepted:<11}{seconds:>7.2f}", flush=True)
+        if not found.is_within(machine.contour.tabs) or accepted == "refused":
             failed.append(seed)
     plan, cpu, wall = _pair()
-    gouge, surplus, usual, beside, rapid = _judged(plan, both=False)
-    print(
-        f"pair       {gouge:>8.3f}{surplus:>9.3f}{usual:>10.3f}{beside:>8.3f}{rapid:>8.3f}"
-        f"  {_interpreted(gcode(plan)):<11}"
-    )
-    if gouge > GOUGE_MM or max(usual, beside) > SURPLUS_MM or rapid > 0.01:
+    found = _judged(plan, both=False)
+    print(f"pair       {found}  {_interpreted(gcode(plan)):<11}")
+    if not found.is_within(2 * machine.contour.tabs):
         failed.append(0)
     print(f"a pair roughed, finished and cut: {cpu:.2f} s CPU, {wall:.2f} s; limit {SECONDS} s")
     if failed or cpu > SECONDS:
@@ -90,22 +91,53 @@ def _solid(seed: int) -> TriangleMesh | None:
     return solid if np.ptp(solid.vertices[:, 2]) < HEIGHT_MM else None
 
 
-def _judged(plan: MillingPlan, both: bool) -> tuple[float, float, float, float, float]:
-    """Return gouge, surplus (greatest, and 99.99 %), what stays beside, and cuts in rapid."""
+@dataclass(frozen=True)
+class _Result:
+    """Worst of all sides, mm; and by how many tabs the piece is held in the end."""
+
+    gouge_mm: float
+    surplus_mm: float
+    usual_mm: float
+    beside_mm: float
+    rapid_mm: float
+    tabs: int
+
+    def __str__(self) -> str:
+        return (
+            f"{self.gouge_mm:>8.3f}{self.surplus_mm:>9.3f}{self.usual_mm:>10.3f}"
+            f"{self.beside_mm:>8.3f}{self.rapid_mm:>8.3f}{self.tabs:>6}"
+        )
+
+    def is_within(self, tabs: int) -> bool:
+        """Whether the figures are within the limits."""
+        return (
+            self.gouge_mm <= GOUGE_MM
+            and max(self.usual_mm, self.beside_mm) <= SURPLUS_MM
+            and self.rapid_mm <= 0.01
+            and self.tabs >= LEAST_TABS * tabs
+        )
+
+
+def _judged(plan: MillingPlan, both: bool) -> _Result:
     removal, machine = left_of(plan, gcode(plan), PITCH_MM), plan.machine
     lying, height = _joined(plan.solids), plan.block_mm[2]
-    skin, tab = machine.both_sides.skin_mm, machine.contour.tab_height_mm
-    sides = [(lying, removal.sides[0], skin + tab if both else tab)]
+    tab, flip = machine.contour.tab_height_mm, machine.both_sides.flip
+    sides: list[tuple[TriangleMesh, FloatArray, float | FloatArray]]
+    sides = [(lying, removal.sides[0], tab)]
     if both:
-        turned = turned_over(lying, plan.block_mm, machine.both_sides.flip)
-        sides.append((turned, removal.sides[1], height - skin))
+        turned = turned_over(lying, plan.block_mm, flip)
+        edge = edge_round(turned, removal)
+        below = np.flip(height - edge, axis=0 if flip == "length" else 1)
+        sides = [(lying, removal.sides[0], below + tab), (turned, removal.sides[1], edge)]
     found = [judge(mesh, left, removal, machine, floor) for mesh, left, floor in sides]
-    return (
+    inside = np.isfinite(seen_from_above(sides[-1][0], removal)[0])
+    return _Result(
         max(each.gouge_mm for each in found),
         max(each.surplus_mm for each in found),
         max(each.usual_surplus_mm for each in found),
         max(each.beside_mm for each in found),
         removal.rapid_cuts_mm,
+        tabs_that_hold(removal, inside, machine.contour.cutter.diameter_mm),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import manifold3d
@@ -13,8 +14,8 @@ from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.machine import Machine
 from insole_core.milling.surface import Surface
+from insole_core.milling.tabs import Tabs
 from insole_core.milling.tool_path import Operation, PathWriter, SideName, without_collinear
-from insole_core.progress import SILENT, Progress
 
 _ARC_PIECES = 64
 """Of a circle; its chords leave an arc of 3 mm by less than twice `_CHORD_MM`."""
@@ -22,57 +23,72 @@ _CHORD_MM = 0.002
 _ABOVE_MM = 1e-4
 _SECTION_MM = 0.25
 """Between the sections whose union a wall must stay outside of."""
-_TAB_PITCH_MM = 0.5
+_PITCH_MM = 0.5
 _SEARCH_MM = 1.0
 """Pitch of the map that tells where there is still a wall."""
 
 
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """A closed way (n, 2) of the cutter's axis round a solid, mm, at a height in the block."""
+
+    level_mm: float
+    line_mm: FloatArray
+
+
 def contour(
-    solids: Sequence[TriangleMesh],
+    loops: Sequence[Loop],
     surface: Surface,
     machine: Machine,
-    block_mm: tuple[float, float, float],
+    block_height_mm: float,
     *,
     side: SideName,
-    bottom_mm: float,
-    with_tabs: bool,
-    progress: Progress = SILENT,
-) -> Operation:
+    tabs: Tabs,
+) -> Operation | None:
     """Cut round the solids, from the top of their walls down.
 
     Parameters
     ----------
-    solids : mm, block's frame
+    surface
+        With the heights beside the solids to which the walls are cut.
+
+    Returns
+    -------
+    Operation or None
+        None when there is nothing to cut.
+    """
+    writer = PathWriter(block_height_mm + machine.safe_height_mm)
+    walls = _wall_tops(surface, machine.contour.cutter.radius_mm)
+    over_tabs = tabs.axis_heights(surface)
+    for loop in loops:
+        line = _densified(loop.line_mm)
+        heights = np.maximum(loop.level_mm, over_tabs[surface.index_of(line)])
+        path = np.column_stack([line, heights])
+        for run in _pieces(path, _needed(path, loop.level_mm, surface, walls, machine)):
+            writer.start(without_collinear(run))
+    return None if writer.is_empty else writer.operation("contour", side, machine.contour.cutter)
+
+
+def contour_loops(
+    solid: TriangleMesh,
+    machine: Machine,
+    block_mm: tuple[float, float, float],
+    bottom_mm: float,
+) -> list[Loop]:
+    """Compute the ways round a solid, from above.
+
+    At every level the cutter stays off all that is above it, and goes round each part of it.
+
+    Parameters
+    ----------
+    solid : mm, block's frame
     bottom_mm
-        Height to which the walls are cut.
+        Of the last level.
 
     Raises
     ------
     DesignError
         When the cutter does not fit between a solid and the side of the block.
-    """
-    writer = PathWriter(block_mm[2] + machine.safe_height_mm)
-    walls = _wall_tops(surface, machine.contour.cutter.radius_mm)
-    for solid, step in zip(solids, progress.parts(len(solids)), strict=True):
-        step.step(0.0, "Cutting round the piece")
-        loops = _loops(solid, machine, bottom_mm)
-        outline = max((loop for _, loop in loops), key=_area)
-        _require_room(outline, block_mm, machine)
-        tabs = _tab_places(outline, machine) if with_tabs else np.empty((0, 2))
-        for level, loop in loops:
-            line = _densified(loop)
-            path = np.column_stack([line, _with_tabs(line, level, bottom_mm, tabs, machine)])
-            for run in _pieces(path, _needed(line, level, surface, walls)):
-                writer.start(without_collinear(run))
-    return writer.operation("contour", side, machine.contour.cutter)
-
-
-def _loops(
-    solid: TriangleMesh, machine: Machine, bottom_mm: float
-) -> list[tuple[float, FloatArray]]:
-    """Return closed ways (n, 2) of the cutter's axis with their levels, mm, from above.
-
-    At every level the cutter stays off all that is above it, and goes round each part of it.
     """
     how = machine.contour
     body = manifold3d.Manifold(
@@ -81,39 +97,32 @@ def _loops(
     top = float(solid.bounds_mm[1, 2])
     count = max(int(np.ceil((top - bottom_mm) / how.step_down_mm)), 1)
     seen = manifold3d.CrossSection()
-    loops: list[tuple[float, FloatArray]] = []
+    loops: list[Loop] = []
     sections = max(int(np.ceil(how.step_down_mm / _SECTION_MM)), 1)
     heights = bottom_mm + (top - bottom_mm) * np.arange(count * sections - 1, -1, -1) / (
         count * sections
     )
-    for number, height in enumerate(heights, 1):
+    for level in heights.reshape(count, sections):
         # At the bottom itself the section may be empty or ambiguous; just above, it is the wall.
-        section = body.slice(float(height) + _ABOVE_MM).simplify(_CHORD_MM)
-        seen = (seen + section).simplify(_CHORD_MM)
-        if number % sections:
-            continue
+        cuts = [body.slice(float(height) + _ABOVE_MM).simplify(_CHORD_MM) for height in level]
+        seen = manifold3d.CrossSection.batch_boolean([seen, *cuts], manifold3d.OpType.Add)
+        seen = seen.simplify(_CHORD_MM)
         grown = seen.offset(how.cutter.radius_mm + 2 * _CHORD_MM, circular_segments=_ARC_PIECES)
-        loops.extend((float(height), loop) for loop in _outer_loops(grown.simplify(_CHORD_MM)))
+        lines = _outer_loops(grown.simplify(_CHORD_MM))
+        loops.extend(Loop(float(level[-1]), line) for line in lines)
+    _require_room(outermost(loops), block_mm, machine)
     return loops
+
+
+def outermost(loops: Sequence[Loop]) -> FloatArray:
+    """Return the longest way (n, 2) round a solid, mm."""
+    return max((loop.line_mm for loop in loops), key=_area)
 
 
 def _outer_loops(section: manifold3d.CrossSection) -> list[FloatArray]:
     """Return the closed outlines (n, 2) of all parts of a section, without holes."""
     polygons = [np.asarray(polygon) for polygon in section.to_polygons()]
     return [np.concatenate([one, one[:1]]) for one in polygons if _area(one) > 0]
-
-
-def _with_tabs(
-    line: FloatArray, level_mm: float, bottom_mm: float, tabs: FloatArray, machine: Machine
-) -> FloatArray:
-    """Return the heights (n,) along a loop: raised where a tab stays."""
-    how = machine.contour
-    heights = np.full(len(line), level_mm)
-    if len(tabs) and level_mm < bottom_mm + how.tab_height_mm:
-        reach = how.tab_length_mm / 2 + how.cutter.radius_mm
-        near = np.linalg.norm(line[:, None] - tabs, axis=2).min(axis=1) <= reach
-        heights[near] = bottom_mm + how.tab_height_mm
-    return heights
 
 
 def _area(polygon: FloatArray) -> float:
@@ -147,30 +156,24 @@ def _wall_tops(surface: Surface, radius_mm: float) -> Float32Array:
     return np.asarray(cv2.dilate(coarse, kernel), np.float32)
 
 
-def _needed(line: FloatArray, level_mm: float, surface: Surface, walls: Float32Array) -> BoolArray:
-    """Find the points of a loop beside a wall that reaches up to a level."""
-    i, j = surface.index_of(line)
+def _needed(
+    path: FloatArray, level_mm: float, surface: Surface, walls: Float32Array, machine: Machine
+) -> BoolArray:
+    """Find the points of a path (n, 3) beside a wall that reaches up to its level, and down."""
+    i, j = surface.index_of(path[:, :2])
     pixels = max(round(_SEARCH_MM / surface.step_mm), 1)
-    return np.asarray((walls[i // pixels, j // pixels] >= level_mm) & (surface.beside_mm[i, j] > 0))
+    reaches_up = walls[i // pixels, j // pixels] >= level_mm
+    reaches_down = surface.heights_mm[i, j] < path[:, 2] + machine.contour.step_down_mm
+    return np.asarray(reaches_up & reaches_down & (surface.beside_mm[i, j] > 0))
 
 
 def _densified(loop: FloatArray) -> FloatArray:
-    """Return a loop with points at most `_TAB_PITCH_MM` apart."""
-    pieces = np.ceil(np.linalg.norm(np.diff(loop, axis=0), axis=1) / _TAB_PITCH_MM).astype(int)
+    """Return a loop with points at most `_PITCH_MM` apart."""
+    pieces = np.ceil(np.linalg.norm(np.diff(loop, axis=0), axis=1) / _PITCH_MM).astype(int)
     edge = np.repeat(np.arange(len(pieces)), pieces)
     within = np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
     share = (within / pieces[edge])[:, None]
     return np.concatenate([loop[edge] * (1 - share) + loop[edge + 1] * share, loop[-1:]])
-
-
-def _tab_places(loop: FloatArray, machine: Machine) -> FloatArray:
-    """Return places (n, 2) of tabs, evenly along a loop, with room between them."""
-    how = machine.contour
-    along = np.append(0, np.cumsum(np.linalg.norm(np.diff(loop, axis=0), axis=1)))
-    room = 2 * (how.tab_length_mm + how.cutter.diameter_mm)
-    count = min(how.tabs, int(along[-1] / room))
-    at = along[-1] * (np.arange(count) + 0.5) / max(count, 1)
-    return np.column_stack([np.interp(at, along, loop[:, axis]) for axis in (0, 1)])
 
 
 def _pieces(path: FloatArray, cut: BoolArray) -> list[FloatArray]:

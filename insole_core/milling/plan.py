@@ -13,15 +13,14 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
-from insole_core.milling.contours import contour, dowel_holes
+from insole_core.milling.contours import dowel_holes
 from insole_core.milling.drop_cutter import STEEPEST, tip_heights
-from insole_core.milling.machine import FlipAxis, Machine
-from insole_core.milling.rasters import finishing, roughing
-from insole_core.milling.surface import Surface, sample_surface
+from insole_core.milling.machine import Machine
+from insole_core.milling.sides import both_sides_of, mill_side, one_side_of, turned_over
+from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import Motion, Operation, SideName, total_minutes
 from insole_core.progress import SILENT, Progress
 
-_PITCH_MM = 0.25
 _MOST_LEFT_MM = 0.2
 """Material in a hollow of which nothing is said."""
 _LEFT_PITCH_MM = 1.0
@@ -175,63 +174,28 @@ def plan_milling(
     lift = machine.both_sides.skin_mm if both_sides else 0.0
     lying = [_moved(solid, np.array([0.0, 0.0, lift])) for solid in solids]
     _require_fit(lying, block_mm, machine)
-    halves = progress.parts(2 if both_sides else 1)
-    if not both_sides:
-        operations, left = _one_side(
-        lying, block_mm, machine,
-        side="foot side", bottom_mm=0.0, with_tabs=True,
-        progress=halves[0],
+    parts = progress.parts(3 if both_sides else 2)
+    parts[0].step(0.0, "Sampling the surface")
+    if both_sides:
+        sides = both_sides_of(lying, block_mm, machine)
+        operations = [dowel_holes(machine, sides[0].surface, block_mm)]
+    else:
+        sides = [one_side_of(lying, block_mm, machine)]
+        operations = []
+    left_over = []
+    for side, part in zip(sides, parts[1:], strict=True):
+        operations += mill_side(side, machine, block_mm[2], part.part(0.0, 0.9))
+        part.step(0.9, "Looking for material that stays")
+        left_over.append(_left_over(side.surface, machine, side.name))
+    hollows = [_hollow(left, machine, block_mm, lying, feet) for left in left_over]
+    notes = tuple(note for note in hollows if note is not None)
+    return MillingPlan(
+        machine, block_mm, tuple(lying), tuple(operations), tuple(left_over), notes
     )  # fmt: skip
-        return _plan(machine, block_mm, lying, operations=operations, left_over=[left], feet=feet)
-    surface = _sampled(lying, block_mm, machine)
-    web = min(lift + machine.contour.tab_height_mm, _lowest_rim(surface))
-    dowels = dowel_holes(machine, surface, block_mm)
-    first, left = _one_side(
-        lying, block_mm, machine,
-        side="foot side", bottom_mm=web, with_tabs=False,
-        progress=halves[0],
-    )  # fmt: skip
-    turned = [turned_over(solid, block_mm, machine.both_sides.flip) for solid in lying]
-    under = block_mm[2] - web
-    second, below = _one_side(
-        turned, block_mm, machine,
-        side="underside", bottom_mm=under, with_tabs=True,
-        progress=halves[1],
-    )  # fmt: skip
-    return _plan(
-        machine, block_mm, lying,
-        operations=[dowels, *first, *second], left_over=[left, below], feet=feet,
-    )  # fmt: skip
-
-
-def turned_over(
-    solid: TriangleMesh, block_mm: tuple[float, float, float], flip: FlipAxis
-) -> TriangleMesh:
-    """Return a solid in the frame of the block after it was turned over."""
-    width, length, height = block_mm
-    signs = np.array([-1.0, 1, -1] if flip == "length" else [1.0, -1, -1])
-    offset = np.array([width if flip == "length" else 0, 0 if flip == "length" else length, height])
-    return TriangleMesh(solid.vertices * signs + offset, solid.triangles)
 
 
 def _moved(solid: TriangleMesh, by_mm: FloatArray) -> TriangleMesh:
     return TriangleMesh(solid.vertices + by_mm, solid.triangles)
-
-
-def _plan(
-    machine: Machine,
-    block_mm: tuple[float, float, float],
-    solids: Sequence[TriangleMesh],
-    *,
-    operations: Sequence[Operation],
-    left_over: Sequence[LeftOver],
-    feet: Sequence[FootInBlock],
-) -> MillingPlan:
-    hollows = [_hollow(left, machine, block_mm, solids, feet) for left in left_over]
-    notes = [note for note in hollows if note is not None]
-    return MillingPlan(
-        machine, block_mm, tuple(solids), tuple(operations), tuple(left_over), tuple(notes)
-    )
 
 
 def _require_fit(
@@ -286,64 +250,6 @@ def _require_travel(block_mm: tuple[float, float, float], machine: Machine) -> N
                 axis=axis,
                 size=size,
             )
-
-
-def _reach_mm(machine: Machine) -> float:
-    """Return how far from the solids the cutter's axis goes when it clears the block."""
-    rough = machine.roughing
-    beside = max(
-        rough.cutter.radius_mm + rough.allowance_mm,
-        machine.contour.cutter.diameter_mm - rough.cutter.radius_mm,
-        machine.finishing.cutter.radius_mm * 1.8 - rough.cutter.radius_mm,
-    )
-    return beside + rough.step_over_mm
-
-
-def _sampled(
-    solids: Sequence[TriangleMesh], block_mm: tuple[float, float, float], machine: Machine
-) -> Surface:
-    how = machine.finishing
-    step = how.step_over_mm / np.ceil(how.step_over_mm / _PITCH_MM)
-    return sample_surface(solids, block_mm, _reach_mm(machine) + 1, float(step))
-
-
-def _lowest_rim(surface: Surface) -> float:
-    rim = surface.inside
-    inner = rim.copy()
-    for axis in (0, 1):
-        for by in (1, -1):
-            inner &= np.roll(surface.inside, by, axis)
-    return float(surface.heights_mm[rim & ~inner].min())
-
-
-def _one_side(
-    solids: Sequence[TriangleMesh],
-    block_mm: tuple[float, float, float],
-    machine: Machine,
-    *,
-    side: SideName,
-    bottom_mm: float,
-    with_tabs: bool,
-    progress: Progress,
-) -> tuple[list[Operation], LeftOver]:
-    """Return the operations of one side, down to a height beside the solids."""
-    progress.step(0.0, "Sampling the surface")
-    tab = machine.contour.tab_height_mm if with_tabs else 0.0
-    floor = bottom_mm + tab + machine.roughing.allowance_mm
-    surface = _sampled(solids, block_mm, machine)
-    rough = roughing(
-        surface.with_floor(min(floor, block_mm[2])), machine, block_mm[2], side,
-        reach_mm=_reach_mm(machine), progress=progress.part(0.2, 0.5),
-    )  # fmt: skip
-    progress.step(0.5, "Finishing the surface")
-    finish = finishing(surface.with_floor(bottom_mm), machine, block_mm[2], side)
-    walls = contour(
-        solids, surface, machine, block_mm, side=side, bottom_mm=bottom_mm,
-        with_tabs=with_tabs, progress=progress.part(0.7, 0.95),
-    )  # fmt: skip
-    progress.step(0.95, "Looking for material that stays")
-    operations = [operation for operation in (rough, finish, walls) if operation is not None]
-    return operations, _left_over(surface, machine, side)
 
 
 def _left_over(surface: Surface, machine: Machine, side: SideName) -> LeftOver:

@@ -22,6 +22,8 @@ from insole_core.progress import SILENT, Progress
 
 _CLOSE_MM = 0.003
 """By which straight pieces may leave a finishing path."""
+OVER_RIM = 0.95
+"""Share of the radius by which a ball goes over the rim: it touches edges that fall by 70°."""
 _CLEARANCE_MM = 1.0
 """Above material that is known to be gone, down to which a rapid move goes."""
 _LINK_LINES = 1
@@ -121,7 +123,7 @@ def finishing(
     how = machine.finishing
     lines = _lines(surface, how.step_over_mm)
     tips = np.minimum(finishing_heights(surface, how.cutter), block_height_mm)
-    allowed = surface.beside_mm <= how.cutter.radius_mm * 0.8
+    allowed = surface.beside_mm <= how.cutter.radius_mm * OVER_RIM
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
     raster = _Raster(surface, how.cutter, lines, tips[lines])
     _follow(raster, tips[lines], allowed[lines], writer, close_mm=_CLOSE_MM, clear_mm=None)

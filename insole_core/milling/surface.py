@@ -9,7 +9,7 @@ from functools import cached_property
 import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.triangles import raise_to_triangles
 
@@ -73,10 +73,25 @@ class Surface:
         index = np.rint((places_mm - self.first_mm) / self.step_mm).astype(int)
         return tuple(np.clip(index, 0, np.array(self.inside.shape) - 1).T)
 
-    def with_floor(self, floor_mm: float) -> Surface:
-        """Return the surface with another height beside the solids."""
-        heights = np.where(self.inside, self.heights_mm, np.float32(floor_mm))
-        return replace(self, heights_mm=heights, floor_mm=floor_mm)
+    @cached_property
+    def nearest(self) -> IntArray:
+        """(nx, ny) indices, in the flattened grid, of the node inside that is nearest to each."""
+        _, labels = cv2.distanceTransformWithLabels(
+            np.asarray(~self.inside, np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
+        )
+        node = np.zeros(int(labels.max()) + 1, np.int64)
+        node[labels[self.inside]] = np.flatnonzero(self.inside)
+        return np.asarray(node[labels])
+
+    def beyond_rim(self, heights_mm: Float32Array) -> Float32Array:
+        """Let heights (nx, ny) of the nodes inside go on outside, each as at the nearest node."""
+        return np.asarray(heights_mm.ravel()[self.nearest], np.float32)
+
+    def with_floor(self, floor_mm: float | Float32Array) -> Surface:
+        """Return the surface with other heights beside the solids: one, or that of each node."""
+        floor = np.broadcast_to(np.float32(floor_mm), self.inside.shape)
+        heights = np.where(self.inside, self.heights_mm, floor)
+        return replace(self, heights_mm=heights, floor_mm=float(floor.min()))
 
 
 def sample_surface(

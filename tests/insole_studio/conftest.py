@@ -16,7 +16,7 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.scan_source import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

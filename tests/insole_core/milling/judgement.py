@@ -22,12 +22,15 @@ from tests.insole_core.milling.removal import Removal
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
+IntArray = npt.NDArray[np.int64]
 _SAMPLE_MM = 0.3
 """Between points of the piece from which the nearest triangles are found."""
 _HOLLOW_MM = 0.003
 _STEEPEST = np.sqrt(0.5)
 """Cosine of the steepest slope to which ridges may grow: they stay below twice those of a level."""
 _FAR_MM = 1e3
+_JOINT_MM = 0.4
+"""Thickness of the weakest bridge that is counted: of a tab at an edge of half a millimetre."""
 
 
 @dataclass(frozen=True)
@@ -56,14 +59,18 @@ class Judgement:
 
 
 def judge(
-    mesh: TriangleMesh, left: FloatArray, removal: Removal, how: Machine, floor_mm: float
+    mesh: TriangleMesh,
+    left: FloatArray,
+    removal: Removal,
+    how: Machine,
+    floor_mm: float | FloatArray,
 ) -> Judgement:
     """Compare what is left of a block with the piece in it, seen from above.
 
     Parameters
     ----------
-    floor_mm
-        Height of what may stay beside the piece: the web or the tabs.
+    floor_mm : number, or (x, y) of the removal's pixels
+        Height of what may stay beside the piece: the tabs.
     """
     asked, _ = seen_from_above(mesh, removal)
     inside = np.isfinite(asked)
@@ -104,6 +111,46 @@ def seen_from_above(mesh: TriangleMesh, removal: Removal) -> tuple[FloatArray, F
     cosine[hits.ray] = np.abs(mesh.triangle_normals[hits.triangle, 2])
     shape = removal.heights.shape
     return heights.reshape(shape), cosine.reshape(shape)
+
+
+def edge_round(mesh: TriangleMesh, removal: Removal) -> FloatArray:
+    """Return the heights (x, y) of a mesh seen from above, beside it that of its nearest pixel."""
+    heights, _ = seen_from_above(mesh, removal)
+    nearest = scipy.ndimage.distance_transform_edt(
+        np.isnan(heights), return_distances=False, return_indices=True
+    )
+    return np.asarray(heights[tuple(nearest)])
+
+
+def tabs_that_hold(removal: Removal, inside: BoolArray, cutter_mm: float) -> int:
+    """Count the bridges of material from the piece, over the gap of the contour, to the block.
+
+    Two pixels are joined where they have `_JOINT_MM` of their heights in common.
+    """
+    beside = scipy.ndimage.distance_transform_edt(~inside) * removal.pitch_mm
+    zone = np.where(inside, 0, np.where(beside < cutter_mm - 1, 1, 2)).ravel()
+    first, second = _joined(removal.from_below, removal.heights)
+    gap = (zone[first] == 1) & (zone[second] == 1)
+    links = scipy.sparse.coo_matrix(
+        (np.ones(gap.sum()), (first[gap], second[gap])), shape=(len(zone), len(zone))
+    )
+    _, part = scipy.sparse.csgraph.connected_components(links, directed=False)
+    ends = np.concatenate([np.stack([first, second], -1), np.stack([second, first], -1)])
+    of_gap = ends[zone[ends[:, 0]] == 1]
+    at_piece, at_block = (set(part[of_gap[zone[of_gap[:, 1]] == end, 0]]) for end in (0, 2))
+    return len(at_piece & at_block)
+
+
+def _joined(low: FloatArray, high: FloatArray) -> tuple[IntArray, IntArray]:
+    """Return the pairs of neighbouring pixels whose material touches."""
+    number = np.arange(low.size).reshape(low.shape)
+    pairs = []
+    for a, b in (np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1]):
+        common = np.minimum(high[a], high[b]) - np.maximum(low[a], low[b])
+        touching = common >= _JOINT_MM
+        pairs.append(np.stack([number[a][touching], number[b][touching]]))
+    first, second = np.concatenate(pairs, axis=1)
+    return first, second
 
 
 def cusp_mm(cosine: FloatArray, how: Machine) -> FloatArray:

@@ -22,14 +22,22 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.milling.gcode import gcode, origin_mm
 from insole_core.milling.machine import Machine, read_machine, write_machine
-from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling, turned_over
+from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
+from insole_core.milling.sides import turned_over
 from insole_core.resources import resource_path
 from insole_core.workflows.mill import write_program
-from tests.insole_core.milling.judgement import judge, seen_from_above
+from tests.insole_core.milling.judgement import (
+    edge_round,
+    judge,
+    seen_from_above,
+    tabs_that_hold,
+)
 from tests.insole_core.milling.removal import Removal, Tool
 
 FloatArray = npt.NDArray[np.float64]
 BLOCK_MM = (80.0, 110.0, 26.0)
+TABS = 6
+"""For which there is room round the piece."""
 NAMES = ("linuxcnc", "grbl", "mach3")
 GOUGE_MM, SURPLUS_MM = 0.02, 0.05
 
@@ -38,7 +46,7 @@ def machine(name: str = "linuxcnc") -> Machine:
     return read_machine(resource_path(f"milling/{name}.json"))
 
 
-def solid(*, arched: bool = False, groove: bool = False) -> TriangleMesh:
+def solid(*, arched: bool = False, groove: bool = False, lean: float = 0.015) -> TriangleMesh:
     """Return an oval piece with a cup, a hill and drafted walls, standing in the block."""
     count = 90
     u, v = np.meshgrid(*[np.linspace(-1, 1, count)] * 2, indexing="ij")
@@ -48,7 +56,7 @@ def solid(*, arched: bool = False, groove: bool = False) -> TriangleMesh:
     if groove:
         top -= 4 * np.exp(-(x**2) / 2)
     bottom = 3 * np.exp(-((x + 5) ** 2 + y**2) / 120) if arched else np.zeros_like(x)
-    wide = 1 + 0.015 * (away > 0.999)  # the wall leans by 1 to 2 degrees
+    wide = 1 + lean * (away > 0.999)  # a wall of usual height leans by 1 to 2 degrees
     vertices = np.concatenate(
         [
             np.stack([x, y, top], -1).reshape(-1, 3),
@@ -79,7 +87,11 @@ def left_of(plan: MillingPlan, text: str, pitch_mm: float = 0.4) -> Removal:
 
 
 def check_side(
-    mesh: TriangleMesh, left: FloatArray, removal: Removal, how: Machine, floor_mm: float
+    mesh: TriangleMesh,
+    left: FloatArray,
+    removal: Removal,
+    how: Machine,
+    floor_mm: float | FloatArray,
 ) -> None:
     found = judge(mesh, left, removal, how, floor_mm)
     assert found.gouge_mm < GOUGE_MM
@@ -115,6 +127,28 @@ def test_one_side_is_left_as_asked_and_held_by_tabs():
     assert removal.heights[ring].max() == pytest.approx(how.contour.tab_height_mm, abs=0.01)
     across = [np.ptp(np.argwhere(tabs == n + 1), axis=0).max() * 0.4 for n in range(count)]
     assert all(how.contour.tab_length_mm - 1 < size < 16 for size in across)
+    assert held(piece, removal, how) == how.contour.tabs
+
+
+def held(mesh: TriangleMesh, removal: Removal, how: Machine) -> int:
+    inside = np.isfinite(seen_from_above(mesh, removal)[0])
+    return tabs_that_hold(removal, inside, how.contour.cutter.diameter_mm)
+
+
+def test_tabs_hold_a_thin_edge_and_leave_it_clean():
+    piece = feathered(solid(lean=0.001), 1.0)
+    plan = plan_milling([piece], BLOCK_MM, how := machine())
+    removal = left_of(plan, gcode(plan))
+    check_side(piece, removal.heights, removal, how, how.contour.tab_height_mm)
+    assert held(piece, removal, how) == TABS
+
+
+def feathered(piece: TriangleMesh, edge_mm: float) -> TriangleMesh:
+    """Return a piece whose top slopes down to an edge of little height."""
+    x, y, z = piece.vertices.T
+    away = np.hypot((x - BLOCK_MM[0] / 2) / 24, (y - BLOCK_MM[1] / 2) / 34)
+    top = edge_mm + 0.35 * 24 * np.clip(1 - away, 0, 0.4)
+    return TriangleMesh(np.column_stack([x, y, np.where(z > 0, top, z)]), piece.triangles)
 
 
 def test_the_wall_of_a_lower_part_is_cut_from_its_own_top():
@@ -135,19 +169,26 @@ def test_the_wall_of_a_lower_part_is_cut_from_its_own_top():
     assert not (round_low & (removal.y_mm[j] > 66)).any()
 
 
-def test_both_sides_meet_in_the_turned_block():
-    how, piece = machine(), solid(arched=True)
+def check_both_sides(piece: TriangleMesh, how: Machine) -> tuple[TriangleMesh, Removal]:
     plan = plan_milling([piece], BLOCK_MM, how, both_sides=True)
     removal = left_of(plan, gcode(plan))
     check_moves(removal, how)
     lift = np.array([0, 0, how.both_sides.skin_mm])
     lying = TriangleMesh(piece.vertices + lift, piece.triangles)
-    first, second = removal.sides
-    web = how.both_sides.skin_mm + how.contour.tab_height_mm
-    check_side(lying, first, removal, how, web)
     turned = turned_over(lying, BLOCK_MM, "length")
-    check_side(turned, second, removal, how, BLOCK_MM[2] - how.both_sides.skin_mm)
-    # What is left between the two sides is the web, of which only the tabs remain.
+    edge = edge_round(turned, removal)
+    tabs = np.flip(BLOCK_MM[2] - edge, axis=0) + how.contour.tab_height_mm
+    check_side(lying, removal.sides[0], removal, how, tabs)
+    check_side(turned, removal.sides[1], removal, how, edge)
+    assert held(turned, removal, how) == TABS
+    return turned, removal
+
+
+def test_both_sides_meet_in_the_turned_block():
+    how = machine()
+    turned, removal = check_both_sides(solid(arched=True), how)
+    first, second = removal.sides
+    # What is left between the two sides are the tabs.
     below = np.flip(BLOCK_MM[2] - first, axis=0)
     ring = ring_round(turned, removal)
     thick = np.where(ring, second - below, 0)
@@ -157,6 +198,14 @@ def test_both_sides_meet_in_the_turned_block():
     for y in (how.both_sides.dowel_inset_mm, BLOCK_MM[1] - how.both_sides.dowel_inset_mm):
         hole = first[int(BLOCK_MM[0] / 2 / 0.4), int(y / 0.4)]
         assert hole == pytest.approx(0.0, abs=0.01)
+
+
+def test_a_cupped_underside_is_milled_to_its_edge_and_held_there():
+    piece = solid(lean=0.001)
+    x, y, z = piece.vertices.T
+    away = np.hypot((x - BLOCK_MM[0] / 2) / 24, (y - BLOCK_MM[1] / 2) / 34)
+    cupped = np.where(z < 1e-6, 6 * np.clip(away, 0, 1) ** 2, np.maximum(z, 9))
+    check_both_sides(TriangleMesh(np.column_stack([x, y, cupped]), piece.triangles), machine())
 
 
 def test_the_origin_and_the_machines_axes_change_the_numbers_only():

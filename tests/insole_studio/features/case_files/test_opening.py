@@ -10,7 +10,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot import landmarks
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import Landmark

@@ -18,9 +18,9 @@ from insole_core.cases.case_record import (
     KeyPoint,
     Patient,
     ReferencePlane,
-    ScanSource,
     Variant,
 )
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott

@@ -1,0 +1,90 @@
+"""Tabs: where material stays between a piece and its block, until it is taken out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
+from insole_core.milling.machine import Contour, Machine
+from insole_core.milling.surface import Surface
+
+_RIM_MM = 0.75
+"""From the outline to the top of a wall."""
+_BELOW_RIM_MM = 0.6
+"""By which a tab stays below that, so that the ball leaves an edge clean that slopes down."""
+OFF_EDGE_MM = 0.3
+"""By which a tab begins off the edge of the underside, so that the ball leaves the edge clean."""
+
+
+@dataclass(frozen=True, eq=False)
+class Tabs:
+    """Where a cutter leaves material between the pieces and the block.
+
+    Parameters
+    ----------
+    places_mm : (n, 2) float64
+        On the way of the contour cutter's axis.
+    heights_mm : (nx, ny) float32
+        To which a cutter may go down there, on the nodes of the surface, above the block's bottom.
+    """
+
+    places_mm: FloatArray
+    heights_mm: Float32Array
+    how: Contour
+
+    def over(self, surface: Surface, floor_mm: float | Float32Array) -> Float32Array:
+        """Return heights (nx, ny) beside the solids, raised where a tab stays."""
+        floor = np.full(surface.inside.shape, floor_mm, np.float32)
+        within = self._near(
+            surface, np.hypot(self.how.tab_length_mm / 2, self.how.cutter.radius_mm)
+        )
+        floor[within] = np.maximum(floor, self.heights_mm)[within]
+        return floor
+
+    def axis_heights(self, surface: Surface) -> Float32Array:
+        """Return the lowest heights (nx, ny) of the contour cutter's axis; -inf off the tabs."""
+        within = self._near(surface, self.how.tab_length_mm / 2 + self.how.cutter.radius_mm)
+        return np.where(within, self.heights_mm, np.float32(-np.inf))
+
+    def _near(self, surface: Surface, reach_mm: float) -> BoolArray:
+        marked = np.zeros(surface.inside.shape, np.uint8)
+        for i, j in zip(*surface.index_of(self.places_mm), strict=True):
+            cv2.circle(marked, (int(j), int(i)), round(reach_mm / surface.step_mm), 1, cv2.FILLED)
+        return marked > 0
+
+
+def tab_places(outline_mm: FloatArray, machine: Machine) -> FloatArray:
+    """Return places (n, 2) of tabs, evenly along an outline, with room between them."""
+    how = machine.contour
+    along = np.append(0, np.cumsum(np.linalg.norm(np.diff(outline_mm, axis=0), axis=1)))
+    room = 2 * (how.tab_length_mm + how.cutter.diameter_mm)
+    count = min(how.tabs, int(along[-1] / room))
+    at = along[-1] * (np.arange(count) + 0.5) / max(count, 1)
+    return np.column_stack([np.interp(at, along, outline_mm[:, axis]) for axis in (0, 1)])
+
+
+def tabs_of_foot_side(
+    surface: Surface, places_mm: FloatArray, begin_mm: Float32Array, machine: Machine
+) -> Tabs:
+    """Return tabs as high as the machine asks for, and no higher than the piece.
+
+    Parameters
+    ----------
+    begin_mm : (nx, ny) float32
+        Height at which a tab begins beside each node.
+    """
+    reach = 2 * round(_RIM_MM / surface.step_mm) + 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach))
+    inside = np.where(surface.inside, surface.heights_mm, np.float32(0))
+    rim = surface.beyond_rim(np.asarray(cv2.dilate(inside, kernel), np.float32))
+    below_rim = np.maximum(rim - np.float32(_BELOW_RIM_MM), (begin_mm + rim) / 2)
+    high = np.minimum(begin_mm + np.float32(machine.contour.tab_height_mm), below_rim)
+    return Tabs(places_mm, np.asarray(high, np.float32), machine.contour)
+
+
+def tabs_of_underside(edge_mm: Float32Array, places_mm: FloatArray, machine: Machine) -> Tabs:
+    """Return the same tabs in the turned block: they begin a little below the edge (nx, ny)."""
+    return Tabs(places_mm, edge_mm - np.float32(OFF_EDGE_MM), machine.contour)
