@@ -213,7 +213,7 @@ def paths(tmp_path: Path) -> UserPaths:
     return UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def make_foot() -> Callable[[Side], Foot]:
     return plantar_foot
 
