@@ -50,7 +50,7 @@ lint: $(READY) ## style, types, architecture, the links of the manual
 	$(MAKE) --jobs=2 --output-sync manual types style
 
 types: $(READY)
-	$(BIN)/mypy
+	$(BIN)/mypy --num-workers 2
 
 style: $(READY)
 	$(BIN)/ruff check .

@@ -12,7 +12,8 @@ import numpy as np
 
 from benchmarks._fuzz_mutations import entries_of
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint, ScanSource
+from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import find_landmarks

@@ -15,7 +15,8 @@ from typing import Any, Final
 import numpy as np
 from sqlalchemy import select, text
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Conflict, InsoleError, RecordsError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot

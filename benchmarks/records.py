@@ -32,7 +32,8 @@ from benchmarks._large_record import BEGUN, fill_record
 from benchmarks._measure import median_ms, print_table, resident_mb
 from benchmarks._window_search import searches_in_window
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.records.audit_search import AuditFilter, authors_of_audit, search_audit

@@ -11,14 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rotation_about
-from insole_core.imprints.form import Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.template import Template
 from insole_core.pressure.laid_map import PlantarLayers
@@ -100,32 +99,6 @@ class Annotations:
             return replace(self, key_points=(*self.key_points, point))
         points = tuple(point if p.name == point.name else p for p in self.key_points)
         return replace(self, key_points=points)
-
-
-@dataclass(frozen=True)
-class ScanSource:
-    """The scan that a foot was made from.
-
-    Parameters
-    ----------
-    kind
-        ``session`` or ``mesh``.
-    sha256
-        Of the manifest of a session, or of the file of a mesh or an archive.
-    recorded_at
-        ISO 8601, UTC; empty where unknown.
-    form
-        What was scanned; a session shows a foot.
-    choice
-        With which a mesh is read as the same foot once more.
-    """
-
-    kind: str
-    path: str
-    sha256: str
-    recorded_at: str = ""
-    form: Form = Form.FOOT
-    choice: ImportChoice = NOTHING_SAID
 
 
 @dataclass(frozen=True)

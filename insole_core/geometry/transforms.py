@@ -46,6 +46,17 @@ def rotation_about(axis: FloatArray, angle_deg: float) -> FloatArray:
     return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
 
 
+def rotations_by(vectors_rad: FloatArray) -> FloatArray:
+    """Return the rotation matrices (n, 3, 3) of rotation vectors (n, 3), rad (Rodrigues)."""
+    angle = np.linalg.norm(vectors_rad, axis=1)
+    x, y, z = vectors_rad.T
+    zero = np.zeros_like(x)
+    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+    sine = np.sinc(angle / np.pi)[:, None, None]
+    versine = (np.sinc(angle / 2 / np.pi) ** 2 / 2)[:, None, None]
+    return np.asarray(np.eye(3) + sine * cross + versine * cross @ cross)
+
+
 def rotation_angle_deg(rotation: FloatArray) -> float:
     """Return the angle of a rotation matrix (3, 3), 0 to 180."""
     # The sine form stays exact for small angles, where the trace alone loses half the digits.

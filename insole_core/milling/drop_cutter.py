@@ -15,7 +15,7 @@ STEEPEST = np.tan(np.radians(75.0))
 
 _BENT_MM = 0.009
 """By which a ball sinks into edges between their samples."""
-_OFF_MM = 0.006
+_OFF_MM = 0.012
 """By which the path stays off what it touches, which it is known to no better."""
 _LONGEST_NORMAL = 1.015
 """To which the normals at the corners of a triangle are stretched, so that it does not sink in."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from insole_core.cases.case_record import FootRecord, ScanSource
 from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
+from insole_core.cases.scan_source import ScanSource
 from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.imprints.form import Form
@@ -15,6 +16,9 @@ from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.session import Session
 from insole_core.recording.store import MAX_ARCHIVE_BYTES
+
+if TYPE_CHECKING:  # reconstruction begins sooner without the prescription, which is not used
+    from insole_core.cases.case_record import FootRecord
 
 MANIFEST = "manifest.json"
 

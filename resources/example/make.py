@@ -10,7 +10,8 @@ import tempfile
 from pathlib import Path
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting

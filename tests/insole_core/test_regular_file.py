@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.forgiving_json import remembered
 from insole_core.insole.prescription.design_json import read_design

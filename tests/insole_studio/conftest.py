@@ -10,12 +10,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from found_once import SharedResults, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.scan_source import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -118,6 +119,25 @@ class CannedQuestions:
         return self.path
 
     name_to_write = file_to_write
+
+
+@pytest.fixture(scope="session")
+def kept() -> SharedResults:
+    return SharedResults()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def same_results(kept: SharedResults) -> Iterator[None]:
+    """Let the core find and make the same things once for all tests."""
+    with pytest.MonkeyPatch.context() as patch:
+        share_results(kept, patch)
+        yield
+
+
+@pytest.fixture
+def forget_results(kept: SharedResults) -> Callable[[], None]:
+    """For tests that watch how something is found or made."""
+    return kept.forget
 
 
 @pytest.fixture(scope="session")

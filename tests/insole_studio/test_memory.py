@@ -12,7 +12,8 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -21,6 +22,11 @@ from insole_studio.app.bootstrap import Application, UserPaths, build_applicatio
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 MakeFoot = Callable[[Side], Foot]
 Settle = Callable[[], None]
+
+
+@pytest.fixture(scope="module")
+def same_results() -> None:
+    """Share nothing with other tests: what they keep is never freed."""
 
 
 def own_foot(make_foot: MakeFoot, side: Side = Side.LEFT) -> Foot:

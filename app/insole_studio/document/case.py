@@ -9,7 +9,8 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.corrections import CorrectionBase

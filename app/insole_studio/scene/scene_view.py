@@ -503,8 +503,9 @@ class SceneView(QWidget):
 
     def show_pointer(self, lines: tuple[FloatArray, ...], event: PointerEvent | None) -> None:
         """Draw the keyboard cursor as lines (n, 3) and announce its position."""
-        self.painter.show_lines("pointer", lines, self.painter.scheme.alarm, 2.5)
-        self.request_render()
+        if lines or self.is_open:
+            self.painter.show_lines("pointer", lines, self.painter.scheme.alarm, 2.5)
+            self.request_render()
         if event is not None:
             self.hovered.emit(event)
         else:

@@ -233,6 +233,8 @@ class ModelView(QWidget):
 
     def show_highlight(self, points: FloatArray) -> None:
         """Mark points (n, 3) and the line between them; no points remove the mark."""
+        if len(points) == 0 and not self.scene.is_open:
+            return
         painter = self.scene.painter
         lines = [points] if len(points) > 1 else []
         painter.show_lines("highlight", lines, painter.scheme.alarm, 2.5)
@@ -263,11 +265,15 @@ class ModelView(QWidget):
 
     def show_companion(self, mesh: TriangleMesh | None) -> None:
         """Show the mesh beside the subject; None removes it."""
+        if mesh is None and not self.scene.is_open:
+            return
         self.scene.companion.show(mesh)
         self.scene.request_render()
 
     def show_names(self, names: Sequence[NameLabel]) -> None:
         """Show the names of the subject and of the mesh beside it."""
+        if not names and not self.scene.is_open:
+            return
         self.scene.companion.show_names(names)
         self.scene.request_render()
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -78,9 +77,12 @@ def _near_cells(points: FloatArray, origin: FloatArray, limits: FieldLimits) -> 
     block = np.floor((points - origin) / (_BLOCK_CELLS * limits.cell_mm)).astype(np.int64)
     occupied = np.zeros(block.max(0) + 3, dtype=bool)
     occupied[tuple(block.T)] = True
-    occupied = scipy.ndimage.binary_dilation(occupied, np.ones((3, 3, 3), bool))
     for axis in range(3):
-        occupied = occupied.repeat(_BLOCK_CELLS, axis)
+        before = np.moveaxis(occupied, axis, 0)
+        grown = before.copy()
+        grown[1:] |= before[:-1]
+        grown[:-1] |= before[1:]
+        occupied = np.moveaxis(grown, 0, axis).repeat(_BLOCK_CELLS, axis)
     return occupied
 
 

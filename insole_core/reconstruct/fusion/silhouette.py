@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray, IndexArray
 from insole_core.geometry.transforms import inverse, transform
@@ -166,9 +165,13 @@ def _likelihood(color: ByteArray, inside: BoolArray, around: BoolArray) -> Float
 
 
 def _histogram(index: IndexArray) -> FloatArray:
-    count = np.bincount(index, minlength=_BINS**3).astype(float).reshape((_BINS,) * 3)
-    smooth = scipy.ndimage.gaussian_filter(count, 1.0)
-    return np.asarray((smooth / smooth.sum()).ravel())
+    smooth = np.bincount(index, minlength=_BINS**3).astype(float)
+    for _ in range(3):  # along each of the three channels in turn
+        rows = cv2.GaussianBlur(
+            smooth.reshape(_BINS, -1), (1, 9), 1.0, borderType=cv2.BORDER_REFLECT
+        )
+        smooth = rows.T.ravel()
+    return np.asarray(smooth / smooth.sum())
 
 
 def _largest_filled(mask: ByteArray) -> ByteArray:

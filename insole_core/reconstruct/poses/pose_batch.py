@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.transforms import rotations_by
 
 LEAST_EXPLAINED = 4
 """Least number of explained markers: any three blobs explain three markers."""
@@ -137,8 +137,7 @@ def improved(poses: PoseBatch, sight: Sight, near: float, doubted: float = np.in
     # Rotations are in rad and shifts in mm; the damping is relative to the mean scale.
     damping = _DAMPING * np.einsum("tii->ti", normal)[..., None] * np.eye(6)
     step = np.linalg.solve(normal + damping + 1e-15 * np.eye(6), rhs[..., None])[..., 0]
-    turn = scipy.spatial.transform.Rotation.from_rotvec(step[:, :3]).as_matrix()
-    return PoseBatch(turn @ poses.rotations, poses.translations + step[:, 3:])
+    return PoseBatch(rotations_by(step[:, :3]) @ poses.rotations, poses.translations + step[:, 3:])
 
 
 def _divided(points: FloatArray) -> FloatArray:

@@ -18,8 +18,9 @@ import numpy as np
 
 from insole_core.cases.case_file import read_case_and_digest
 from insole_core.cases.case_json import foot_to_json
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import read_day
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.file_digest import sha256_of
 from insole_core.messages import Message

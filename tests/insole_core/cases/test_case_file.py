@@ -19,9 +19,9 @@ from insole_core.cases.case_record import (
     KeyPoint,
     Patient,
     ReferencePlane,
-    ScanSource,
     Variant,
 )
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError, OutputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

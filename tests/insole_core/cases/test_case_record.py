@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, ScanSource, Variant
+from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, Variant
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

@@ -14,6 +14,7 @@ from insole_core.geometry.transforms import (
     rigid,
     rotation_about,
     rotation_angle_deg,
+    rotations_by,
     transform,
 )
 
@@ -44,3 +45,11 @@ def test_a_mirror_is_no_rotation() -> None:
     assert not is_rotation(np.diag([1.0, 1, 1.01]))
     assert not is_rotation(np.full((3, 3), np.nan))
     assert not is_rotation(np.eye(2))
+
+
+@given(vectors)
+def test_rotation_vectors_turn_like_their_axis_and_angle(vector: np.ndarray) -> None:
+    turn = vector / 100
+    np.testing.assert_allclose(
+        rotations_by(turn[None])[0], Rotation.from_rotvec(turn).as_matrix(), atol=1e-12
+    )

@@ -10,7 +10,8 @@ import pytest
 from PIL import Image
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.alignment import quarter_turned
 from insole_core.foot.foot import Foot

@@ -10,7 +10,8 @@ import pytest
 from postgres_server import PostgresServer, binaries, running_server
 from stations import Stations
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.records.database import Database
 from insole_core.records.migrate import SCHEMA, migrate

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Conflict, InputError, RecordsError
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side

@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 from read_pdf import bytes_of_pdf, text_of_pdf
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side

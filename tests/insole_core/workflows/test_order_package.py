@@ -16,7 +16,8 @@ import pytest
 from read_pdf import text_of_pdf
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError, OutputError
 from insole_core.export.order_verification import verify_order
 from insole_core.export.shop_order import MOST_PAIRS, OrderTerms

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import textwrap
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -213,3 +214,13 @@ def test_both_themes_are_drawn(
         studio.screenshot(tmp_path / "window.png")
     color = QImage(str(tmp_path / "window.png")).pixelColor(5, 300)
     assert (color.lightness() < 80) is dark
+
+
+def test_a_case_without_a_foot_opens_without_waiting_for_the_renderer(
+    app: Application, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    write_case(CaseRecord(Patient(name="Anna")), tmp_path / "anna.insole")
+    app.features.case_files.opener.open_path(tmp_path / "anna.insole")
+    settle()
+    app.case.apply(Patient(name="Anna Berg"), "Edit")
+    assert not any(view.scene.is_open for view in (app.stage.foot, app.stage.insole))

@@ -11,7 +11,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.case_record import Patient, ScanSource
+from insole_core.cases.case_record import Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott

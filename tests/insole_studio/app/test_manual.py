@@ -19,7 +19,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QPushButton
 
 import insole_studio.features
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side

@@ -15,7 +15,8 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.case_record import CaseRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_studio.app.bootstrap import Application, build_application

@@ -4,14 +4,8 @@ from typing import Any
 
 import pytest
 
-from insole_core.cases.case_record import (
-    Annotations,
-    CaseRecord,
-    FootRecord,
-    KeyPoint,
-    Patient,
-    ScanSource,
-)
+from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Pelott
 from insole_studio.document.case import Case

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_studio.document.case import Case

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Pelott, Posting

@@ -29,7 +29,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource, Variant
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, Variant
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Pelott

@@ -16,7 +16,8 @@ from pytestqt.qtbot import QtBot
 from round_foot import round_foot
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.export.ply import write_ply
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

@@ -11,7 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from insole_core.cases.case_record import KeyPoint, ScanSource
+from insole_core.cases.case_record import KeyPoint
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side

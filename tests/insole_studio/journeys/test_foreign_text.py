@@ -28,9 +28,9 @@ from insole_core.cases.case_record import (
     FootRecord,
     KeyPoint,
     Patient,
-    ScanSource,
     Variant,
 )
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side

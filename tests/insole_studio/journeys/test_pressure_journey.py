@@ -15,7 +15,8 @@ from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_core.pressure.placement import Placement

@@ -22,7 +22,8 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import FootRecord, ScanSource, Variant
+from insole_core.cases.case_record import FootRecord, Variant
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
     BaseForm,

@@ -10,7 +10,8 @@ from pointing import LEFT, drag
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Rocker
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.scan_source import ScanSource
 from insole_core.records.capture import Capture
 from insole_studio.features.records.record_texts import moment_text
 from insole_studio.services.app_services import AppServices

@@ -8,7 +8,8 @@ from datetime import date
 
 import pytest
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot
 from insole_core.insole.prescription.design import Pelott

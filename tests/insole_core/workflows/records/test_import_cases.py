@@ -8,7 +8,8 @@ from datetime import date
 import pytest
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.export.stl import write_stl
 from insole_core.file_digest import sha256_of

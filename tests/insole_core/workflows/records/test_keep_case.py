@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Unreachable
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side

@@ -19,7 +19,8 @@ from pytestqt.qtbot import QtBot
 from real_dialogs import answering
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.document.case_lock import STALE_MS, CaseInUseError, take_lock

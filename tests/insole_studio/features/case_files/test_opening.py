@@ -10,7 +10,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot import landmarks
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import Landmark
@@ -38,11 +39,13 @@ def test_landmarks_are_found_while_the_case_is_read(
     tmp_path: Path,
     make_foot: Callable[[Side], Foot],
     threads_of_search: list[threading.Thread],
+    forget_results: Callable[[], None],
 ) -> None:
     path = tmp_path / "anna.insole"
     foot = FootRecord.begun(make_foot(Side.LEFT), ScanSource("mesh", "anna.stl", "0" * 64))
     write_case(CaseRecord().with_foot(foot), path)
     threads_of_search.clear()
+    forget_results()
     app.features.case_files.opener.open_path(path)
     qtbot.waitUntil(lambda: app.case.record.foot is not None, timeout=20_000)
     qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=20_000)

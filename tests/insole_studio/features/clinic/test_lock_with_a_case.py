@@ -10,7 +10,8 @@ import pytest
 from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author, Role

@@ -11,7 +11,8 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.export.ply import write_ply
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot

@@ -18,9 +18,9 @@ from insole_core.cases.case_record import (
     KeyPoint,
     Patient,
     ReferencePlane,
-    ScanSource,
     Variant,
 )
+from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
@@ -411,11 +411,14 @@ class TestModels:
         facts: dict[str, Any],
         display: FootDisplay,
         make_foot: Any,
+        forget_results: Callable[[], None],
         qtbot: QtBot,
         side: Side,
     ) -> None:
         presenter = FootPresenter(view, ShownModels(**facts), display)
-        foot = replace(make_foot(side))  # whose surface for display is not known yet
+        scanned = make_foot(side)
+        forget_results()
+        foot = replace(scanned)  # whose surface for display is not known yet
         case.open_foot(foot, NOWHERE)
         assert view.shown["show_mesh"] == (foot.mesh, None)
         qtbot.waitUntil(lambda: view.shown["show_mesh"][0] is not foot.mesh, timeout=20_000)

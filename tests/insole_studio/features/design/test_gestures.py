@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane, ScanSource
+from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane
+from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules

@@ -16,7 +16,8 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication
 from pytestqt.qtbot import QtBot
 from read_pdf import text_of_pdf
 
-from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
 from insole_core.export.order_verification import verify_order
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.scan_source import ScanSource
 from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side

@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.case_record import FootRecord, ScanSource
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side

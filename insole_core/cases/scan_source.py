@@ -1,0 +1,34 @@
+"""Where the foot of a case comes from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
+from insole_core.imprints.form import Form
+
+
+@dataclass(frozen=True)
+class ScanSource:
+    """The scan that a foot was made from.
+
+    Parameters
+    ----------
+    kind
+        ``session`` or ``mesh``.
+    sha256
+        Of the manifest of a session, or of the file of a mesh or an archive.
+    recorded_at
+        ISO 8601, UTC; empty where unknown.
+    form
+        What was scanned; a session shows a foot.
+    choice
+        With which a mesh is read as the same foot once more.
+    """
+
+    kind: str
+    path: str
+    sha256: str
+    recorded_at: str = ""
+    form: Form = Form.FOOT
+    choice: ImportChoice = NOTHING_SAID

@@ -1,0 +1,152 @@
+"""Lets the tests of the window and of the commands share what the core finds and makes.
+
+Many open the same scan and build the same insole. What the core makes of it is the same each time;
+whether it is right, the tests of the core find out. So it is made once for all tests of a process,
+and each looks at what the window or a command does with it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Hashable, Iterable, Mapping
+from dataclasses import fields, is_dataclass, replace
+from enum import Enum
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from insole_core.foot.foot import Foot
+from insole_core.memo import Memo
+from insole_core.progress import SILENT, Progress
+from insole_core.reconstruct import reconstruction
+from insole_core.reconstruct.fusion.prepared_view import PreparedView
+from insole_core.reconstruct.views.measured_view import MeasuredView
+from insole_core.solids import order
+from insole_core.workflows import (
+    compare_case,
+    imprinted_feet,
+    insole_builder,
+    make_foot,
+    scanned_feet,
+)
+
+KEPT = 8
+"""Results of each kind, the feet with all that is derived from them included."""
+
+SHARED = (
+    (scanned_feet, "find_foot"),
+    (imprinted_feet, "find_foot"),
+    (imprinted_feet, "find_imprints"),
+    (reconstruction, "prepare"),
+    (reconstruction, "coarse_foot"),
+    (reconstruction, "fuse"),
+    (MeasuredView, "_registered"),
+    (compare_case, "compare_surfaces"),
+    (order, "simplify"),
+)
+"""Functions whose results are told by the content of what they are given."""
+
+
+class SharedResults:
+    """The results that tests share, until one asks that all be made anew."""
+
+    def __init__(self) -> None:
+        self._memo = Memo(KEPT)
+
+    def forget(self) -> None:
+        """Let everything be found and made anew."""
+        self._memo = Memo(KEPT)
+
+    def get(self, kind: str, key: Hashable, make: Callable[[], Any]) -> Any:
+        return self._memo.get(kind, key, make)
+
+
+def share_results(kept: SharedResults, patch: pytest.MonkeyPatch) -> None:
+    """Let equal scans and equal feet share what is found in them and made of them."""
+    patch.setattr(Foot, "__init__", _sharing(kept, Foot.__init__))
+    for owner, name in SHARED:
+        patch.setattr(owner, name, _made_once(kept, name, getattr(owner, name)))
+    patch.setattr(make_foot, "place_foot", _placed_once(kept, make_foot.place_foot))
+    patch.setattr(insole_builder, "contact_base", _based_once(insole_builder.contact_base))
+    patch.setattr(insole_builder, "closed_insole", _closed_once(insole_builder.closed_insole))
+
+
+def _sharing(kept: SharedResults, begin: Callable[..., None]) -> Callable[..., None]:
+    def init(foot: Foot, *args: Any, **kwargs: Any) -> None:
+        begin(foot, *args, **kwargs)
+        key = _content(foot.side, foot.mesh, foot.source2insole, foot.length_mm, foot.form)
+        object.__setattr__(foot, "derived", kept.get("derived", key, lambda: foot.derived))
+
+    return init
+
+
+def _made_once(kept: SharedResults, name: str, make: Callable[..., Any]) -> Callable[..., Any]:
+    def made(*given: Any, **named: Any) -> Any:
+        def make_in_list() -> list[Any]:
+            return [make(*given, **named)]  # None is an answer as well
+
+        return kept.get(name, _content(given, named), make_in_list)[0]
+
+    return made
+
+
+def _placed_once(kept: SharedResults, place: Callable[..., Foot]) -> Callable[..., Foot]:
+    once = _made_once(kept, "place_foot", place)
+
+    def placed(*given: Any, **named: Any) -> Foot:
+        return replace(once(*given, **named))  # a foot made again is another one
+
+    return placed
+
+
+def _based_once(base: Callable[..., Any]) -> Callable[..., Any]:
+    def based(foot: Foot, design: Any, progress: Progress = SILENT) -> Any:
+        key = insole_builder.base_key(design)
+        return foot.derived.get("contact base", key, lambda: base(foot, design, progress))
+
+    return based
+
+
+def _closed_once(close: Callable[..., Any]) -> Callable[..., Any]:
+    def closed(insole: Any) -> Any:
+        _, *key = insole_builder.bare_key(insole.foot, insole.design)
+        return insole.foot.derived.get("closed insole", tuple(key), lambda: close(insole))
+
+    return closed
+
+
+def _content(*values: Any) -> bytes:
+    """Return a digest that is equal for equal values, however they were made."""
+    digest = hashlib.blake2b(digest_size=16)
+    _add(digest, values)
+    return digest.digest()
+
+
+def _add(digest: Any, value: Any) -> None:
+    digest.update(type(value).__name__.encode() + b"(")
+    if isinstance(value, np.ndarray):
+        digest.update(f"{value.dtype}{value.shape}".encode())
+        digest.update(np.ascontiguousarray(value))
+    elif isinstance(value, str | int | float | Enum | Path | None):
+        digest.update(repr(value).encode())
+    elif not isinstance(value, Progress):
+        for part in _parts(value):
+            _add(digest, part)
+    digest.update(b")")
+
+
+def _parts(value: Any) -> Iterable[Any]:
+    if isinstance(value, PreparedView):  # all else follows from it
+        found = (part is None for part in (value.within, value.outline, value.rim))
+        return value.measured, *found
+    if isinstance(value, MeasuredView):  # its files may have any place
+        return value.view.name, value.view.sensor, value.raw, value.color, value.precise
+    if is_dataclass(value):
+        return [getattr(value, field.name) for field in fields(value) if field.init]
+    if isinstance(value, Mapping):
+        return value.items()
+    if isinstance(value, list | tuple):
+        return value
+    raise TypeError(f"what is equal to {value!r}?")
