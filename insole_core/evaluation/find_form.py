@@ -27,7 +27,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import area_samples
 from insole_core.geometry.transforms import inverse
 
-_TRIES, _JUDGES = 1500, 800
+_TRIES, _JUDGES = 1000, 500
 _LEAST_POINTS = 300
 _SIZES = (0.6, 1.6)
 """Sizes that are searched for, relative to the one said: other balls are found, but no plates."""

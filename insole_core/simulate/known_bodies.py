@@ -7,12 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from insole_core.errors import UsageError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.simulate.iso_surface import extract_surface
 
 _CELL_MM = 2.0
 """With it a ball of 60 mm radius is 0.01 mm off, far below any sensor's error."""
+SIZES_MM = (40.0, 400.0)
+_CYLINDER_MM = 150.0
 _MIDDLE_Y_MM = 12.0
 _LOWEST_Z_MM = -5.0
 _ORANGE = (196, 112, 58)
@@ -36,16 +39,30 @@ class KnownBody:
 
 
 def ball(diameter_mm: float) -> KnownBody:
-    """Return a ball that rests on a plate at the toes' end, which is below where the sole hangs."""
+    """Return a ball that rests on a plate at the toes' end, which is below where the sole hangs.
+
+    Raises
+    ------
+    UsageError
+        When it would not fit in the place of a foot.
+    """
+    _check_size(diameter_mm)
     radius = diameter_mm / 2
     centre = np.array([0.0, _MIDDLE_Y_MM, _LOWEST_Z_MM + radius])
     mesh = _body(lambda p: np.linalg.norm(p, axis=-1) - radius, centre, np.full(3, radius))
     return on_plate(mesh)
 
 
-def upright_cylinder(diameter_mm: float, length_mm: float) -> KnownBody:
-    """Return a cylinder that stands on such a plate, its axis along the foot's."""
-    radius, half = diameter_mm / 2, length_mm / 2
+def upright_cylinder(diameter_mm: float) -> KnownBody:
+    """Return a cylinder that stands on such a plate, its axis along the foot's.
+
+    Raises
+    ------
+    UsageError
+        When it would not fit in the place of a foot.
+    """
+    _check_size(diameter_mm)
+    radius, half = diameter_mm / 2, _CYLINDER_MM / 2
     centre = np.array([0.0, _MIDDLE_Y_MM, _LOWEST_Z_MM + radius])
 
     def distance(points: FloatArray) -> FloatArray:
@@ -62,6 +79,18 @@ def on_plate(mesh: TriangleMesh) -> KnownBody:
     centre = np.array([(low[0] + high[0]) / 2, high[1] + half[1], (low[2] + high[2]) / 2])
     plate = _body(lambda p: np.asarray((np.abs(p) - half).max(axis=-1)), centre, half, _PLATE)
     return KnownBody(mesh, plate)
+
+
+def _check_size(diameter_mm: float) -> None:
+    low, high = SIZES_MM
+    if not low <= diameter_mm <= high:
+        raise UsageError(
+            "A body of {diameter_mm:g} mm cannot be simulated in the place of a foot; choose a "
+            "diameter from {low:g} to {high:g} mm.",
+            diameter_mm=diameter_mm,
+            low=low,
+            high=high,
+        )
 
 
 def _body(

@@ -92,6 +92,10 @@
             <translation>En kropp med känd form tar platsen för en fot; välj sidan vänster eller höger.</translation>
         </message>
         <message>
+            <source>A body of {diameter_mm:g} mm cannot be simulated in the place of a foot; choose a diameter from {low:g} to {high:g} mm.</source>
+            <translation>En kropp på {diameter_mm:g} mm kan inte simuleras på en fots plats; välj en diameter från {low:g} till {high:g} mm.</translation>
+        </message>
+        <message>
             <source>A body weight of {weight_kg:g} kg cannot be right: it must be {range}; put in the patient's weight.</source>
             <translation>En kroppsvikt på {weight_kg:g} kg kan inte stämma: den måste vara {range}; ange patientens vikt.</translation>
         </message>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,10 +14,12 @@ from insole_core.evaluation.chain import PARTS, ChainEvaluation
 from insole_core.evaluation.chain_verdict import judge
 from insole_core.evaluation.known_object import KnownRound
 from insole_core.reconstruct.fusion import matching_error
+from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.simulate import SimulationOptions, simulate_session
 from insole_core.simulate.known_bodies import ball
 from insole_core.workflows.calibration.chain_proof import ChainProof, prove_chain
+from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.make_foot import open_session, reconstruct_session
 from insole_studio.cli.main import run
 
@@ -25,13 +28,19 @@ BALL = KnownRound("ball", 120, 120)
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A ball of 120 mm, captured like a foot."""
+    """A ball of 120 mm, captured like a foot with emulated devices."""
     options = SimulationOptions(
-        seed=3, body=ball(120), distance_mm=700, frames=1, color_size=(640, 480)
+        seed=3, body=ball(120), distance_mm=700, frames=2, color_size=(640, 480)
     )
-    path = tmp_path_factory.mktemp("chain") / "ball"
-    write_session(simulate_session(options).session, path)
-    return path
+    folder = tmp_path_factory.mktemp("chain")
+    simulated, captured = folder / "simulated", folder / "ball"
+    write_session(simulate_session(options).session, simulated)
+    store = SensorStore(folder / "sensors")
+    for view in read_session(simulated).views:
+        store.save(view.sensor)
+    words = ["capture", "--emulate", str(simulated), "--out", str(captured), "--frames", "2"]
+    assert run([*words, "--sensors", str(folder / "sensors")]) == 0
+    return captured
 
 
 @pytest.fixture(scope="module")
@@ -67,9 +76,13 @@ def test_every_class_is_a_part_of_the_whole(proof: ChainProof) -> None:
 
 
 def test_a_wrong_correction_is_switched_off(
-    session: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    session: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    forget_results: Callable[[], None],
 ) -> None:
     """One that moves readings the wrong way; the decision is used from then on, and reported."""
+    forget_results()
     model = matching_error.MatchingModel.load()
     *layers, last = model.network.weights
     wrong = replace(model.network, weights=(*layers, -last))
@@ -90,6 +103,7 @@ def test_a_wrong_correction_is_switched_off(
     made = reconstruct_session(opened)
     assert made.correction_mm is None
     assert "found it to do harm" in made.warnings[-1]
+    forget_results()
 
 
 def with_size(evaluation: ChainEvaluation, key: str, error_mm: float) -> ChainEvaluation:
@@ -143,6 +157,15 @@ def test_wrong_calls(words: list[str], said: str, capsys: pytest.CaptureFixture[
     assert said in capsys.readouterr().err
 
 
+def test_simulated_bodies_have_a_usual_size(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["simulate", str(tmp_path / "new"), "--ball", "12"]) == 2
+    assert "from 40 to 400 mm" in capsys.readouterr().err
+    assert run(["simulate", str(tmp_path / "new"), "--cylinder", "90", "--side", "both"]) == 2
+    assert "takes the place of one foot" in capsys.readouterr().err
+
+
 def test_missing_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     missing = str(tmp_path / "missing")
     assert run(["evaluate", "chain", missing, "--ball", "--diameter", "120"]) == 1
@@ -151,11 +174,7 @@ def test_missing_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert "missing.stl" in capsys.readouterr().err
 
 
-def test_both_feet(tmp_path: Path) -> None:
-    options = SimulationOptions(
-        seed=1, side="both", frames=1, color_size=(640, 480), foot_cell_mm=8, ideal=True
-    )
-    path = tmp_path / "both"
-    write_session(simulate_session(options).session, path)
+def test_both_feet() -> None:
+    both = Path(__file__).parents[3] / "data" / "sessions" / "both_small.zip"
     with pytest.raises(UsageError, match="was recorded with both feet"):
-        prove_chain([path], BALL)
+        prove_chain([both], BALL)
