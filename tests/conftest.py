@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,6 +16,15 @@ settings.load_profile("any machine")
 # As the command does, before numpy reads it: beside a second worker, threads of OpenBLAS only wait
 # for each other, in twice the processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+gc.disable()  # nothing that is imported for the tests is garbage
+
+
+def pytest_collection_finish() -> None:
+    """Collect what the tests leave, and look through nothing that was there before them."""
+    gc.freeze()
+    gc.enable()
+
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
 
