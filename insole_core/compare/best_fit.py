@@ -8,7 +8,7 @@ fits as if they were absent.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import product
+from itertools import permutations, product
 
 import numpy as np
 import scipy
@@ -47,13 +47,18 @@ class Fit:
     share: float
 
 
-def best_fit(a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT) -> Fit | None:
+def best_fit(
+    a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT, *, thorough: bool = False
+) -> Fit | None:
     """Find the rigid motion that fits b to a, from any initial pose (ICP, point to plane).
 
     Parameters
     ----------
     a, b : mm
         The sides to compare, each in its own frame.
+    thorough
+        Whether b may show only a part of a, so that their main axes need not correspond; all
+        orders of the axes are tried then, which takes five times as long.
 
     Returns
     -------
@@ -63,7 +68,7 @@ def best_fit(a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT) ->
     progress.step(0.0, "Trying poses")
     target = _Target(a)
     coarse = b.every(max(1, len(b.points) // _COARSE_POINTS))
-    fits = [_refine(target, coarse, start, _COARSE_ROUNDS) for start in _starts(a, b)]
+    fits = [_refine(target, coarse, start, _COARSE_ROUNDS) for start in _starts(a, b, thorough)]
     found = [fit for fit in fits if fit is not None]
     if not found:
         return None
@@ -131,14 +136,16 @@ def _step(
     return rigid(rotation, centre + motion[3:] - rotation @ centre)
 
 
-def _starts(a: SurfacePoints, b: SurfacePoints) -> list[FloatArray]:
+def _starts(a: SurfacePoints, b: SurfacePoints, thorough: bool) -> list[FloatArray]:
     """Return the identity, centroid on centroid, and all alignments of b's main axes with a's."""
     mean_a, mean_b = a.points.mean(axis=0), b.points.mean(axis=0)
     axes_a, axes_b = _axes(a), _axes(b)
     turns = [np.eye(3)]
-    for signs in product((1, -1), repeat=2):
-        flips = np.diag([*signs, signs[0] * signs[1]])
-        turns.append(axes_a @ flips @ axes_b.T)
+    for order in permutations(range(3)) if thorough else [(0, 1, 2)]:
+        for signs in product((1, -1), repeat=2):
+            swap = np.eye(3)[list(order)] * [[signs[0]], [signs[1]], [1]]
+            swap[2] *= np.linalg.det(swap)
+            turns.append(axes_a @ swap @ axes_b.T)
     return [np.eye(4), *(rigid(turn, mean_a - turn @ mean_b) for turn in turns)]
 
 
