@@ -4,7 +4,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 # One heap for all threads: with one each, memory that a test has freed stays with its thread.
 PYTEST := MALLOC_ARENA_MAX=1 $(BIN)/python -m pytest
-# Each worker takes a row of neighbouring modules, and of the rest of the other when it is done.
+# Each worker takes a row of neighbouring modules, and of the rest of another when it is done.
 OFFSCREEN := QT_QPA_PLATFORM=offscreen $(PYTEST) -n auto --dist worksteal
 READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system

@@ -20,6 +20,12 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 gc.disable()  # nothing that is imported for the tests is garbage
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int:
+    """Start one more than there are processors: tests wait for frames, disks and servers."""
+    return (os.cpu_count() or 1) + 1
+
+
 def pytest_collection_finish() -> None:
     """Collect what the tests leave, and look through nothing that was there before them."""
     gc.freeze()

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import gc
 import threading
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
+import pyrage
 import pytest
 from found_once import SharedResults, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
@@ -157,6 +160,20 @@ def undrawn_reports(undraw_reports, monkeypatch: pytest.MonkeyPatch) -> None:
     undraw_reports(monkeypatch)
 
 
+@pytest.fixture
+def quick_passphrases(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a passphrase open a key in no time: age makes it as slow as a second on any machine."""
+    known: dict[str, pyrage.x25519.Identity] = defaultdict(pyrage.x25519.Identity.generate)
+
+    def encrypt(content: bytes, phrase: str) -> bytes:
+        return pyrage.encrypt(content, [known[phrase].to_public()])
+
+    def decrypt(content: bytes, phrase: str) -> bytes:
+        return pyrage.decrypt(content, [known[phrase]])
+
+    monkeypatch.setattr(pyrage, "passphrase", SimpleNamespace(encrypt=encrypt, decrypt=decrypt))
+
+
 @pytest.fixture(autouse=True)
 def no_leaks() -> Iterator[None]:
     """No widget and no thread survives its test."""
@@ -196,7 +213,7 @@ def paths(tmp_path: Path) -> UserPaths:
     return UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def make_foot() -> Callable[[Side], Foot]:
     return plantar_foot
 

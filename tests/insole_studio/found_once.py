@@ -11,6 +11,7 @@ import hashlib
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,19 +19,27 @@ import numpy as np
 import pytest
 
 from insole_core.foot.foot import Foot
+from insole_core.insole import build
+from insole_core.insole.build import Insole, build_insole
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.surface import followed_base
+from insole_core.insole.surface.contact import ContactBase, base_key, contact_base
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruction
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.views.measured_view import MeasuredView
-from insole_core.solids import order
+from insole_core.solids import order, solid
+from insole_core.solids.solid import ClosedInsole
 from insole_core.workflows import (
     compare_case,
     imprinted_feet,
     insole_builder,
     make_foot,
+    make_order,
     scanned_feet,
 )
+from insole_studio.features.export import export_actions
 
 KEPT = 8
 """Results of each kind, the feet with all that is derived from them included."""
@@ -69,8 +78,14 @@ def share_results(kept: SharedResults, patch: pytest.MonkeyPatch) -> None:
     for owner, name in SHARED:
         patch.setattr(owner, name, _made_once(kept, name, getattr(owner, name)))
     patch.setattr(make_foot, "place_foot", _placed_once(kept, make_foot.place_foot))
-    patch.setattr(insole_builder, "contact_base", _based_once(insole_builder.contact_base))
-    patch.setattr(insole_builder, "closed_insole", _closed_once(insole_builder.closed_insole))
+    base = _based_once(contact_base)
+    for module in (insole_builder, followed_base):
+        patch.setattr(module, "contact_base", base)
+    for module in (build, make_order, export_actions):
+        patch.setattr(module, "build_insole", partial(build_insole, base_of=base))
+    closed = _closed_once(solid.closed_insole)
+    for module in (insole_builder, solid):
+        patch.setattr(module, "closed_insole", closed)
 
 
 def _sharing(kept: SharedResults, begin: Callable[..., None]) -> Callable[..., None]:
@@ -101,18 +116,18 @@ def _placed_once(kept: SharedResults, place: Callable[..., Foot]) -> Callable[..
     return placed
 
 
-def _based_once(base: Callable[..., Any]) -> Callable[..., Any]:
-    def based(foot: Foot, design: Any, progress: Progress = SILENT) -> Any:
-        key = insole_builder.base_key(design)
+def _based_once(base: Callable[..., ContactBase]) -> Callable[..., ContactBase]:
+    def based(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
+        key = base_key(design)
         return foot.derived.get("contact base", key, lambda: base(foot, design, progress))
 
     return based
 
 
-def _closed_once(close: Callable[..., Any]) -> Callable[..., Any]:
-    def closed(insole: Any) -> Any:
-        _, *key = insole_builder.bare_key(insole.foot, insole.design)
-        return insole.foot.derived.get("closed insole", tuple(key), lambda: close(insole))
+def _closed_once(close: Callable[..., ClosedInsole]) -> Callable[..., ClosedInsole]:
+    def closed(insole: Insole, *options: Any) -> ClosedInsole:
+        key = _content(insole.design, insole.contact, options)
+        return insole.foot.derived.get("closed insole", key, lambda: close(insole, *options))
 
     return closed
 

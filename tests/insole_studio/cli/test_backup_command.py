@@ -168,7 +168,9 @@ def test_the_statement_of_an_order_is_asked_for_by_its_number(
 
 
 @pytest.mark.slow
-def test_a_passphrase_comes_from_a_file(record: Path, tmp_path: Path) -> None:
+def test_a_passphrase_comes_from_a_file(
+    record: Path, tmp_path: Path, quick_passphrases: None
+) -> None:
     file = tmp_path / "passphrase.txt"
     file.write_text("blå sko på grön äng\n", "utf-8")
     folder, secret = str(tmp_path / "backups"), ["--passphrase-file", str(file)]

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from insole_core.export.ply import write_ply
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run
@@ -84,11 +85,15 @@ def test_an_earlier_session_is_replaced(documents: Path) -> None:
     assert [path.name for path in documents.parent.iterdir()] == ["docs"]
 
 
+@pytest.fixture(scope="module")
+def right_foot() -> TriangleMesh:
+    return build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(1), cell_mm=6.0).mesh
+
+
 @pytest.fixture
-def inputs(tmp_path: Path) -> Path:
+def inputs(tmp_path: Path, right_foot: TriangleMesh) -> Path:
     """A folder with a file of every kind that commands read."""
-    mesh = build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(1), cell_mm=6.0).mesh
-    write_ply(mesh, tmp_path / "f.ply")
+    write_ply(right_foot, tmp_path / "f.ply")
     shutil.unpack_archive(SMALL_SESSION, tmp_path / "s")
     shutil.copy(SMALL_SESSION, tmp_path / "s.zip")
     for name in ("d.json", "r.json", "shop.json", "p.json", "limits.json", "system.json"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -81,18 +82,27 @@ def number(app: Application, key: str) -> NumberField:
     return next(f for f in fields if f.property("key") == key and f.isVisible())
 
 
-@pytest.fixture
-def saved(
-    app: Application, settle: Callable[[], None], make_foot: Callable[[Side], Foot], tmp_path: Path
-) -> Application:
-    """A saved case of two feet, with a heel lift on the left one, which is at hand."""
+@pytest.fixture(scope="module")
+def case_of_two(
+    make_foot: Callable[[Side], Foot], tmp_path_factory: pytest.TempPathFactory
+) -> Path:
+    """A case of two feet, with a heel lift on the left one, which is at hand."""
     feet = tuple(
         FootRecord.begun(make_foot(side), NOWHERE, InsoleDesign(side, grid_mm=2.0)) for side in Side
     )
     lifted = feet[0].with_design(feet[0].design.with_added(HeelLift(height_mm=2.0)))
     record = CaseRecord(Patient(name="Anna Berg"), (lifted, feet[1]), Side.LEFT)
-    path = tmp_path / "anna.insole"
+    path = tmp_path_factory.mktemp("case") / "anna.insole"
     write_case(record, path)
+    return path
+
+
+@pytest.fixture
+def saved(
+    app: Application, settle: Callable[[], None], case_of_two: Path, tmp_path: Path
+) -> Application:
+    """The window with a copy of that case."""
+    path = Path(shutil.copy(case_of_two, tmp_path))
     app.window.resize(1366, 768)
     app.features.case_files.opener.open_path(path)
     settle()

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import sqlite3
-from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
-from types import SimpleNamespace
 
-import pyrage
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, Dialog, shown
 from argon2 import PasswordHasher
@@ -32,17 +29,8 @@ def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(autouse=True)
-def quick_passphrases(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a passphrase open a key in no time: age makes it as slow as a second on any machine."""
-    known: dict[str, pyrage.x25519.Identity] = defaultdict(pyrage.x25519.Identity.generate)
-
-    def encrypt(content: bytes, phrase: str) -> bytes:
-        return pyrage.encrypt(content, [known[phrase].to_public()])
-
-    def decrypt(content: bytes, phrase: str) -> bytes:
-        return pyrage.decrypt(content, [known[phrase]])
-
-    monkeypatch.setattr(pyrage, "passphrase", SimpleNamespace(encrypt=encrypt, decrypt=decrypt))
+def no_slow_passphrases(quick_passphrases: None) -> None:
+    """Passphrases open their keys in no time."""
 
 
 @pytest.fixture
