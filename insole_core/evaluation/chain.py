@@ -28,7 +28,6 @@ from insole_core.reconstruct.fusion.prepared_view import prepare
 from insole_core.reconstruct.result import Reconstruction
 from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.box import Box
-from insole_core.sensing.sensor import Sensor
 
 Correction = Literal["none", "learnt"]
 CORRECTIONS: tuple[Correction, Correction] = ("none", "learnt")
@@ -48,7 +47,8 @@ _BEFORE_MM = 15.0
 _EDGE_MM = 3.0
 _EDGE_PX = 8
 _LEAST_POINTS = 500
-_LEAST_READINGS = 200
+_LEAST_READINGS = 1000
+"""Fewer show too little of the object to tell its size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,6 @@ class Capture:
         By the correction; with the depth views.
     depth_points : view -> (480, 640, 3) float64, mm, depth camera frame
         Of the whole depth image.
-    sensors : view -> Sensor
     volume
         Of interest, reference frame.
     """
@@ -71,7 +70,6 @@ class Capture:
     name: str
     reconstructed: Mapping[Correction, Reconstruction]
     depth_points: Mapping[str, FloatArray]
-    sensors: Mapping[str, Sensor]
     volume: Box
 
 
@@ -217,7 +215,8 @@ def evaluate_chain(known: KnownObject, captures: Sequence[Capture]) -> ChainEval
     CalibrationError
         When the object is not found, of another size than said, or hardly measured.
     """
-    views = tuple(dict.fromkeys(name for one in captures for name in one.sensors))
+    used = (view for one in captures for view in one.reconstructed["none"].depth_views)
+    views = tuple(dict.fromkeys(view.name for view in used))
     placed = [_Placed.of(known, capture) for capture in captures]
     results: dict[Correction, ChainErrors] = {}
     for correction in CORRECTIONS:
