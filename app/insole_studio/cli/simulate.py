@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 NAME = "simulate"
 HELP = "write a simulated session with its true surface and poses"
 
+_COLOR_SIZES = {"1280x1024": (1280, 1024), "1280x960": (1280, 960), "640x480": (640, 480)}
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
@@ -46,6 +48,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             help=f"a {name} of this diameter instead of a foot, to rehearse evaluate chain",
         )  # fmt: skip
     parser.add_argument(
+        "--color-frames",
+        type=whole,
+        default=1,
+        metavar="N",
+        help="colour pictures a view, each with its own noise (default 1)",
+    )
+    parser.add_argument(
+        "--color-size",
+        choices=list(_COLOR_SIZES),
+        default="1280x1024",
+        help="size of the colour pictures (default 1280x1024)",
+    )
+    parser.add_argument(
         "--ideal",
         action="store_true",
         help="sensors without a matching window, which see finer than real ones (quicker)",
@@ -67,6 +82,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         side=sides_from(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,
+        color_frames=arguments.color_frames,
+        color_size=_COLOR_SIZES[arguments.color_size],
         ideal=arguments.ideal,
         sensors=4 if arguments.sensors is None else arguments.sensors,
         body=_body(arguments),
