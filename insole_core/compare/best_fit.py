@@ -22,6 +22,8 @@ _TUKEY = 4.685 * 1.4826
 _LEAST_SPREAD_MM = 0.004
 _COARSE_POINTS = 600
 _COARSE_ROUNDS, _FINE_ROUNDS = 25, 80
+_FIRST_ROUNDS, _LIKELY = 8, 6
+"""Of many initial poses: rounds that show which are likely, and how many of those go on."""
 _SETTLED_MM = 1e-6
 _START_REACH_MM = 25.0
 _LEAST_REACH_MM = 2.0
@@ -68,7 +70,12 @@ def best_fit(
     progress.step(0.0, "Trying poses")
     target = _Target(a)
     coarse = b.every(max(1, len(b.points) // _COARSE_POINTS))
-    fits = [_refine(target, coarse, start, _COARSE_ROUNDS) for start in _starts(a, b, thorough)]
+    starts = _starts(a, b, thorough)
+    if thorough:
+        tried = (_refine(target, coarse, start, _FIRST_ROUNDS) for start in starts)
+        likely = sorted((fit for fit in tried if fit is not None), key=badness)
+        starts = [fit.b2a for fit in likely[:_LIKELY]]
+    fits = [_refine(target, coarse, start, _COARSE_ROUNDS) for start in starts]
     found = [fit for fit in fits if fit is not None]
     if not found:
         return None

@@ -20,6 +20,7 @@ from insole_core.evaluation.known_form import KnownForm, fitted
 from insole_core.evaluation.known_object import KnownObject
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_graph import pieces
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.geometry.weighted import weighted_quantile
 from insole_core.reconstruct.fusion.depth_view import DepthView
@@ -27,7 +28,6 @@ from insole_core.reconstruct.fusion.prepared_view import prepare
 from insole_core.reconstruct.result import Reconstruction
 from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.box import Box
-from insole_core.sensing.sensor import Sensor
 
 Correction = Literal["none", "learnt"]
 CORRECTIONS: tuple[Correction, Correction] = ("none", "learnt")
@@ -39,6 +39,7 @@ _BAND_MM = 10.0
 """Farther from the true surface no reading of it lies, corrected or not."""
 _HOLDER_MM = 12.0
 """Width of the sensor's window: nearer to what holds the object, both are measured together."""
+_LEAST_HOLDER_MM2 = 300.0
 _OWN_MM = 3.0
 _COVERED_MM = 3.0
 _SEEABLE_DEG = 60.0
@@ -46,7 +47,8 @@ _BEFORE_MM = 15.0
 _EDGE_MM = 3.0
 _EDGE_PX = 8
 _LEAST_POINTS = 500
-_LEAST_READINGS = 200
+_LEAST_READINGS = 1000
+"""Fewer show too little of the object to tell its size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +63,6 @@ class Capture:
         By the correction; with the depth views.
     depth_points : view -> (480, 640, 3) float64, mm, depth camera frame
         Of the whole depth image.
-    sensors : view -> Sensor
     volume
         Of interest, reference frame.
     """
@@ -69,7 +70,6 @@ class Capture:
     name: str
     reconstructed: Mapping[Correction, Reconstruction]
     depth_points: Mapping[str, FloatArray]
-    sensors: Mapping[str, Sensor]
     volume: Box
 
 
@@ -215,7 +215,8 @@ def evaluate_chain(known: KnownObject, captures: Sequence[Capture]) -> ChainEval
     CalibrationError
         When the object is not found, of another size than said, or hardly measured.
     """
-    views = tuple(dict.fromkeys(name for one in captures for name in one.sensors))
+    used = (view for one in captures for view in one.reconstructed["none"].depth_views)
+    views = tuple(dict.fromkeys(view.name for view in used))
     placed = [_Placed.of(known, capture) for capture in captures]
     results: dict[Correction, ChainErrors] = {}
     for correction in CORRECTIONS:
@@ -247,7 +248,7 @@ class _Placed:
         own = on_form(found, surface.vertices, surface.vertex_normals)
         true = found.of_size(known.true_size_mm(found.size_mm))
         form = fitted(true, surface.vertices[own], surface.vertex_areas[own])
-        others = surface.vertices[~own]
+        others = _large_pieces(surface.part(~own))
         tree = scipy.spatial.cKDTree(others) if len(others) else None
         return cls(known, capture, form, tree)
 
@@ -273,9 +274,8 @@ class _Placed:
         return ChainErrors(surface, size_mm, true_mm, missing, sensors)
 
     def _belongs(self, mesh: TriangleMesh) -> BoolArray:
-        errors, outward = self.form.errors(mesh.vertices)
-        facing = np.einsum("nc,nc->n", mesh.vertex_normals, outward) > 0
-        return np.asarray((np.abs(errors) < _BAND_MM) & facing & self._is_free(mesh.vertices))
+        errors, _ = self.form.errors(mesh.vertices)
+        return np.asarray((np.abs(errors) < _BAND_MM) & self._is_free(mesh.vertices))
 
     def _is_free(self, points: FloatArray) -> BoolArray:
         """Return which points (n, 3) lie away from what holds the object."""
@@ -358,6 +358,16 @@ class _Placed:
         u, v = np.clip(pixels, 0, size - 1).T
         depth = self.capture.depth_points[view.name][v, u, 2]
         return np.asarray(inside & ~(depth < seen[:, 2] - _BEFORE_MM))
+
+
+def _large_pieces(others: TriangleMesh) -> FloatArray:
+    """Return the points (n, 3) of what holds the object, among those that do not lie on it.
+
+    Small pieces, such as the web that sensors see between toes, are errors of the surface.
+    """
+    count, piece = pieces(others)
+    area_mm2 = np.bincount(piece, others.vertex_areas, minlength=count)
+    return np.asarray(others.vertices[area_mm2[piece] > _LEAST_HOLDER_MM2])
 
 
 def _slant_deg(view: DepthView, points: FloatArray, outward: FloatArray) -> FloatArray:

@@ -185,6 +185,7 @@ def _draw_maps(figure: Figure, evaluation: ChainEvaluation) -> None:
         )
         axes.set(title=_NAMES[correction], xlabel="x, mm", aspect="equal")
     both[0].set_ylabel("y, to the toes, mm")
+    both[0].invert_xaxis()  # who looks at the sole has the patient's right on the left
     figure.colorbar(drawn, ax=both)
 
 

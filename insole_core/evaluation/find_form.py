@@ -31,8 +31,7 @@ _TRIES, _JUDGES = 1000, 500
 _LEAST_POINTS = 300
 _SIZES = (0.6, 1.6)
 """Sizes that are searched for, relative to the one said: other balls are found, but no plates."""
-_LEAST_MM = 2.5
-_LEAST_COSINE = 0.94
+_NEAR_MM, _NEAR_COSINE = 2.5, 0.94
 _LEAST_SINE = 0.1
 _LEAST_SHARE = 0.12
 """Of the surface that must lie on the body: holder and plate are less than the rest."""
@@ -201,7 +200,7 @@ def _support(form: KnownForm, judges: SurfacePoints) -> float:
     """Return the share of points that lie on a form and face as it does."""
     errors, outward = form.errors(judges.points)
     cosine = np.einsum("nc,nc->n", judges.normals, outward)
-    return float(np.mean((np.abs(errors) < _LEAST_MM) & (cosine > _LEAST_COSINE)))
+    return float(np.mean((np.abs(errors) < _NEAR_MM) & (cosine > _NEAR_COSINE)))
 
 
 def _is_form(form: KnownForm, whole: SurfacePoints) -> bool:

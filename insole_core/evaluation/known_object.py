@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.find_form import find_ball, find_cylinder, find_scan
@@ -20,7 +21,7 @@ class KnownRound:
     Parameters
     ----------
     kind
-        ``ball`` or ``cylinder``.
+        Which of the two.
     least_mm, most_mm
         What its true diameter lies between; equal where it was measured.
     tolerance_mm
@@ -33,7 +34,7 @@ class KnownRound:
         When a size is not that of an object that fits in the place of a foot.
     """
 
-    kind: str
+    kind: Literal["ball", "cylinder"]
     least_mm: float
     most_mm: float
     tolerance_mm: float | None = None

@@ -33,9 +33,8 @@ from insole_core.recording.session import Session, View
 from insole_core.workflows.calibration.correction_choice import (
     BY_DEFAULT,
     CorrectionChoice,
-    CorrectionChoices,
+    choice_for,
 )
-from insole_core.workflows.calibration.sensor_store import sensors_folder_of_user
 from insole_core.workflows.scanned_foot import ScannedFoot, session_source
 
 
@@ -202,9 +201,7 @@ def open_session(
     """
     progress.step(0.0, "Reading the session")
     session = read_session(path)
-    choices = CorrectionChoices(sensors or sensors_folder_of_user())
-    chosen = choices.of(view.sensor.serial for view in session.views)
-    return MeasuredSession(path, session, {}, {}, chosen)
+    return MeasuredSession(path, session, {}, {}, choice_for(session, sensors))
 
 
 def open_foot(path: Path, side: Side | None, progress: Progress = SILENT) -> MeasuredSession:

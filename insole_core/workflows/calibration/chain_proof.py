@@ -138,7 +138,6 @@ def _captured(opened: MeasuredSession, progress: Progress) -> Capture:
         opened.path.name,
         results,
         {name: measured.points for name, measured in opened.measured.items()},
-        {view.name: view.sensor for view in opened.session.views},
         opened.box,
     )
 

@@ -15,6 +15,8 @@ from insole_core.errors import InputError
 from insole_core.export.atomic import make_output_folder, write_text
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, joined
+from insole_core.recording.session import Session
+from insole_core.workflows.calibration.sensor_store import sensors_folder_of_user
 
 CHOICES_FILE = "correction_choices.json"
 _FORMAT = "insole-correction-choices"
@@ -151,6 +153,23 @@ class CorrectionChoices:
         root = JsonObject.read(self.path)
         root.check_format(_FORMAT)
         return root.objects("sets")
+
+
+def choice_for(session: Session, sensors: Path | None = None) -> CorrectionChoice:
+    """Return the choice for the sensors of a session.
+
+    Parameters
+    ----------
+    sensors
+        Folder of the calibrated sensors, by default this user's.
+    """
+    choices = CorrectionChoices(sensors or sensors_folder_of_user())
+    return choices.of(view.sensor.serial for view in session.views)
+
+
+def is_corrected(session: Session) -> bool:
+    """Return whether the learnt correction is used for the sensors of a session of this user."""
+    return choice_for(session).corrected
 
 
 def _is_of(item: JsonObject, serials: frozenset[str]) -> bool:

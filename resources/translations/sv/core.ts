@@ -2160,6 +2160,10 @@
             <translation>Sidorna {faces} mättes tillsammans.</translation>
         </message>
         <message>
+            <source>The feet are ready</source>
+            <translation>Fötterna är klara</translation>
+        </message>
+        <message>
             <source>The feet look exchanged: a right one is in the place of the left, and a left one in the place of the right; see that they are not crossed, and that the pictures are not flipped.</source>
             <translation>Fötterna verkar förväxlade: en högerfot är på vänsterfotens plats och en vänsterfot på högerfotens; se till att de inte är korsade och att bilderna inte är spegelvända.</translation>
         </message>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.find_form import find_ball, find_cylinder, find_scan, on_form
 from insole_core.evaluation.known_form import Ball, Cylinder, Scan, ScannedBody, fitted
+from insole_core.evaluation.known_object import KnownRound
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.simulate.foot_model import build_foot
@@ -76,6 +78,15 @@ def test_size_and_place_of_least_squares() -> None:
     own = on_form(pipe, surface.vertices, surface.vertex_normals)
     points, areas = surface.vertices[own], surface.vertex_areas[own]
     assert fitted(pipe, points, areas, size=True).size_mm == pytest.approx(110, abs=0.1)
+
+
+def test_another_size_than_said_is_refused_with_both() -> None:
+    said = KnownRound("ball", 133, 136.5)
+    with pytest.raises(CalibrationError, match=r"said to be 133\.0 to 136\.5 mm .* but 130\.0 mm"):
+        replace(said, tolerance_mm=2).find(seen_ball())
+    found = said.find(seen_ball())
+    assert said.true_size_mm(found.size_mm) == 133
+    assert KnownRound("ball", 128, 136.5).true_size_mm(found.size_mm) == found.size_mm
 
 
 @pytest.fixture(scope="module")
