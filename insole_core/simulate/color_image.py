@@ -101,15 +101,16 @@ def _seen_by_areas(
     a pixel off, in all frames alike. Rays are spread at random in equal parts of each area, so that
     no edge can be aligned with them.
     """
-    v, u = np.nonzero(edges)
+    count = int(edges.sum())
     rng = np.random.default_rng(0)
-    total = np.zeros((len(u), 3), dtype=np.float32)
-    grid = _pixel_rays(camera).astype(np.float32)
+    total = np.zeros((count, 3), dtype=np.float32)
+    rays = _pixel_rays(camera)
+    # Within a pixel the lens distorts nothing that could be seen.
+    per_row, per_column = (np.gradient(rays, axis=axis)[edges] for axis in (0, 1))
+    centers = rays[edges]
     for part in np.ndindex(_STRATA, _STRATA):
-        within = (np.array(part) + rng.random((len(u), 2))) / _STRATA - 0.5
-        at = (np.stack([u, v], axis=1) + within).astype(np.float32)
-        rays = cv2.remap(grid, at[:, None], None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-        total += _seen(caster, rays[:, 0].astype(np.float64), color2reference)
+        right, down = ((np.array(part) + rng.random((count, 2))) / _STRATA - 0.5).T[..., None]
+        total += _seen(caster, centers + right * per_column + down * per_row, color2reference)
     return np.asarray(total / _STRATA**2)
 
 

@@ -8,6 +8,7 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.simulate.color_image import record_color
 from insole_core.simulate.device import make_device
 from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.scene import joined
 
 AWAY_MM = 800.0
 
@@ -33,3 +34,15 @@ def test_pixels_see_areas(beyond: float) -> None:
     level = recording.expected[..., 0] - recording.expected[0, 0, 0]
     area = float(level.sum() / level[260, 320])
     assert area == pytest.approx((20 + beyond) ** 2, rel=0.01)
+
+
+def test_a_picture_may_be_full_of_edges() -> None:
+    """OpenCV's remap, which was used for the rays, takes no more than 32 766 at once."""
+    sensor = make_device("S", ("sole",), 800.0, (640, 480), np.random.default_rng(0)).sensor
+    strips = [
+        face(np.array([[left, 20.0], [left + 2.5, 460.0]]), sensor.color_camera)
+        for left in np.arange(20.0, 600.0, 5.0)
+    ]
+    scene = SceneCaster(joined(strips))
+    level = record_color(scene, sensor, sensor.depth2color).expected[..., 0]
+    assert level[200, 40:580].mean() == pytest.approx((level[200].max() + level[0, 0]) / 2, rel=0.1)
