@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -35,24 +36,29 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m training", description=__doc__)
     parser.add_argument("folder", type=Path, help="keeps the simulated views")
     parser.add_argument("--feet", type=int, default=190)
+    parser.add_argument("--stacks", type=int, default=50, help="of boxes, besides the feet")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor() as pool:
-        feet = pool.map(_simulated, [arguments.folder] * arguments.feet, range(arguments.feet))
-        paths = [path for foot in feet for path in foot]
-    held_back = round(len(paths) * _HELD_BACK)
+        simulated = partial(_simulated, arguments.folder, arguments.stacks)
+        things = pool.map(simulated, range(arguments.stacks + arguments.feet))
+        paths = [path for thing in things for path in thing]
+    held_back = round(3 * arguments.feet * _HELD_BACK)
     model = _learn(paths[:-held_back])
     _report(model, paths[-held_back:])
     _WEIGHTS.parent.mkdir(exist_ok=True)
     model.save(_WEIGHTS)
 
 
-def _simulated(folder: Path, seed: int) -> list[Path]:
-    """Return the example files of a foot; simulate those that are missing."""
+def _simulated(folder: Path, stacks: int, number: int) -> list[Path]:
+    """Return the example files of a stack or a foot; simulate those that are missing."""
     cv2.setNumThreads(1)
-    paths = [folder / f"{seed:04d}_{name}.npz" for name in ("left", "right", "top")]
+    is_stack = number < stacks
+    kind, seed = ("stack", number) if is_stack else ("foot", number - stacks)
+    paths = [folder / f"{kind}{seed:04d}_{name}.npz" for name in ("left", "right", "top")]
     if not all(path.exists() for path in paths):
-        for path, example in zip(paths, simulate_examples(seed).values(), strict=True):
+        seen = simulate_examples(seed, is_stack=is_stack)
+        for path, example in zip(paths, seen.values(), strict=True):
             example.save(path)
     return paths
 

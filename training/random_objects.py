@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import trimesh
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -32,6 +33,28 @@ def varied_thing(rng: np.random.Generator) -> TriangleMesh:
     triangles = np.concatenate([one + n * len(things[0]) for n in range(len(things))])
     colors = np.full((len(places), 3), _GREY, np.uint8)
     return TriangleMesh(places, triangles.astype(np.int32), colors)
+
+
+def varied_stack(rng: np.random.Generator) -> TriangleMesh:
+    """Draw two to five boxes with sharp edges, each smaller than the last and below it, mm."""
+    half_mm = rng.uniform((30, 60, 10), (65, 125, 40))
+    boxes, below_mm = [trimesh.creation.box(2 * half_mm)], 0.0
+    for _ in range(rng.integers(1, 5)):
+        below_mm += rng.uniform(2, 28)
+        smaller = half_mm * [rng.uniform(0.55, 1.0), rng.uniform(0.4, 0.95), 1]
+        aside = (half_mm - smaller) * [*rng.uniform(-1, 1, 2), 0]
+        moved = trimesh.transformations.translation_matrix(aside - [0, 0, below_mm])
+        boxes.append(trimesh.creation.box(2 * smaller, transform=moved))
+        half_mm = smaller
+    stack = trimesh.util.concatenate(boxes)
+    turn = np.eye(3)
+    for axis, degrees in zip(np.eye(3), rng.normal(0, 12, 3), strict=True):
+        turn = turn @ rotation_about(axis, degrees).T
+    low_mm = rng.uniform((-10, -20, -10), (10, 20, 15))
+    places = stack.vertices @ turn
+    places += low_mm - [0, 0, places[:, 2].min()]
+    colors = np.full((len(places), 3), _GREY, np.uint8)
+    return TriangleMesh(places, np.asarray(stack.faces, np.int32), colors)
 
 
 def _steps(half_mm: FloatArray, rng: np.random.Generator) -> list[FloatArray]:

@@ -23,7 +23,7 @@ from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import build_scene, load_reference_system
 from training.feet import varied_foot
 from training.light import varied_shading
-from training.random_objects import varied_thing
+from training.random_objects import varied_stack, varied_thing
 
 _FRAMES = 6
 _NO_FOOT = 5
@@ -73,11 +73,11 @@ class Example:
         return Example(**arrays | {"shading": arrays["shading"].astype(np.float32)})
 
 
-def simulate_examples(seed: int) -> dict[str, Example]:
+def simulate_examples(seed: int, *, is_stack: bool = False) -> dict[str, Example]:
     """Simulate one foot, or another object, seen by three sensors at random positions."""
     rng = np.random.default_rng([seed, 15])
-    foot = varied_foot(rng) if seed % _NO_FOOT else varied_thing(rng)
-    shown = _Shown.between_markers(foot, rng)
+    draw = varied_stack if is_stack else varied_foot if seed % _NO_FOOT else varied_thing
+    shown = _Shown.between_markers(draw(rng), rng)
     distance_mm, half_deg = rng.uniform(600, 950), rng.uniform(15, 40)
     poses = {
         "left": _stand(_SOLE_MM, (rng.normal(-3, 7), half_deg, 0), distance_mm, rng),

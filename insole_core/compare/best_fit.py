@@ -8,7 +8,7 @@ fits as if they were absent.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import product
+from itertools import permutations, product
 
 import numpy as np
 import scipy
@@ -22,6 +22,8 @@ _TUKEY = 4.685 * 1.4826
 _LEAST_SPREAD_MM = 0.004
 _COARSE_POINTS = 600
 _COARSE_ROUNDS, _FINE_ROUNDS = 25, 80
+_FIRST_ROUNDS, _LIKELY = 8, 6
+"""Of many initial poses: rounds that show which are likely, and how many of those go on."""
 _SETTLED_MM = 1e-6
 _START_REACH_MM = 25.0
 _LEAST_REACH_MM = 2.0
@@ -47,13 +49,18 @@ class Fit:
     share: float
 
 
-def best_fit(a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT) -> Fit | None:
+def best_fit(
+    a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT, *, thorough: bool = False
+) -> Fit | None:
     """Find the rigid motion that fits b to a, from any initial pose (ICP, point to plane).
 
     Parameters
     ----------
     a, b : mm
         The sides to compare, each in its own frame.
+    thorough
+        Whether b may show only a part of a, so that their main axes need not correspond; all
+        orders of the axes are tried then, which takes five times as long.
 
     Returns
     -------
@@ -63,7 +70,12 @@ def best_fit(a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT) ->
     progress.step(0.0, "Trying poses")
     target = _Target(a)
     coarse = b.every(max(1, len(b.points) // _COARSE_POINTS))
-    fits = [_refine(target, coarse, start, _COARSE_ROUNDS) for start in _starts(a, b)]
+    starts = _starts(a, b, thorough)
+    if thorough:
+        tried = (_refine(target, coarse, start, _FIRST_ROUNDS) for start in starts)
+        likely = sorted((fit for fit in tried if fit is not None), key=badness)
+        starts = [fit.b2a for fit in likely[:_LIKELY]]
+    fits = [_refine(target, coarse, start, _COARSE_ROUNDS) for start in starts]
     found = [fit for fit in fits if fit is not None]
     if not found:
         return None
@@ -131,14 +143,16 @@ def _step(
     return rigid(rotation, centre + motion[3:] - rotation @ centre)
 
 
-def _starts(a: SurfacePoints, b: SurfacePoints) -> list[FloatArray]:
+def _starts(a: SurfacePoints, b: SurfacePoints, thorough: bool) -> list[FloatArray]:
     """Return the identity, centroid on centroid, and all alignments of b's main axes with a's."""
     mean_a, mean_b = a.points.mean(axis=0), b.points.mean(axis=0)
     axes_a, axes_b = _axes(a), _axes(b)
     turns = [np.eye(3)]
-    for signs in product((1, -1), repeat=2):
-        flips = np.diag([*signs, signs[0] * signs[1]])
-        turns.append(axes_a @ flips @ axes_b.T)
+    for order in permutations(range(3)) if thorough else [(0, 1, 2)]:
+        for signs in product((1, -1), repeat=2):
+            swap = np.eye(3)[list(order)] * [[signs[0]], [signs[1]], [1]]
+            swap[2] *= np.linalg.det(swap)
+            turns.append(axes_a @ swap @ axes_b.T)
     return [np.eye(4), *(rigid(turn, mean_a - turn @ mean_b) for turn in turns)]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from insole_core.geometry.side import BOTH
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruct
 from insole_core.recording.reader import is_session, read_session
+from insole_core.recording.session import Session
 from insole_core.scans.mesh_file import read_mesh
 
 
@@ -39,11 +41,20 @@ class ComparisonSource:
     measures: Measured | None = None
 
 
-def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
+def read_source(
+    path: Path,
+    progress: Progress = SILENT,
+    is_corrected: Callable[[Session], bool] = lambda _: True,
+) -> ComparisonSource:
     """Read a surface from a mesh file or a session.
 
     A session of one view without the reference system in its picture is taken for a mould or a
     finished insole on a table.
+
+    Parameters
+    ----------
+    is_corrected
+        Whether the learnt error of the matching is subtracted for the sensors of a session.
 
     Raises
     ------
@@ -64,12 +75,13 @@ def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
             "and give the mesh of one.",
             path=path,
         )
-    side = session.manifest.one_side
+    side, corrected = session.manifest.one_side, is_corrected(session)
     if len(session.views) > 1:
-        mesh = reconstruct(session, "fused", progress).mesh
+        mesh = reconstruct(session, "fused", progress, corrected=corrected).mesh
         return ComparisonSource(path.name, mesh, measures=recorded_foot_measures(mesh, side))
     try:
-        mesh = reconstruct(session, "fused", progress.part(0.0, 0.5)).mesh
+        part = progress.part(0.0, 0.5)
+        mesh = reconstruct(session, "fused", part, corrected=corrected).mesh
     except ReconstructionError:
         mesh = one_view_surface(session.views[0], progress.part(0.5, 1.0))
     else:

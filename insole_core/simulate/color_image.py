@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray
+from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
@@ -21,6 +21,9 @@ _BLUR_SIGMA_PX = 0.6
 _NOISE = 0.35
 _NOISE_PER_LEVEL = 0.006
 _RAY_GRID_PX = 8
+_EDGE_LEVELS = 6.0
+"""A pixel that differs by more from one beside it holds an edge."""
+_STRATA = 3
 _RAYS_AT_ONCE = 1 << 18
 """Number of rays cast at once; a whole image would take half a gigabyte."""
 
@@ -64,14 +67,50 @@ def record_color(
     camera = sensor.color_camera
     color2reference = sensor2reference @ inverse(sensor.depth2color)
     rays = _pixel_rays(camera).reshape(-1, 2)
-    directions = np.c_[rays, np.ones(len(rays))] @ color2reference[:3, :3].T
-    lamp = transform(color2reference, _LAMP_MM)
-    image = np.full((camera.height * camera.width, 3), _BACKGROUND, dtype=np.float32)
-    for first in range(0, len(directions), _RAYS_AT_ONCE):
-        hits = caster.cast(color2reference[:3, 3], directions[first : first + _RAYS_AT_ONCE])
-        image[first + hits.ray] = _lit(hits, lamp)
-    sharp = image.reshape(camera.height, camera.width, 3)
+    sharp = _seen(caster, rays, color2reference).reshape(camera.height, camera.width, 3)
+    edges = _edges(sharp)
+    sharp[edges] = _seen_by_areas(caster, camera, edges, color2reference)
     return ColorRecording(np.asarray(cv2.GaussianBlur(sharp, (0, 0), _BLUR_SIGMA_PX)))
+
+
+def _seen(caster: SceneCaster, rays: FloatArray, color2reference: FloatArray) -> Float32Array:
+    """Compute the colours (n, 3) along rays (n, 2)."""
+    lamp = transform(color2reference, _LAMP_MM)
+    colors = np.full((len(rays), 3), _BACKGROUND, dtype=np.float32)
+    for first in range(0, len(rays), _RAYS_AT_ONCE):
+        part = rays[first : first + _RAYS_AT_ONCE]
+        directions = np.c_[part, np.ones(len(part))] @ color2reference[:3, :3].T
+        hits = caster.cast(color2reference[:3, 3], directions)
+        colors[first + hits.ray] = _lit(hits, lamp)
+    return colors
+
+
+def _edges(image: Float32Array) -> BoolArray:
+    """Return which pixels (height, width) hold an edge or touch one."""
+    square = np.ones((3, 3), np.uint8)
+    change = cv2.subtract(cv2.dilate(image, square), cv2.erode(image, square))
+    return np.asarray(change.max(axis=2) > _EDGE_LEVELS)
+
+
+def _seen_by_areas(
+    caster: SceneCaster, camera: PinholeCamera, edges: BoolArray, color2reference: FloatArray
+) -> Float32Array:
+    """Compute the mean colours (n, 3) over the areas of some pixels (height, width).
+
+    One ray at the centre of a pixel would place an edge along a row or column of pixels up to half
+    a pixel off, in all frames alike. Rays are spread at random in equal parts of each area, so that
+    no edge can be aligned with them.
+    """
+    v, u = np.nonzero(edges)
+    rng = np.random.default_rng(0)
+    total = np.zeros((len(u), 3), dtype=np.float32)
+    grid = _pixel_rays(camera).astype(np.float32)
+    for part in np.ndindex(_STRATA, _STRATA):
+        within = (np.array(part) + rng.random((len(u), 2))) / _STRATA - 0.5
+        at = (np.stack([u, v], axis=1) + within).astype(np.float32)
+        rays = cv2.remap(grid, at[:, None], None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        total += _seen(caster, rays[:, 0].astype(np.float64), color2reference)
+    return np.asarray(total / _STRATA**2)
 
 
 def _lit(hits: Hits, lamp: FloatArray) -> FloatArray:

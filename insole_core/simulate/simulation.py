@@ -31,6 +31,7 @@ from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_foot
 from insole_core.simulate.foot_shape import FootShape, vary_shape
+from insole_core.simulate.known_bodies import KnownBody
 from insole_core.simulate.poses import AROUND_ONE_FOOT, Stand, stand_sensor, stands_around_both
 from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import build_scene, joined, load_reference_system
@@ -104,11 +105,14 @@ class SimulationOptions:
     standing
         What stands in the places of both feet, by default a foot of each side, drawn from the
         seed. Other feet make captures that must be refused.
+    body
+        What is in the place of one foot, instead of it.
 
     Raises
     ------
     UsageError
-        When a number is out of its range, or the shape is of the other side.
+        When a number is out of its range, the shape is of the other side, or a body is given in
+        place of both feet.
     """
 
     seed: int = 1
@@ -124,6 +128,7 @@ class SimulationOptions:
     ideal: bool = False
     sensors: int = 4
     standing: tuple[StandingFoot, ...] | None = None
+    body: KnownBody | None = None
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -141,6 +146,10 @@ class SimulationOptions:
                 shape_side=self.shape.side,
                 side=self.side,
             )
+        if self.body is not None and self.side == BOTH:
+            raise UsageError(
+                "A body of known form takes the place of one foot; choose the side left or right."
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,6 +162,9 @@ class SimulatedSession:
         Its frames are drawn when they are read, and always the same.
     feet
         By place, the true surface with its shape and landmarks, mm, in the foot's own reference
+        frame; empty where a known body is in the place of the foot.
+    truths
+        The true surface of every foot, or of the body, with its colours, mm, in its own reference
         frame.
     sensor2reference : view name -> (4, 4) float64, mm
         True poses of the depth cameras.
@@ -160,6 +172,7 @@ class SimulatedSession:
 
     session: Session
     feet: dict[Side, FootModel]
+    truths: dict[Side, TriangleMesh]
     sensor2reference: dict[str, FloatArray]
 
     @property
@@ -170,13 +183,9 @@ class SimulatedSession:
 
     @property
     def truth(self) -> TriangleMesh:
-        """The true surface of the only foot with its colours, mm, reference frame."""
-        return self.foot.mesh
-
-    @property
-    def truths(self) -> dict[Side, TriangleMesh]:
-        """The true surface of every foot with its colours, mm, in its own reference frame."""
-        return {side: foot.mesh for side, foot in self.feet.items()}
+        """The true surface of the only foot or body with its colours, mm, reference frame."""
+        (truth,) = self.truths.values()
+        return truth
 
 
 def simulate_session(options: SimulationOptions, progress: Progress = SILENT) -> SimulatedSession:
@@ -198,7 +207,11 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     both = options.side == BOTH
     reference_system = load_reference_system(_BOTH_FEET if both else _ONE_FOOT)
     feet = {foot.place: _foot(foot, options, rng) for foot in _standing(options, rng)}
-    surface = joined(_in_system(feet[side].mesh, side, reference_system) for side in feet)
+    truths, holders = {side: foot.mesh for side, foot in feet.items()}, []
+    if options.body is not None:
+        truths, holders = {Side(options.side): options.body.mesh}, [options.body.holder]
+    placed = (_in_system(mesh, side, reference_system) for side, mesh in truths.items())
+    surface = joined([*placed, *holders])
     caster = SceneCaster(build_scene(surface, reference_system, rng))
 
     record = _recorder_of_depth(options, surface, reference_system)
@@ -223,11 +236,13 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     session = Session(
         manifest, tuple(views), Message("the simulation with seed {seed}", seed=options.seed)
     )
-    return SimulatedSession(session, feet, poses)
+    return SimulatedSession(session, feet, truths, poses)
 
 
 def _standing(options: SimulationOptions, rng: np.random.Generator) -> tuple[StandingFoot, ...]:
     """Return the feet of a scene; those that are not given are drawn."""
+    if options.body is not None:
+        return ()
     if options.side != BOTH:
         shape = options.shape or vary_shape(rng, options.side)
         return (StandingFoot(shape, options.side),)

@@ -31,6 +31,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
+from insole_core.workflows.calibration.correction_choice import is_corrected
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.insole_builder import InsoleBuilder
 
@@ -92,7 +93,7 @@ def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) 
     Cancelled
     """
     if wanted.path is not None:
-        return read_source(wanted.path, progress)
+        return read_source(wanted.path, progress, is_corrected)
     foot = None if wanted.side is None else record.of_side(wanted.side)
     if foot is None:
         raise InputError("The case has no such foot; open or capture one first.")

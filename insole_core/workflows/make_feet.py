@@ -57,7 +57,7 @@ def reconstruct_feet(
     progress: Progress = SILENT,
     *,
     method: Method = "fused",
-    corrected: bool = True,
+    corrected: bool | None = None,
 ) -> tuple[ReconstructedFoot, ...]:
     """Reconstruct the surface of every foot of a session; all or none.
 
@@ -68,7 +68,8 @@ def reconstruct_feet(
     limits
         Beyond which the pose of a view is refused.
     corrected
-        Whether the learnt error of the sensor's matching is subtracted, by the fused method only.
+        Whether the learnt error of the sensor's matching is subtracted, by the fused method only;
+        by default as was chosen for the sensors.
 
     Returns
     -------

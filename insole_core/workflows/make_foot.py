@@ -30,6 +30,11 @@ from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
+from insole_core.workflows.calibration.correction_choice import (
+    BY_DEFAULT,
+    CorrectionChoice,
+    choice_for,
+)
 from insole_core.workflows.scanned_foot import ScannedFoot, session_source
 
 
@@ -45,12 +50,15 @@ class MeasuredSession:
         By the name of the view; views not measured yet are absent.
     refused
         Why a view has no usable measurement, by its name.
+    correction
+        Whether the learnt error of the matching of these sensors is subtracted.
     """
 
     path: Path
     session: Session
     measured: Mapping[str, MeasuredView]
     refused: Mapping[str, ReconstructionError]
+    correction: CorrectionChoice = BY_DEFAULT
 
     @property
     def edits(self) -> HandEdits:
@@ -173,13 +181,18 @@ class MadeFoot:
         return foot.derived.get("display, reference frame", (), compute)
 
 
-def open_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
+def open_session(
+    path: Path, progress: Progress = SILENT, *, sensors: Path | None = None
+) -> MeasuredSession:
     """Read a session; its frames are averaged on demand.
 
     Parameters
     ----------
     path
         Folder or zip archive.
+    sensors
+        Folder of the calibrated sensors, by default this user's; it says whether the learnt
+        correction is used for those of the session.
 
     Raises
     ------
@@ -187,7 +200,8 @@ def open_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
         When the session violates the format.
     """
     progress.step(0.0, "Reading the session")
-    return MeasuredSession(path, read_session(path), {}, {})
+    session = read_session(path)
+    return MeasuredSession(path, session, {}, {}, choice_for(session, sensors))
 
 
 def open_foot(path: Path, side: Side | None, progress: Progress = SILENT) -> MeasuredSession:
@@ -245,7 +259,7 @@ def reconstruct_session(
     progress: Progress = SILENT,
     *,
     method: Method = "fused",
-    corrected: bool = True,
+    corrected: bool | None = None,
     on_preview: Callable[[TriangleMesh], None] | None = None,
     shared: SharedViews | None = None,
 ) -> Reconstruction:
@@ -260,7 +274,8 @@ def reconstruct_session(
     limits
         Beyond which the pose of a view is refused.
     corrected
-        Whether the learnt error of the sensor's matching is subtracted, by the fused method only.
+        Whether the learnt error of the sensor's matching is subtracted, by the fused method only;
+        by default as was chosen for the sensors.
     on_preview
         Called once with a coarse surface, by the fused method only.
     shared
@@ -277,16 +292,20 @@ def reconstruct_session(
         When no view can be used.
     Cancelled
     """
-    return reconstruct(
+    choice = opened.correction.called(corrected)
+    result = reconstruct(
         opened.session,
         method,
         progress,
         limits,
-        corrected=corrected,
+        corrected=choice.corrected,
         on_preview=on_preview,
         measure=opened.measure if shared is None else shared.measure,
         register=None if shared is None else shared.around(opened.session.manifest.one_side),
     )
+    if method != "fused" or not choice.note:
+        return result
+    return replace(result, warnings=(*result.warnings, choice.note))
 
 
 def make_foot(

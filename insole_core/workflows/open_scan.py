@@ -14,7 +14,8 @@ from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
 from insole_core.scans.scan_folder import holds_scans
 from insole_core.workflows.import_scan import examine_scan, take_foot
-from insole_core.workflows.make_foot import make_foot, open_foot
+from insole_core.workflows.make_feet import make_feet
+from insole_core.workflows.make_foot import make_foot, open_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot
 
 
@@ -60,9 +61,46 @@ def open_scan(
     return scanned
 
 
+def open_feet(
+    path: Path, *, choice: ImportChoice = NOTHING_SAID, progress: Progress = SILENT
+) -> tuple[ScannedFoot, ...]:
+    """Make all feet of a recorded session in one go, from views that are read once.
+
+    Parameters
+    ----------
+    choice
+        Only `force` may be said.
+
+    Returns
+    -------
+    tuple
+        The only foot, or the left and the right one.
+
+    Raises
+    ------
+    UsageError
+        When more is said.
+    DoubtfulFeetError
+        When one of two feet reaches out of its place or is of the wrong side, unless forced.
+    SideMismatchError, InputError, ReconstructionError, Cancelled
+        As of `open_scan`.
+    """
+    _require_nothing_said(path, choice)
+    opened = open_session(path, progress)
+    made = make_feet(opened, progress=progress.part(0.05, 1.0), force=choice.force)
+    progress.step(1.0, "The feet are ready")
+    return tuple(one.scan for one in made)
+
+
 def _session_foot(
     path: Path, side: Side | None, choice: ImportChoice, progress: Progress
 ) -> ScannedFoot:
+    _require_nothing_said(path, choice)
+    opened = open_foot(path, side, progress)
+    return make_foot(opened, progress=progress.part(0.05, 1.0), force=choice.force).scan
+
+
+def _require_nothing_said(path: Path, choice: ImportChoice) -> None:
     if choice.unit is not None or choice.known_size is not None:
         raise UsageError(
             "{path} is a session, which is always in millimetres; leave out the unit.", path=path
@@ -72,8 +110,6 @@ def _session_foot(
             "{path} is a session, which says how the foot lies; leave out form and points.",
             path=path,
         )
-    opened = open_foot(path, side, progress)
-    return make_foot(opened, progress=progress.part(0.05, 1.0), force=choice.force).scan
 
 
 def _mesh_foot(

@@ -52,7 +52,8 @@ CATALOGUE = {
 }
 PAPERS = (
     "compare/comparison_paper.py", "compare/comparison_report.py",
-    "evaluation/calibration_sections.py", "evaluation/evaluation_sections.py",
+    "evaluation/calibration_sections.py", "evaluation/chain_section.py",
+    "evaluation/chain_verdict.py", "evaluation/evaluation_sections.py",
     "evaluation/report.py", "evaluation/report_html.py", "evaluation/wall_pictures.py",
     "export/obj.py", "export/paper.py", "export/ply.py", "export/slicer_3mf.py", "export/stl.py",
     "export/three_mf.py",

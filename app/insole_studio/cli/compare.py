@@ -118,8 +118,9 @@ def _alignment(given: str | Path) -> Alignment:
 
 def _read(path: Path, progress: Progress) -> ComparisonSource:
     from insole_core.compare.comparison_source import read_source
+    from insole_core.workflows.calibration.correction_choice import is_corrected
 
-    source = read_source(path, progress)
+    source = read_source(path, progress, is_corrected)
     for note in source.notes:
         print(f"{path.name}: {note}", file=sys.stderr)
     return source

@@ -16,6 +16,7 @@ from insole_studio.cli import export_arguments, foot_argument, prescribed, shoe_
 from insole_studio.cli.path_arguments import OutputPath, side_path
 
 if TYPE_CHECKING:
+    from insole_core.foot.foot import Foot
     from insole_core.insole.build import Insole
     from insole_core.insole.prescription.design import InsoleDesign
 
@@ -63,15 +64,20 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         orders = [(arguments, feet)]
     else:
         orders = [(_of_side(arguments, foot.side), [foot]) for foot in feet]
-    parts = progress.parts(len(orders))
     with ExitStack() as opened:
         beside = [opened.enter_context(export_arguments.outputs(one)) for one, _ in orders]
+        read: dict[Side, Foot] = {}
+        if len(feet) == 2 and arguments.pair is None:
+            reading, progress = progress.part(0.0, 0.5), progress.part(0.5, 1.0)
+            read = foot_argument.read_feet(arguments.foot, arguments, reading)
+        parts = progress.parts(len(orders))
         for (one, wanted), places, part in zip(orders, beside, parts, strict=True):
             insoles: list[Insole] = []
             for foot, step in zip(wanted, part.part(0.0, 0.8).parts(len(wanted)), strict=True):
                 other = insoles[0].design.side.other if insoles else foot.side
                 side = _agreed_side(other, foot.prescription)
-                insoles.append(_insole(replace(foot, side=side), one, step))
+                known = None if side is None else read.get(side)
+                insoles.append(_insole(replace(foot, side=side), known, one, step))
             insoles.sort(key=lambda insole: insole.design.side is Side.RIGHT)
             export_arguments.deliver(tuple(insoles), one, places, part.part(0.8, 1.0))
     progress.step(1.0, f"Done: {' '.join(str(one.out) for one, _ in orders)}")
@@ -121,11 +127,15 @@ def _of_side(arguments: argparse.Namespace, side: Side | None) -> argparse.Names
     return argparse.Namespace(**{**vars(arguments), **paths})
 
 
-def _insole(wanted: _Wanted, arguments: argparse.Namespace, progress: Progress) -> Insole:
-    """Read a foot and build its insole, printing the warnings about both."""
+def _insole(
+    wanted: _Wanted, foot: Foot | None, arguments: argparse.Namespace, progress: Progress
+) -> Insole:
+    """Read a foot, unless it is read, and build its insole, printing the warnings about both."""
     from insole_core.insole.build import build_insole
 
-    foot = foot_argument.read_foot(wanted.path, wanted.side, arguments, progress.part(0.0, 0.8))
+    if foot is None:
+        reading = progress.part(0.0, 0.8)
+        foot = foot_argument.read_foot(wanted.path, wanted.side, arguments, reading)
     design = prescribed.prescribed(foot, wanted.prescription, arguments)
     design = shoe_arguments.in_shoe(design, arguments, either=wanted.is_one_of_two)
     insole = build_insole(foot, design, progress.part(0.8, 1.0))

@@ -16,6 +16,7 @@ from insole_studio.cli.argument_parser import number
 if TYPE_CHECKING:
     from insole_core.cases.import_choice import ImportChoice
     from insole_core.foot.foot import Foot
+    from insole_core.workflows.scanned_foot import ScannedFoot
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -138,6 +139,27 @@ def read_foot(
             finding=error.message,
             shape_side=error.asked.other,
         ) from error
+    return _told(scanned)
+
+
+def read_feet(path: Path, arguments: argparse.Namespace, progress: Progress) -> dict[Side, Foot]:
+    """Return all feet of a session, read at once; warnings about them go to stderr.
+
+    Raises
+    ------
+    UsageError
+        When more is said of them than whether to insist.
+    InputError
+        When a foot cannot be made, or is not in its place.
+    """
+    from insole_core.workflows.open_scan import open_feet
+
+    choice = said_of_scan(arguments, force=arguments.force)
+    feet = [_told(one) for one in open_feet(path, choice=choice, progress=progress)]
+    return {foot.side: foot for foot in feet}
+
+
+def _told(scanned: ScannedFoot) -> Foot:
     for warning in scanned.warnings:
         print(f"Warning: {warning}", file=sys.stderr)
     for note in scanned.foot.notes:

@@ -16,6 +16,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import number
 from insole_studio.cli.path_arguments import OutputPath, side_path
+from insole_studio.cli.sensor_arguments import add_store_argument
 
 if TYPE_CHECKING:
     from insole_core.workflows.make_feet import ReconstructedFoot
@@ -44,9 +45,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the best there is (default), or the chain of the 2013 thesis",
     )  # fmt: skip
     parser.add_argument(
-        "--correction", choices=["learnt", "none"], default="learnt",
-        help="whether the learnt error of the sensor is subtracted (default), by --method fused",
+        "--correction", choices=["learnt", "none"],
+        help="whether the learnt error of the sensor is subtracted, by --method fused; by default "
+        "as evaluate chain has decided for these sensors, else it is",
     )  # fmt: skip
+    add_store_argument(parser)
     parser.add_argument("--report", action=OutputPath, metavar="report.json")
     limits = parser.add_argument_group("when the pose of a view is refused")
     for name, unit, what in LIMITS:
@@ -67,7 +70,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.workflows.make_foot import open_session
 
     limits = RegistrationLimits(**_given_limits(arguments))
-    opened = open_session(arguments.session, progress)
+    opened = open_session(arguments.session, progress, sensors=arguments.sensors)
+    corrected = None if arguments.correction is None else arguments.correction == "learnt"
     if arguments.side is not None:
         opened = opened.of_foot(Side(arguments.side))
     sides = opened.session.manifest.sides
@@ -77,7 +81,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         report = arguments.report and outputs.file(arguments.report)
         feet = reconstruct_feet(
             opened, limits, progress.part(0.1, 0.9),
-            method=arguments.method, corrected=arguments.correction == "learnt",
+            method=arguments.method, corrected=corrected,
         )  # fmt: skip
         progress.step(0.9, "Writing the foot")
         feet = tuple(_with_side_doubt(foot) for foot in feet)
@@ -86,6 +90,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         _print_warnings(feet)
         if report:
             values = _report(feet, time.perf_counter() - start)
+            if arguments.method == "fused":
+                values["correction"] = opened.correction.called(corrected).json()
             write_text(json.dumps(values, indent=1) + "\n", report)
     progress.step(1.0, f"Done: {' '.join(map(str, paths))}")
 

@@ -42,9 +42,17 @@ def add_evaluated_sensor(parser: argparse.ArgumentParser) -> None:
 
 def store_of(arguments: argparse.Namespace) -> SensorStore:
     """Return the sensor store that the arguments select."""
-    from insole_core.workflows.calibration.sensor_store import SensorStore, sensors_folder_of_user
+    from insole_core.workflows.calibration.sensor_store import SensorStore
 
-    return SensorStore(arguments.sensors or sensors_folder_of_user())
+    return SensorStore(store_folder(arguments))
+
+
+def store_folder(arguments: argparse.Namespace) -> Path:
+    """Return the folder of the sensor store that the arguments select."""
+    from insole_core.workflows.calibration.sensor_store import sensors_folder_of_user
+
+    folder: Path | None = arguments.sensors
+    return folder or sensors_folder_of_user()
 
 
 def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.geometry.side import BOTH, Side, sides_from
@@ -10,8 +11,13 @@ from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
+if TYPE_CHECKING:
+    from insole_core.simulate.known_bodies import KnownBody
+
 NAME = "simulate"
 HELP = "write a simulated session with its true surface and poses"
+
+_COLOR_SIZES = {"1280x1024": (1280, 1024), "1280x960": (1280, 960), "640x480": (640, 480)}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -35,6 +41,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="places each sensor stands in (default 1)",
     )
+    body = parser.add_mutually_exclusive_group()
+    for name in ("ball", "cylinder"):
+        body.add_argument(
+            f"--{name}", type=number, metavar="MM",
+            help=f"a {name} of this diameter instead of a foot, to rehearse evaluate chain",
+        )  # fmt: skip
+    parser.add_argument(
+        "--color-frames",
+        type=whole,
+        default=1,
+        metavar="N",
+        help="colour pictures a view, each with its own noise (default 1)",
+    )
+    parser.add_argument(
+        "--color-size",
+        choices=list(_COLOR_SIZES),
+        default="1280x1024",
+        help="size of the colour pictures (default 1280x1024)",
+    )
     parser.add_argument(
         "--ideal",
         action="store_true",
@@ -57,8 +82,11 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         side=sides_from(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,
+        color_frames=arguments.color_frames,
+        color_size=_COLOR_SIZES[arguments.color_size],
         ideal=arguments.ideal,
         sensors=4 if arguments.sensors is None else arguments.sensors,
+        body=_body(arguments),
     )
     simulated = simulate_session(options, progress.part(0.0, 0.8))
     write_session(
@@ -69,3 +97,14 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         progress.part(0.8, 1.0),
     )
     progress.step(1.0, f"Done: {arguments.out}")
+
+
+def _body(arguments: argparse.Namespace) -> KnownBody | None:
+    """Return what is in the place of the foot, if it is no foot."""
+    from insole_core.simulate.known_bodies import ball, upright_cylinder
+
+    if arguments.ball is not None:
+        return ball(arguments.ball)
+    if arguments.cylinder is not None:
+        return upright_cylinder(arguments.cylinder)
+    return None

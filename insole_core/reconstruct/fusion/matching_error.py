@@ -26,6 +26,7 @@ from insole_core.reconstruct.fusion.neighbourhood import (
     support,
 )
 from insole_core.reconstruct.fusion.shading import find_shading
+from insole_core.reconstruct.fusion.sharp_steps import smoothness
 from insole_core.resources import resource_path
 
 _WEIGHTS = "matching_error/weights.npz"
@@ -125,7 +126,8 @@ def matching_error(
     -------
     (height, width) float64, raw units
         Between -2.5 and 2.5; 0 without a reading and outside the distances of the training data,
-        and the less, the less its surroundings are like those of the training data.
+        and the less, the less its surroundings are like those of the training data, and the sharper
+        a step beside it is.
     """
     every = (slice(None, None, _EVERY_PX),) * 2
     nodes = np.nonzero(support(raw)[every] > _LEAST_SUPPORT)
@@ -136,7 +138,8 @@ def matching_error(
     middle_mm = np.clip(middle_mm, *_LEARNT_MM)
     features = neighbourhoods(raw, shading, middle_mm, rows, columns)
     predicted = model.network.predict_alike(features) - _of_walls(middle_mm, model.network)
-    error = np.clip(predicted, -_LARGEST_RAW, _LARGEST_RAW) * model.familiarity.share(features)
+    counts = model.familiarity.share(features) * smoothness(raw)[rows, columns]
+    error = np.clip(predicted, -_LARGEST_RAW, _LARGEST_RAW) * counts
     learnt = np.isfinite(raw) & (pixel_mm >= _LEARNT_MM[0]) & (pixel_mm <= _LEARNT_MM[1])
     return np.where(learnt, _between(raw.shape, rows, columns, error), 0)
 

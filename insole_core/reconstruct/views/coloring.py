@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import cv2
 import numpy as np
 
@@ -10,17 +12,37 @@ from insole_core.recording.session import View
 from insole_core.sensing.sensor import Sensor
 
 
-def mean_color(view: View) -> ByteArray:
-    """Return the mean of a view's colour frames, (height, width, 3) uint8, RGB.
+def steady_color(view: View) -> ByteArray:
+    """Return one colour image from all frames of a view, (height, width, 3) uint8, RGB.
 
-    The frames are read one at a time to save memory.
+    It is the mean of medians of three frames each, of which each is as far from the next as can be:
+    what covers a place in less than a third of the series, all at a stretch, leaves no trace there.
+    Three frames are held at a time, however many there are; of two the mean is taken, and one or
+    two in the middle that make no three are not needed.
     """
-    if view.color_count == 1:
+    count = view.color_count
+    if count == 1:
         return view.read_color(0)
-    total = np.asarray(view.read_color(0), dtype=np.float32)
-    for index in range(1, view.color_count):
-        total += view.read_color(index)
-    return np.asarray(np.rint(total / view.color_count), dtype=np.uint8)
+    triples = count // 3
+    if triples == 0:
+        return _mean([view.read_color(0), view.read_color(1)])
+    starts = (0, (count - triples) // 2, count - triples)
+    return _mean(
+        _median_of_three(*(view.read_color(start + index) for start in starts))
+        for index in range(triples)
+    )
+
+
+def _median_of_three(first: ByteArray, second: ByteArray, third: ByteArray) -> ByteArray:
+    low, high = cv2.min(first, second), cv2.max(first, second)
+    return np.asarray(cv2.max(low, cv2.min(high, third)), dtype=np.uint8)
+
+
+def _mean(images: Iterable[ByteArray]) -> ByteArray:
+    total, count = np.zeros(1, dtype=np.float32), 0
+    for image in images:
+        total, count = total + image, count + 1
+    return np.asarray(np.rint(total / count), dtype=np.uint8)
 
 
 def color_points(

@@ -23,7 +23,7 @@ from insole_core.reconstruct.poses.pose_quality import (
 )
 from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.reconstruct.result import ViewResult, placed_result
-from insole_core.reconstruct.views.coloring import mean_color
+from insole_core.reconstruct.views.coloring import steady_color
 from insole_core.reconstruct.views.picture_quality import picture_fault
 from insole_core.reconstruct.warnings import check_still, correction_note, motion_note
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
@@ -42,7 +42,7 @@ class MeasuredView:
     raw : (480, 640) float64, raw units, corrected; NaN = no reading
     points : (480, 640, 3) float64, mm, depth camera frame
     color : (height, width, 3) uint8, RGB
-        Mean of the colour frames.
+        Of all colour frames together.
     left_out
         Number of depth frames left out because something moved in them.
     motion_note
@@ -158,7 +158,9 @@ def measure_view(view: View) -> MeasuredView:
     raw, depth_mm = _depth(view, average)
     note = motion_note(view, average)
     points = view.sensor.points(depth_mm)
-    return MeasuredView(view, raw, points, mean_color(view), len(average.moved), note, precise=True)
+    return MeasuredView(
+        view, raw, points, steady_color(view), len(average.moved), note, precise=True
+    )
 
 
 def used_result(measured: MeasuredView, registration: Registration, note: str = "") -> ViewResult:
@@ -200,7 +202,7 @@ def measure_as_thesis(view: View) -> MeasuredView:
     average = RawAverage(median, np.zeros_like(median), view.depth_count, (), 0.0)
     raw, depth_mm = _depth(view, average)
     points = view.sensor.points(np.asarray(np.rint(depth_mm)))
-    return MeasuredView(view, raw, points, mean_color(view), 0, "", precise=False)
+    return MeasuredView(view, raw, points, steady_color(view), 0, "", precise=False)
 
 
 def _depth(view: View, average: RawAverage) -> tuple[FloatArray, FloatArray]:

@@ -88,6 +88,14 @@
             <translation>Ett bräde med {columns}×{rows} är för litet; det måste ha minst {least}×{least}.</translation>
         </message>
         <message>
+            <source>A body of known form takes the place of one foot; choose the side left or right.</source>
+            <translation>En kropp med känd form tar platsen för en fot; välj sidan vänster eller höger.</translation>
+        </message>
+        <message>
+            <source>A body of {diameter_mm:g} mm cannot be simulated in the place of a foot; choose a diameter from {low:g} to {high:g} mm.</source>
+            <translation>En kropp på {diameter_mm:g} mm kan inte simuleras på en fots plats; välj en diameter från {low:g} till {high:g} mm.</translation>
+        </message>
+        <message>
             <source>A body weight of {weight_kg:g} kg cannot be right: it must be {range}; put in the patient's weight.</source>
             <translation>En kroppsvikt på {weight_kg:g} kg kan inte stämma: den måste vara {range}; ange patientens vikt.</translation>
         </message>
@@ -514,6 +522,10 @@
         <message>
             <source>Comparing the files</source>
             <translation>Jämför filerna</translation>
+        </message>
+        <message>
+            <source>Comparing with the truth</source>
+            <translation>Jämför med det sanna</translation>
         </message>
         <message>
             <source>Contact</source>
@@ -1308,6 +1320,10 @@
             <translation>Ingen vy angavs; ange vilken sensor som ger vilken vy: left=SERIENUMMER …</translation>
         </message>
         <message>
+            <source>No {what} of about {diameter_mm:.0f} mm was found in the volume of interest; put it in the middle of the volume, and check what was said of it.</source>
+            <translation>Inget föremål av slaget {what} på ungefär {diameter_mm:.0f} mm hittades i mätvolymen; lägg det mitt i volymen och kontrollera uppgifterna om det.</translation>
+        </message>
+        <message>
             <source>Nobody has the pseudonym {pseudonym}; it stands on the patient's page and on papers for the shop.</source>
             <translation>Ingen har pseudonymen {pseudonym}; den står på patientens sida och på papper till verkstaden.</translation>
         </message>
@@ -1382,6 +1398,14 @@
         <message>
             <source>Only {count} pictures were used; {good} or more are better.</source>
             <translation>Bara {count} bilder användes; {good} eller fler är bättre.</translation>
+        </message>
+        <message>
+            <source>Only {count} points of {capture} lie on the object and away from what holds it; put it in the middle of the volume, on a smaller holder.</source>
+            <translation>Bara {count} punkter av {capture} ligger på föremålet och ett stycke från det som håller det; lägg det mitt i volymen, på en mindre hållare.</translation>
+        </message>
+        <message>
+            <source>Only {count} points were measured in the volume of interest, too few to find the object; put it in the middle of the volume, where the sensors see it.</source>
+            <translation>Bara {count} punkter mättes i mätvolymen, för få för att hitta föremålet; lägg det mitt i volymen, där sensorerna ser det.</translation>
         </message>
         <message>
             <source>Only {count} walls were used; six distances or more are better.</source>
@@ -2104,6 +2128,10 @@
             <translation>Djupet i vyn {view} ändrades ännu när den togs; håll foten stilla och ta vyn igen.</translation>
         </message>
         <message>
+            <source>The diameter of the {kind} is {size}, but must lie between {low:g} and {high:g} mm; give it in millimetres.</source>
+            <translation>Diametern för föremålet ({kind}) är {size} men måste ligga mellan {low:g} och {high:g} mm; ange den i millimeter.</translation>
+        </message>
+        <message>
             <source>The distance is known within {error_mm:.1f} mm.</source>
             <translation>Avståndet är känt inom {error_mm:.1f} mm.</translation>
         </message>
@@ -2130,6 +2158,10 @@
         <message>
             <source>The faces {faces} were measured together.</source>
             <translation>Sidorna {faces} mättes tillsammans.</translation>
+        </message>
+        <message>
+            <source>The feet are ready</source>
+            <translation>Fötterna är klara</translation>
         </message>
         <message>
             <source>The feet look exchanged: a right one is in the place of the left, and a left one in the place of the right; see that they are not crossed, and that the pictures are not flipped.</source>
@@ -2330,6 +2362,10 @@
         <message>
             <source>The last digit of {text} does not fit the others; compare it with the patient's card.</source>
             <translation>Den sista siffran i {text} stämmer inte med de andra; jämför med patientens legitimation.</translation>
+        </message>
+        <message>
+            <source>The learnt correction is off for the sensors {serials}, because a proof on {date} found it to do harm.</source>
+            <translation>Den inlärda korrektionen är avstängd för sensorerna {serials}, eftersom ett prov {date} visade att den skadar.</translation>
         </message>
         <message>
             <source>The left foot is {left_mm:.0f} mm long and the right one {right_mm:.0f} mm; check that both scans are of this patient, and in the same unit.</source>
@@ -2744,6 +2780,10 @@
             <translation>Tårna tycks saknas, så fotens längd {length_mm:.0f} mm är en uppskattning; skanna foten med tårna, eller kontrollera att längden stämmer.</translation>
         </message>
         <message>
+            <source>The tolerance is {tolerance:g} mm, but must be above 0 and below the radius.</source>
+            <translation>Toleransen är {tolerance:g} mm men måste vara större än 0 och mindre än radien.</translation>
+        </message>
+        <message>
             <source>The transition to the rim is {used_mm:.0f} mm wide {where} instead of {asked_mm:.0f} mm, or the wall would be too steep or bent too sharply; a rim nearer to the foot needs less.</source>
             <translation>Övergången till randen är {used_mm:.0f} mm bred {where} i stället för {asked_mm:.0f} mm, annars skulle väggen bli för brant eller för skarpt böjd; en rand närmare foten behöver mindre.</translation>
         </message>
@@ -2866,6 +2906,10 @@
         <message>
             <source>The {kind} pictures are {width}×{height}, but the sensor gives {allowed}; use its pictures as they are, neither cut nor scaled.</source>
             <translation>Bilderna ({kind}) är {width}×{height}, men sensorn ger {allowed}; använd dess bilder som de är, varken beskurna eller skalade.</translation>
+        </message>
+        <message>
+            <source>The {kind} was said to be {said} in diameter, but {found_mm:.1f} mm was measured (up to {tolerance_mm:.1f} mm off is put down to the sensors); measure it again, or calibrate the sensors.</source>
+            <translation>Föremålet ({kind}) uppgavs ha diametern {said}, men {found_mm:.1f} mm uppmättes (upp till {tolerance_mm:.1f} mm avvikelse tillskrivs sensorerna); mät det igen, eller kalibrera sensorerna.</translation>
         </message>
         <message>
             <source>The {name} of the order has {count} characters, and the papers take at most {most}; shorten it.</source>
@@ -6408,6 +6452,10 @@
             <translation>{finding} Ändra designen, eller gå förbi regeln med ett skäl.</translation>
         </message>
         <message>
+            <source>{first} was captured with the sensors {serials}, but {other} with {others}; prove each set of sensors on its own.</source>
+            <translation>{first} spelades in med sensorerna {serials} men {other} med {others}; prova varje uppsättning sensorer för sig.</translation>
+        </message>
+        <message>
             <source>{folder}</source>
             <translation>{folder}</translation>
         </message>
@@ -7164,6 +7212,10 @@
             <translation>{path} spelades in med båda fötterna, men en yta jämförs; rekonstruera fötterna och ange den enas yta.</translation>
         </message>
         <message>
+            <source>{path} was recorded with both feet; capture the object alone, in the place of one foot.</source>
+            <translation>{path} spelades in med båda fötterna; spela in föremålet ensamt, på en fots plats.</translation>
+        </message>
+        <message>
             <source>{path} was recorded with both feet; say which one, with --side left or --side right.</source>
             <translation>{path} spelades in med båda fötterna; ange vilken, med --side left eller --side right.</translation>
         </message>
@@ -7308,8 +7360,24 @@
             <translation>{pseudonym} beställer sidan {side}, och ingen fil finns att tillverka den från; be kliniken om den.</translation>
         </message>
         <message>
+            <source>{reason} Until then the learnt correction is used.</source>
+            <translation>{reason} Tills dess används den inlärda korrektionen.</translation>
+        </message>
+        <message>
             <source>{region} {percent:.0f} %</source>
             <translation>{region} {percent:.0f} %</translation>
+        </message>
+        <message>
+            <source>{scan} does not fit what was captured, wherever it is laid; name the scan of the same body, and check its unit.</source>
+            <translation>{scan} passar inte det som spelades in, hur den än läggs; ange skanningen av samma kropp och kontrollera dess enhet.</translation>
+        </message>
+        <message>
+            <source>{scan} fits what was captured only as its mirror image; name the scan of the same side, and check that neither is flipped.</source>
+            <translation>{scan} passar det som spelades in bara spegelvänd; ange skanningen av samma sida och kontrollera att ingen av dem är spegelvänd.</translation>
+        </message>
+        <message>
+            <source>{scan} is {size_mm:.0f} mm long, but would have to be {found_mm:.0f} mm long to fit what was captured; check its unit, and that it is of the same body.</source>
+            <translation>{scan} är {size_mm:.0f} mm lång men skulle behöva vara {found_mm:.0f} mm lång för att passa det som spelades in; kontrollera dess enhet och att den är av samma kropp.</translation>
         </message>
         <message>
             <source>{serial}, model {model}, device {release}, USB controller {bus}</source>

@@ -1,10 +1,11 @@
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 
 from insole_core.geometry.arrays import ByteArray
-from insole_core.reconstruct.markers.blobs import BlobLimits, blueness, find_blobs
+from insole_core.reconstruct.markers.blobs import BlobLimits, blueness, find_blobs, sharpened
 
 BLUE, DIM_BLUE, SKIN = (20, 40, 150), (30, 60, 120), (220, 170, 150)
 MARKERS = ((100, 80), (300, 90), (120, 400), (500, 300))
@@ -82,3 +83,33 @@ def test_only_the_largest_are_kept() -> None:
     blobs = find_blobs(image, BlobLimits(most=3))
     assert blobs.areas.tolist() == [169.0, 196.0, 225.0]
     assert set(np.unique(blobs.labels)) == {-1, 0, 1, 2}
+
+
+def seen_by_areas(left: float, upper: float, size: float) -> ByteArray:
+    """A blue square on dark grey, blurred a little, as a camera integrates it over its pixels."""
+    finer = 20
+    across, down = (
+        (np.arange(40 * finer) >= finer * low) & (np.arange(40 * finer) < finer * (low + size))
+        for low in (left, upper)
+    )
+    shares = (down[:, None] & across).reshape(40, finer, 40, finer).mean((1, 3))
+    image = np.zeros((480, 640))
+    image[:40, :40] = shares
+    share = cv2.GaussianBlur(image, (0, 0), 0.6)[..., None]
+    return np.asarray(np.rint(28 + share * (np.array(BLUE) - 28)), dtype=np.uint8)
+
+
+@pytest.mark.parametrize("size", [10.0, 19.7])
+def test_centres_do_not_depend_on_how_faces_lie_to_the_pixels(size: float) -> None:
+    misses = []
+    for left, upper in np.random.default_rng(0).integers(180, 220, (20, 2)) / 20:
+        image = seen_by_areas(left, upper, size)
+        (center,) = sharpened(image, find_blobs(image)).centroids
+        misses.append(center - (np.array([left, upper]) + size / 2 - 0.5))
+    assert np.abs(misses).max() < 0.06
+
+
+def test_a_face_beside_the_border_of_the_picture_keeps_its_centre() -> None:
+    image = seen_by_areas(10.0, 10.0, 12.0)[8:, 7:]
+    (center,) = sharpened(image, find_blobs(image)).centroids
+    assert center == pytest.approx((8.5, 7.5), abs=0.05)

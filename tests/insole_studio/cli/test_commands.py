@@ -406,3 +406,19 @@ def test_one_foot_of_both_is_named(
     assert run(["measure", both, "--report", str(report)]) == 2
     assert "both feet; say which one, with --side left or --side right" in capsys.readouterr().err
     assert not report.exists()
+
+
+@pytest.mark.slow
+def test_both_feet_of_a_session_are_designed_in_one_go(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "insole.stl"
+    assert run(["design", str(SMALL_SESSION.with_name("both_small.zip")), "--out", str(out)]) == 0
+    told = capsys.readouterr().err
+    assert told.count("Reading the session") == 1
+    written = [trimesh.load(tmp_path / f"insole_{side}.stl") for side in ("left", "right")]
+    left, right = (piece.extents[1] for piece in written)
+    assert left > right + 10  # the simulated left foot is 15 mm longer
+    assert [path.name for path in sorted(tmp_path.iterdir())] == [
+        "insole_left.stl", "insole_right.stl",
+    ]  # fmt: skip

@@ -1,0 +1,148 @@
+"""What is said of an object whose capture proves the chain: its kind, its size, or its scan."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from insole_core.errors import CalibrationError, UsageError
+from insole_core.evaluation.find_form import find_ball, find_cylinder, find_scan
+from insole_core.evaluation.known_form import KnownForm, Scan
+from insole_core.geometry.mesh import TriangleMesh
+
+SIZES_MM = (40.0, 400.0)
+_USUAL_TOLERANCE_MM, _USUAL_TOLERANCE = 4.0, 0.02
+
+
+@dataclass(frozen=True)
+class KnownRound:
+    """A ball or a cylinder.
+
+    Parameters
+    ----------
+    kind
+        Which of the two.
+    least_mm, most_mm
+        What its true diameter lies between; equal where it was measured.
+    tolerance_mm
+        How much farther the fitted diameter may be off before it counts as another object; by
+        default 4 mm, or 2 % where that is more.
+
+    Raises
+    ------
+    UsageError
+        When a size is not that of an object that fits in the place of a foot.
+    """
+
+    kind: Literal["ball", "cylinder"]
+    least_mm: float
+    most_mm: float
+    tolerance_mm: float | None = None
+
+    def __post_init__(self) -> None:
+        low, high = SIZES_MM
+        if not low <= self.least_mm <= self.most_mm <= high:
+            raise UsageError(
+                "The diameter of the {kind} is {size}, but must lie between {low:g} and {high:g} "
+                "mm; give it in millimetres.",
+                kind=self.kind,
+                size=self.size_text,
+                low=low,
+                high=high,
+            )
+        if self.tolerance_mm is not None and not 0 < self.tolerance_mm <= self.most_mm / 2:
+            raise UsageError(
+                "The tolerance is {tolerance:g} mm, but must be above 0 and below the radius.",
+                tolerance=self.tolerance_mm,
+            )
+
+    @property
+    def size_range_mm(self) -> tuple[float, float]:
+        """What its true size lies between."""
+        return self.least_mm, self.most_mm
+
+    @property
+    def size_text(self) -> str:
+        """The diameter that was said, in words."""
+        if self.least_mm == self.most_mm:
+            return f"{self.least_mm:.1f} mm"
+        return f"{self.least_mm:.1f} to {self.most_mm:.1f} mm"
+
+    @property
+    def text(self) -> str:
+        """The object in words."""
+        return f"a {self.kind} of {self.size_text} diameter"
+
+    def true_size_mm(self, fitted_mm: float) -> float:
+        """Return the diameter that is nearest to the fitted one, of those that were said."""
+        return min(max(fitted_mm, self.least_mm), self.most_mm)
+
+    def find(self, surface: TriangleMesh) -> KnownForm:
+        """Find it in a surface, mm, with the size that fits best.
+
+        Raises
+        ------
+        CalibrationError
+            When it is not there, or of another size.
+        """
+        middle_mm = (self.least_mm + self.most_mm) / 2
+        form: KnownForm
+        if self.kind == "ball":
+            form = find_ball(surface, middle_mm)
+        else:
+            form = find_cylinder(surface, middle_mm)
+        usual_mm = max(_USUAL_TOLERANCE_MM, _USUAL_TOLERANCE * middle_mm)
+        tolerance_mm = usual_mm if self.tolerance_mm is None else self.tolerance_mm
+        if abs(form.size_mm - self.true_size_mm(form.size_mm)) > tolerance_mm:
+            raise CalibrationError(
+                "The {kind} was said to be {said} in diameter, but {found_mm:.1f} mm was measured "
+                "(up to {tolerance_mm:.1f} mm off is put down to the sensors); measure it again, "
+                "or calibrate the sensors.",
+                kind=self.kind,
+                said=self.size_text,
+                found_mm=form.size_mm,
+                tolerance_mm=tolerance_mm,
+            )
+        return form
+
+
+@dataclass(frozen=True, eq=False)
+class KnownScan:
+    """A rigid body, such as a plaster cast, that another scanner has measured.
+
+    Parameters
+    ----------
+    scan
+    name
+        Of its file.
+    """
+
+    scan: Scan
+    name: str
+
+    @property
+    def size_range_mm(self) -> tuple[float, float]:
+        """Its longest extent, which is known."""
+        return self.scan.extent_mm, self.scan.extent_mm
+
+    @property
+    def text(self) -> str:
+        """The object in words."""
+        return f"the body of {self.name}"
+
+    def true_size_mm(self, fitted_mm: float) -> float:
+        """Return the size of the scan itself, whatever was fitted."""
+        return self.scan.extent_mm
+
+    def find(self, surface: TriangleMesh) -> KnownForm:
+        """Lay the scan onto a surface, mm.
+
+        Raises
+        ------
+        CalibrationError
+            When it does not fit.
+        """
+        return find_scan(surface, self.scan, self.name)
+
+
+KnownObject = KnownRound | KnownScan
