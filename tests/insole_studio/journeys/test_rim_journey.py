@@ -62,7 +62,7 @@ def designed(opened: Application, settle: Callable[[], None]) -> Application:
     act(opened, "choose_device")
     view = opened.features.design.devices.view
     assert view is not None
-    QTest.keyClicks(view.search, "eva full")
+    view.search.setText("eva full")
     QTest.keyClick(view.search, Qt.Key.Key_Return)
     settle()
     act(opened, "tool_rim")
