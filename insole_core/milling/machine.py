@@ -27,6 +27,8 @@ _KNOWN_NUMBERS = {
     "M": {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "30"},
 }  # fmt: skip
 _KNOWN_LETTERS = "DFHNPQSTXYZ"
+_CHANGING = ("G20", "G91")
+"""Inches and relative places; programs are in millimetres and absolute."""
 _COMMENT = re.compile(r"\([^()]*\)|;.*$")
 _WORD = re.compile(r"([A-Z])(-?\d+(?:\.\d*)?|-?\.\d+)")
 
@@ -320,7 +322,15 @@ def _check_line(item: JsonObject, key: str, line: str) -> None:
     if not unknown and not filled.isascii():
         unknown = [line]
     if not unknown and filled != "%":
-        unknown = _unknown_words(_COMMENT.sub("", filled).upper().replace(" ", ""))
+        unknown = _unknown_words(_COMMENT.sub("", filled).upper())
+    if unknown and unknown[0] in _CHANGING:
+        raise item.fail(
+            key,
+            'has the word "{word}", which changes the units or the way of counting; '
+            'correct the line "{line}"',
+            word=unknown[0],
+            line=line,
+        )
     if unknown:
         raise item.fail(
             key,
@@ -330,10 +340,11 @@ def _check_line(item: JsonObject, key: str, line: str) -> None:
         )
 
 
-def _unknown_words(code: str) -> list[str]:
-    rest = _WORD.sub("", code)
-    if rest:
-        return [rest]
+def _unknown_words(line: str) -> list[str]:
+    code = line.replace(" ", "")
+    if _WORD.sub("", code):
+        pieces = re.sub(r"([A-Z]) +(?=[-.\d])", r"\1", line).split()
+        return [piece for piece in pieces if _WORD.sub("", piece)] or [code]
     return [
         letter + number
         for letter, number in _WORD.findall(code)

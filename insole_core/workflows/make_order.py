@@ -434,6 +434,12 @@ def files_of(
     return tuple(file for place in places for file in vars(place).values() if file is not None)
 
 
+def programs_of(parts: Sequence[Part], choice: OrderChoice, path: Path) -> tuple[Path, ...]:
+    """Return the programs of a router that `write_order` would write; none for other machines."""
+    places = _all_places(parts, choice, path, overridden=False)
+    return tuple(place.program for place in places if place.program is not None)
+
+
 def word_of(parts: Sequence[Part], choice: OrderChoice) -> str:
     """Return the word in the name of the first file: left, right or pair."""
     return _word(_groups(parts, choice)[0])

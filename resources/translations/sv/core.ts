@@ -4208,6 +4208,10 @@
             <translation>har inte lika många sensorer i varje rad</translation>
         </message>
         <message>
+            <source>has the word "{word}", which changes the units or the way of counting; correct the line "{line}"</source>
+            <translation>har ordet ”{word}”, som ändrar enheter eller sättet att räkna; rätta raden ”{line}”</translation>
+        </message>
+        <message>
             <source>has the word "{word}", which no controller knows; correct the line "{line}"</source>
             <translation>har ordet ”{word}”, som ingen styrning känner till; rätta raden ”{line}”</translation>
         </message>

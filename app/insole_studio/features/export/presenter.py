@@ -36,6 +36,7 @@ from insole_core.workflows.make_order import (
     feet_of,
     files_of,
     make_parts,
+    programs_of,
     word_of,
     write_order,
 )
@@ -419,7 +420,8 @@ class ExportPresenter:
             )  # fmt: skip
 
         def done(paths: tuple[Path, ...]) -> None:
-            self._tell_written(record, choice, paths, Ordered(paths, choice.terms))
+            shown = (*paths, *programs_of(parts, choice, path))
+            self._tell_written(record, choice, shown, Ordered(paths, choice.terms))
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._fail)

@@ -219,6 +219,7 @@ def test_a_router_gets_its_program_beside_the_solid(
     settle()
     assert sorted(path.name for path in tmp_path.glob("anna*")) == ["anna-left.nc", "anna-left.stl"]
     assert "\nG1 X" in (tmp_path / "anna-left.nc").read_text()
+    assert stage.view.summary.text() == "Exported anna-left.stl, anna-left.nc"
     asker.answer = tmp_path / "order.zip"
     stage.presenter.edit_choice(replace(stage.view.form.choice(), package="zip"))
     stage.view.export.click()
