@@ -106,6 +106,11 @@ class TermsFields(QObject):
         if not self.signalsBlocked():
             self.edited.emit()
 
+    def read_typed(self) -> None:
+        """Take up what is still being typed: a button need not take the focus from its field."""
+        self.quantity.interpretText()
+        self.pass_on_day()
+
     def pass_on_day(self) -> None:
         """Emit what is typed as the delivery date, also while the field has the focus."""
         self.deliver_on_edited.emit(self.deliver_on.text())

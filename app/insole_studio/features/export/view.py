@@ -115,8 +115,8 @@ class ExportView(QWidget):
         self.form.show_order_number(number, is_sample=is_sample)
 
     def read_day(self) -> None:
-        """Emit what is typed as the delivery date."""
-        self.form.terms.pass_on_day()
+        """Emit what is typed as the quantity and as the delivery date."""
+        self.form.terms.read_typed()
 
     def forget_day(self) -> None:
         """Empty the delivery date, whatever is typed there."""

@@ -236,6 +236,22 @@ def test_a_delivery_date_that_cannot_be_right_keeps_from_exporting(
     assert stage.view.export.isEnabled()
 
 
+def test_a_quantity_still_being_typed_is_ordered(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, qtbot: QtBot, tmp_path: Path
+) -> None:
+    order(stage, both=False, package="folder", job_sheet=False)
+    settle()
+    field = stage.view.form.terms.quantity
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClicks(field, "3")
+    chosen.answer = tmp_path / "order"
+    stage.view.export.click()  # as on a Mac, where a click leaves the focus in the field
+    settle()
+    written = tmp_path / "order" / "order.json"
+    assert json.loads(written.read_text())["items"][0]["quantity"] == 3
+
+
 def test_pair_is_nested_into_one_block(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
