@@ -168,10 +168,6 @@
             <translation>Ryms i blocket</translation>
         </message>
         <message>
-            <source>Fits the shoe</source>
-            <translation>Ryms i skon</translation>
-        </message>
-        <message>
             <source>Foot as a mould</source>
             <translation>Foten som form</translation>
         </message>
@@ -186,6 +182,10 @@
         <message>
             <source>From the map of pressures</source>
             <translation>Efter tryckkartan</translation>
+        </message>
+        <message>
+            <source>Height in the shoe</source>
+            <translation>Höjd i skon</translation>
         </message>
         <message>
             <source>Height of step</source>

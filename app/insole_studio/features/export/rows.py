@@ -85,7 +85,7 @@ TITLES: dict[CheckName, Callable[[], str]] = {
     "undercut": lambda: tr("Undercut"),
     "step": lambda: tr("Height of step"),
     "block": lambda: tr("Fits the block"),
-    "shoe_height": lambda: tr("Fits the shoe"),
+    "shoe_height": lambda: tr("Height in the shoe"),
     "grid": lambda: tr("Fine enough grid"),
 }
 UNITS: dict[CheckName, str] = {
