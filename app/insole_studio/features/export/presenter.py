@@ -421,7 +421,7 @@ class ExportPresenter:
 
         def done(paths: tuple[Path, ...]) -> None:
             shown = (*paths, *programs_of(parts, choice, path))
-            self._tell_written(record, choice, shown, Ordered(paths, choice.terms))
+            self._tell_written(record, choice, shown, Ordered(shown, choice.terms))
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._fail)

@@ -28,6 +28,7 @@ from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_core.workflows.mill import MillingChoice, clinic_machines
+from insole_core.workflows.order_package import Ordered
 from insole_core.workflows.print_order import PrintChoice
 from insole_studio.app.application_events import ApplicationEvents
 from insole_studio.document.case import Case
@@ -215,9 +216,12 @@ def test_a_router_gets_its_program_beside_the_solid(
     assert "minutes without changes of cutters" in fields.facts.text()
     assert stage.view.form.cutter.value() == 6.0
     asker.answer = tmp_path / "anna.stl"
+    told: list[Ordered] = []
+    stage.exported.connect(lambda _record, ordered: told.append(ordered))
     stage.view.export.click()
     settle()
     assert sorted(path.name for path in tmp_path.glob("anna*")) == ["anna-left.nc", "anna-left.stl"]
+    assert [path.name for path in told[0].paths] == ["anna-left.stl", "anna-left.nc"]
     assert "\nG1 X" in (tmp_path / "anna-left.nc").read_text()
     assert stage.view.summary.text() == "Exported anna-left.stl, anna-left.nc"
     asker.answer = tmp_path / "order.zip"
