@@ -258,7 +258,7 @@ def test_a_file_of_the_program_that_is_missing_leaves_a_trace(
     assert last.endswith("report it with the lines above.")
 
 
-def broken(*_arguments: object) -> None:
+def broken(*_arguments: object, **_named: object) -> None:
     raise OSError(5, "Input/output error")
 
 
