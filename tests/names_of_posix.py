@@ -6,7 +6,7 @@ NAMES = {
     " geteuid getgid getgroups getloadavg getpgid getpriority getsid getuid initgroups killpg"
     " lchown lockf mkfifo mknod nice openpty pathconf posix_fadvise POSIX_FADV_DONTNEED pread"
     " preadv pwrite sched_getaffinity sendfile setegid seteuid setgid setpgid setpriority setsid"
-    " setuid statvfs sync sysconf uname wait wait3 wait4 O_NONBLOCK O_CLOEXEC O_DIRECTORY"
+    " setuid statvfs sync sysconf uname wait wait3 wait4 waitid O_NONBLOCK O_CLOEXEC O_DIRECTORY"
     " O_NOFOLLOW O_SYNC O_DSYNC O_NOCTTY",
     "signal": "SIGALRM SIGCHLD SIGCONT SIGHUP SIGKILL SIGPIPE SIGQUIT SIGSTOP SIGTSTP SIGUSR1"
     " SIGUSR2 SIGWINCH alarm pause pthread_kill pthread_sigmask setitimer sigpending sigwait",

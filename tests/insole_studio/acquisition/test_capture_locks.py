@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from insole_core.errors import InputError
+from insole_core.export.file_lock import FileLock
 from insole_core.export.temporary import GRACE_S
 from insole_core.recording.reader import read_session
 from insole_studio.acquisition.unfinished_captures import (
@@ -70,13 +71,24 @@ def wait_for(is_there: Callable[[], object]) -> None:
 
 
 @contextmanager
-def stopped(process: subprocess.Popen[str]) -> Iterator[None]:
-    """Hold a process, so that it does not end before another has begun."""
-    process.send_signal(signal.SIGSTOP)
+def stopped_with(lock: Path, process: subprocess.Popen[str]) -> Iterator[None]:
+    """Stop a process once it holds a lock, so that it does not end before another has begun."""
+    wait_for(lambda: lock.exists() and stops_with(lock, process))
     try:
         yield
     finally:
         process.send_signal(signal.SIGCONT)
+
+
+def stops_with(lock: Path, process: subprocess.Popen[str]) -> bool:
+    """Stop a process; let it go on if it has made the file of a lock, but does not hold it yet."""
+    process.send_signal(signal.SIGSTOP)
+    os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
+    with FileLock(lock) as probe:
+        if not probe.acquire():
+            return True
+    process.send_signal(signal.SIGCONT)
+    return False
 
 
 def ended(process: subprocess.Popen[str]) -> tuple[int, str]:
@@ -108,9 +120,8 @@ def test_of_two_that_resume_one_draft_one_succeeds(commands: Commands, tmp_path:
     lock = draft.with_name(f"{draft.name}.lock")
     lock.unlink()  # which the killed one left
     with commands.started(tmp_path / "a", "--resume", str(draft)) as first:
-        wait_for(lock.exists)
         with (
-            stopped(first),
+            stopped_with(lock, first),
             commands.started(tmp_path / "b", "--resume", str(draft)) as second,
         ):
             assert ended(second) == (
@@ -130,9 +141,12 @@ def test_of_two_captures_to_one_place_the_second_is_refused(
     out = tmp_path / name
     (tmp_path / "folder").mkdir()
     same = tmp_path / "folder" / ".." / name
+    lock = tmp_path / f".insole-studio-capture-{name}.lock"
     with commands.started(out, "--notes", "the first") as first:
-        wait_for((tmp_path / f".insole-studio-capture-{name}.lock").exists)
-        with stopped(first), commands.started(same, "--notes", "the second") as second:
+        with (
+            stopped_with(lock, first),
+            commands.started(same, "--notes", "the second") as second,
+        ):
             assert ended(second) == (
                 1,
                 f"Another capture is to be written to {same}; wait until it has ended, or choose "
