@@ -200,7 +200,9 @@ class _Fused:
         )
 
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
-        return replace(self._fused(parts, progress), depth_views=tuple(p.measured for p in parts))
+        surface = self._fused(parts, progress)
+        # What was computed from them meanwhile is larger than they are, and is not needed again.
+        return replace(surface, depth_views=tuple(replace(part.measured) for part in parts))
 
     def _fused(self, parts: list[PreparedView], progress: Progress) -> Surface:
         show = self.on_preview

@@ -45,7 +45,7 @@ from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.jobs import Jobs
-from insole_studio.native_heap import return_freed_memory, share_one_heap
+from insole_studio.native_heap import return_freed_memory
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.color_scheme import is_dark
 from insole_studio.services.last_folders import LastFolders
@@ -143,7 +143,6 @@ def build_application(
     emulate
         Recorded session to play back as live sensors; None uses the real ones.
     """
-    share_one_heap()
     complaints: list[Message] = []
     settings = load_settings(paths.settings_file, complaints.append)
     load_language(application, settings.language)

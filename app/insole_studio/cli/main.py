@@ -40,6 +40,7 @@ from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, StopRequest
 from insole_studio.cli.subcommands import Command
 from insole_studio.missing_library import missing_library_error
+from insole_studio.native_heap import share_one_heap
 
 COMMANDS: tuple[Command, ...] = (
     window,
@@ -69,6 +70,7 @@ def run(arguments: list[str]) -> int:
     """Run one command and return its exit code."""
     stop = StopRequest()
     stop.heed_signals()
+    share_one_heap()
     try:
         _run(arguments, stop)
     except InsoleError as error:

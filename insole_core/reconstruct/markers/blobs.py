@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
+from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray, LabelArray
 
 _FINER = 4
 """Steps per pixel between which a blob's rim is sought."""
@@ -53,7 +53,7 @@ class Blobs:
     centroids : (n, 2) float64, px, (u, v)
         Weighted with the blueness, so finer than a pixel; of the face after `sharpened`.
     areas : (n,) float64, px²
-    labels : (height, width) int32
+    labels : (height, width) int16
         Index of the blob that a pixel belongs to, -1 elsewhere.
     spreads : (n, 2, 2) float64, px², optional
         Covariance of the pixels that are at least half as blue as the blob's inside.
@@ -64,7 +64,7 @@ class Blobs:
 
     centroids: FloatArray
     areas: FloatArray
-    labels: IndexArray
+    labels: LabelArray
     spreads: FloatArray | None = None
     fills: FloatArray | None = None
 
@@ -177,9 +177,9 @@ def _features(
 def _largest(features: FloatArray, labels: IndexArray, most: int) -> Blobs:
     """Keep the largest blobs, thesis algorithm 3, step 7."""
     if len(features) <= most:
-        return Blobs(features[:, :2], features[:, 2], labels)
+        return Blobs(features[:, :2], features[:, 2], labels.astype(np.int16))
     kept = np.sort(np.argsort(-features[:, 2], kind="stable")[:most])
-    index = np.full(len(features) + 1, -1, dtype=np.int32)
+    index = np.full(len(features) + 1, -1, dtype=np.int16)
     index[kept] = np.arange(len(kept))
     return Blobs(features[kept, :2], features[kept, 2], index[labels])
 
@@ -232,9 +232,7 @@ def sharpened(color: ByteArray, blobs: Blobs) -> Blobs:
     return replace(blobs, centroids=centers, spreads=spreads, fills=areas / square)
 
 
-def _bounding_corners(
-    u: IntArray, v: IntArray, label: IntArray | IndexArray, count: int
-) -> IntArray:
+def _bounding_corners(u: IntArray, v: IntArray, label: LabelArray, count: int) -> IntArray:
     """Return the least and largest u and v of every blob: (count, 4), left, upper, right, lower."""
     corners = np.tile(np.array([np.iinfo(np.int64).max] * 2 + [-1] * 2), (count, 1))
     for column, (extreme, at) in enumerate(
@@ -244,12 +242,12 @@ def _bounding_corners(
     return corners
 
 
-def _between_pixels(blue: ByteArray, labels: IndexArray, index: int) -> FloatArray:
+def _between_pixels(blue: ByteArray, labels: LabelArray, index: int) -> FloatArray:
     """Interpolate the blueness of one blob and of its rim; 0 away from it and in other blobs.
 
     Parameters
     ----------
-    blue, labels : (height, width) uint8 and int32
+    blue, labels : (height, width) uint8 and int16
         A part of the image around the blob.
     index
         Of the blob.
@@ -280,7 +278,7 @@ def _moments(weight: FloatArray) -> tuple[FloatArray, FloatArray, float]:
     return center, spread, mass / _FINER**2
 
 
-def _upper_half_means(values: FloatArray, group: IndexArray, count: int) -> FloatArray:
+def _upper_half_means(values: FloatArray, group: LabelArray, count: int) -> FloatArray:
     """Return the mean of the values above their group's mean: the face without its rim."""
     size = np.maximum(np.bincount(group, minlength=count), 1)
     mean = np.bincount(group, values, minlength=count) / size

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import FloatArray, IndexArray
+from insole_core.geometry.arrays import FloatArray, LabelArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.markers.blobs import Blobs
 from insole_core.sensing.sensor import Sensor
@@ -159,13 +159,13 @@ def _extended(values: FloatArray | None, more: int) -> FloatArray | None:
     return np.concatenate([values, np.full((more, *values.shape[1:]), np.nan)])
 
 
-def _without_rim(labels: IndexArray) -> IndexArray:
+def _without_rim(labels: LabelArray) -> LabelArray:
     steps = max(1, round(_RIM_SHARE * labels.shape[1]))
     inside = cv2.erode((labels >= 0).astype(np.uint8), np.ones((3, 3), np.uint8), iterations=steps)
     return np.where(inside > 0, labels, -1)
 
 
-def _blob_below(pixels: FloatArray, labels: IndexArray) -> IndexArray:
+def _blob_below(pixels: FloatArray, labels: LabelArray) -> LabelArray:
     """Return the blob at every pixel position (n, 2), -1 for none or outside."""
     height, width = labels.shape
     u, v = np.rint(pixels).astype(np.int64).T
@@ -174,7 +174,7 @@ def _blob_below(pixels: FloatArray, labels: IndexArray) -> IndexArray:
 
 
 def _robust_means(
-    values: FloatArray, group: IndexArray, count: int
+    values: FloatArray, group: LabelArray, count: int
 ) -> tuple[FloatArray, np.ndarray[tuple[int], np.dtype[np.intp]]]:
     """Return the mean of the values near every group's median, NaN if empty, and their number."""
     order = np.lexsort((values, group))

@@ -89,14 +89,14 @@ def searched(pixels: FloatArray, edits: ViewEdits) -> BoolArray:
 
 
 def with_places(
-    sightings: Detections, points: FloatArray, sensor: Sensor, edits: ViewEdits
+    sightings: Detections, depth_mm: FloatArray, sensor: Sensor, edits: ViewEdits
 ) -> Detections:
     """Append the positions that the user pointed at and where nothing was detected.
 
     Parameters
     ----------
     sightings
-    points : (height, width, 3) float64, mm, depth camera frame, NaN = no reading
+    depth_mm : (height, width) float64, along z; NaN = no reading
     sensor
     edits
 
@@ -113,7 +113,7 @@ def with_places(
     if not missing:
         return sightings
     pixels = np.array(missing, dtype=float)
-    return sightings.with_places(pixels, locate_places(pixels, points, sensor))
+    return sightings.with_places(pixels, locate_places(pixels, sensor.points(depth_mm), sensor))
 
 
 def named(

@@ -40,7 +40,7 @@ class MeasuredView:
     ----------
     view
     raw : (480, 640) float64, raw units, corrected; NaN = no reading
-    points : (480, 640, 3) float64, mm, depth camera frame
+    depth_mm : (480, 640) float64, along z; NaN = no reading
     color : (height, width, 3) uint8, RGB
         Of all colour frames together.
     left_out
@@ -53,11 +53,16 @@ class MeasuredView:
 
     view: View
     raw: FloatArray
-    points: FloatArray
+    depth_mm: FloatArray
     color: ByteArray
     left_out: int
     motion_note: str
     precise: bool
+
+    @property
+    def points(self) -> FloatArray:
+        """(480, 640, 3) points, mm, depth camera frame; large, so computed anew each time."""
+        return self.view.sensor.points(self.depth_mm)
 
     @cached_property
     def blobs(self) -> Blobs:
@@ -126,13 +131,13 @@ class MeasuredView:
         sensor = self.view.sensor
         corrected = replace(sensor, disparity=ScaledDisparity(sensor.disparity, 1 / scale))
         view = replace(self.view, sensor=corrected)
-        return replace(self, view=view, points=self.points / scale)
+        return replace(self, view=view, depth_mm=self.depth_mm / scale)
 
     def _registered(
         self, system: ReferenceSystem, limits: RegistrationLimits, edits: ViewEdits
     ) -> Registration:
         sensor = self.view.sensor
-        sightings = with_places(self.sightings, self.points, sensor, edits)
+        sightings = with_places(self.sightings, self.depth_mm, sensor, edits)
         search = PoseSearch(system, sensor, limits, edits)
         if not self.precise:
             return search.by_places(sightings)
@@ -157,9 +162,8 @@ def measure_view(view: View) -> MeasuredView:
     check_still(average)
     raw, depth_mm = _depth(view, average)
     note = motion_note(view, average)
-    points = view.sensor.points(depth_mm)
     return MeasuredView(
-        view, raw, points, steady_color(view), len(average.moved), note, precise=True
+        view, raw, depth_mm, steady_color(view), len(average.moved), note, precise=True
     )
 
 
@@ -201,8 +205,8 @@ def measure_as_thesis(view: View) -> MeasuredView:
     median = median_raw(_depth_frames(view))
     average = RawAverage(median, np.zeros_like(median), view.depth_count, (), 0.0)
     raw, depth_mm = _depth(view, average)
-    points = view.sensor.points(np.asarray(np.rint(depth_mm)))
-    return MeasuredView(view, raw, points, steady_color(view), 0, "", precise=False)
+    whole_mm = np.asarray(np.rint(depth_mm))
+    return MeasuredView(view, raw, whole_mm, steady_color(view), 0, "", precise=False)
 
 
 def _depth(view: View, average: RawAverage) -> tuple[FloatArray, FloatArray]:
