@@ -6,7 +6,9 @@ other foot than to their own, or look like a foot of the other side, and the sce
 may not occur.
 
 ``accuracy`` compares the soles with those of single captures of the same feet (sensors with their
-matching window, ten frames): mean distance in height from the truth after the best rigid fit.
+matching window, ten frames): mean distance in height from the truth after the best rigid fit. Alone
+a foot is captured by three other sensors; alone in its place, by the same sensors as both, but with
+the other place empty: what the other foot does by hiding, and by what it adds to the pictures.
 
 ``python -c "import benchmarks.both_feet as b; b.scenes(1000)"`` runs all; ``main()`` a sample.
 """
@@ -25,13 +27,12 @@ from benchmarks._measure import print_table
 from insole_core.compare.comparison import compare_surfaces
 from insole_core.errors import InsoleError
 from insole_core.foot.side_check import seen_side
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import BOTH, Side
 from insole_core.recording.session import Session
 from insole_core.simulate import SimulatedSession, SimulationOptions, simulate_session
 from insole_core.simulate.simulation import StandingFoot
 from insole_core.workflows.make_feet import ReconstructedFoot, reconstruct_feet
-from insole_core.workflows.make_foot import MeasuredSession
+from insole_core.workflows.make_foot import MeasuredSession, reconstruct_session
 
 SAMPLE, ALL = 10, 1000
 
@@ -100,35 +101,23 @@ def accuracy(seeds: int, first: int = 1) -> None:
     for seed in range(first, first + seeds):
         options = SimulationOptions(seed=seed)
         alone = {side: simulate_session(replace(options, side=side)) for side in Side}
-        feet = tuple(StandingFoot(alone[side].foot.shape, side) for side in Side)
-        single = {
-            side: _shape_error_mm(_surface(one.session, side), one.truth)
-            for side, one in alone.items()
-        }
+        feet = {side: StandingFoot(alone[side].foot.shape, side) for side in Side}
+        single = {side: _shape_error_mm(one, side) for side, one in alone.items()}
         for sensors in (4, 6):
-            both = simulate_session(replace(options, side=BOTH, sensors=sensors, standing=feet))
+            rig = replace(options, side=BOTH, sensors=sensors)
+            both = simulate_session(replace(rig, standing=tuple(feet.values())))
             for side in Side:
-                error = _shape_error_mm(_surface(both.session, side), both.truths[side])
-                difference = error - single[side]
-                rows.append(
-                    [
-                        seed,
-                        side,
-                        sensors,
-                        f"{single[side]:.3f}",
-                        f"{error:.3f}",
-                        f"{difference:+.3f}",
-                    ]
-                )
+                one = simulate_session(replace(rig, standing=(feet[side],)))
+                errors = single[side], _shape_error_mm(one, side), _shape_error_mm(both, side)
+                difference = f"{errors[2] - errors[1]:+.3f}"
+                rows.append([seed, side, sensors, *(f"{mm:.3f}" for mm in errors), difference])
                 print(*rows[-1], flush=True)
-    print_table(["seed", "foot", "sensors", "alone (mm)", "of both (mm)", "difference"], rows)
+    header = ["alone (mm)", "alone in its place", "of both", "by the other foot"]
+    print_table(["seed", "foot", "sensors", *header], rows)
 
 
-def _surface(session: Session, side: Side) -> TriangleMesh:
-    feet = {foot.side: foot for foot in reconstruct_feet(_opened(session))}
-    return feet[side].result.mesh
-
-
-def _shape_error_mm(mesh: TriangleMesh, truth: TriangleMesh) -> float:
-    """Return the mean distance in height of the sole from the truth after the best fit."""
-    return float(np.nanmean(np.abs(compare_surfaces(mesh, truth).signed_mm)))
+def _shape_error_mm(simulated: SimulatedSession, side: Side) -> float:
+    """Return the mean distance in height of a sole from the truth after the best fit."""
+    foot = _opened(simulated.session).of_foot(side)
+    mesh = reconstruct_session(foot).mesh
+    return float(np.nanmean(np.abs(compare_surfaces(mesh, simulated.truths[side]).signed_mm)))
