@@ -43,6 +43,8 @@ _ROW_MM: Final = 3.8
 _BESIDE_MM: Final = 9.0
 """On the paper between two thicknesses that can be read."""
 _TITLE_MM: Final = 38.0
+_DECIMAL_POINT: Final = "."
+"""A word of words.json: the sign of decimals in its language."""
 _RIM_MM: Final = 4.0
 """Width of the rim of a section, which is dimensioned by its height."""
 
@@ -222,7 +224,7 @@ class _Page(Flowable):  # type: ignore[misc, unused-ignore]
 
     def draw(self) -> None:
         """Draw frame, title block and content."""
-        pen = _Pen(self.canv)
+        pen = _Pen(self.canv, self._word(_DECIMAL_POINT))
         self.canv.setFillColor(_INK)
         pen.line_width(_THICK_PT)
         pen.box(0, 0, self._width_mm, self._height_mm)
@@ -248,7 +250,8 @@ class ViewsPage(_Page):
     ) -> None:
         self._pieces = pieces
         self._scale = _views_scale(pieces, size_mm)
-        super().__init__(*size_mm, {**title, "scale": f"1:{self._scale:g}"}, words)
+        scale = _scale_text(self._scale, words)
+        super().__init__(*size_mm, {**title, "scale": scale}, words)
 
     def _draw_content(self, pen: _Pen) -> None:
         count = 2 * len(self._pieces)
@@ -389,7 +392,8 @@ class SectionsPage(_Page):
         available = size_mm[0] - 50
         self._across = _scale_for(piece.size_mm[0], available)
         self._along = _scale_for(piece.size_mm[1], size_mm[0] - 30)
-        scale = ", D–D ".join(f"1:{each:g}" for each in (self._across, self._along))
+        scales = (self._across, self._along)
+        scale = ", D–D ".join(_scale_text(each, words) for each in scales)
         super().__init__(*size_mm, {**title, "side": str(piece.side), "scale": scale}, words)
 
     def _draw_content(self, pen: _Pen) -> None:
@@ -534,6 +538,11 @@ def _edge_heights(top_mm: FloatArray, *, from_right: bool) -> FloatArray:
     return np.asarray(np.nanmax(np.take_along_axis(rows, columns, axis=1), axis=1), float)
 
 
+def _scale_text(scale: float, words: Mapping[str, str]) -> str:
+    sign = words.get(_DECIMAL_POINT, _DECIMAL_POINT)
+    return f"1:{scale:g}".replace(_DECIMAL_POINT, sign)
+
+
 def _draw_title_block(
     pen: _Pen, width_mm: float, title: Mapping[str, str], words: Mapping[str, str]
 ) -> None:
@@ -554,10 +563,17 @@ def _draw_title_block(
 
 
 class _Pen:
-    """Draws on a canvas with lengths in mm."""
+    """Draws on a canvas with lengths in mm.
 
-    def __init__(self, canvas: Canvas) -> None:
+    Parameters
+    ----------
+    decimal_sign
+        Of the numbers that it writes.
+    """
+
+    def __init__(self, canvas: Canvas, decimal_sign: str) -> None:
         self._canvas = canvas
+        self._decimal_sign = decimal_sign
 
     def line_width(self, points: float, color: colors.Color = _INK) -> None:
         self._canvas.setLineWidth(points)
@@ -633,7 +649,7 @@ class _Pen:
             Distance on the paper; < 0 below, or at the right of an upright one.
         """
         self.line_width(_FINE_PT)
-        text = f"{value_mm:.1f}"
+        text = self._number(value_mm)
         if abs(end[0] - start[0]) > abs(end[1] - start[1]):
             y = start[1] + offset
             for x in (start[0], end[0]):
@@ -661,7 +677,7 @@ class _Pen:
         for tip, away in ((high, 1.0), (low, -1.0)):
             self._arrow((x, tip + 4 * away), (x, tip))
         self._canvas.setFillColor(_BLUE)
-        self.text(x + 0.8, high + 2.4, f"{value_mm:.1f}")
+        self.text(x + 0.8, high + 2.4, self._number(value_mm))
         self._canvas.setFillColor(_INK)
 
     def section(self, polygons: Sequence[FloatArray]) -> None:
@@ -709,6 +725,9 @@ class _Pen:
         self._canvas.setFillColor(_INK)
         self.text(x, y + 2.4, "0", size=_SMALL_PT, centred=True)
         self.text(x + 5 * step, y + 2.4, f"{length_mm:g} mm", size=_SMALL_PT, centred=True)
+
+    def _number(self, value_mm: float) -> str:
+        return f"{value_mm:.1f}".replace(_DECIMAL_POINT, self._decimal_sign)
 
     def _label(self, x: float, y: float, text: str, *, upright: bool = False) -> None:
         self._canvas.saveState()

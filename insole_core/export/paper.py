@@ -41,7 +41,7 @@ from insole_core.export.lettering import as_written, font_path
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
-from insole_core.messages import Translate
+from insole_core.messages import Message, Translate
 from insole_core.resources import resource_path
 
 rl_config.useA85 = 0  # streams as text cost a fifth of the file, and most of the time of pictures
@@ -219,29 +219,42 @@ def _nesting_page(
         key: value for key, value in sheet.identification.items() if key in _OF_THE_WHOLE_ORDER
     }
     width, length, height = nesting.block_mm
-    size = f"{nesting.block_name}, {length:g} × {width:g} × {height:g} mm"
+    size = Message(
+        "{block}, {length:g} × {width:g} × {height:g} mm",
+        block=nesting.block_name,
+        length=length,
+        width=width,
+        height=height,
+    )
     return [
         paragraph(texts["title"], TITLE),
         *_facts(
             texts["identification"],
-            {**common, "file": sheet.file_name, "stock": size},
+            {**common, "file": sheet.file_name, "stock": translate(size)},
             translate,
         ),
         paragraph(texts["nesting"], HEAD),
         _nesting_picture(nesting, paper_texts("words", translate)),
         *_facts(
             texts["places"],
-            {part.name: _position(part, texts) for part in nesting.parts},
+            {part.name: translate(_position(part, texts)) for part in nesting.parts},
             translate,
         ),
         paragraph(texts["frame in the block"], NOTE),
     ]
 
 
-def _position(part: NestedPart, texts: dict[str, str]) -> str:
+def _position(part: NestedPart, texts: dict[str, str]) -> Message:
     (x, y, _), (x_end, y_end, z_end) = part.bounds_mm
-    text = texts["turned" if part.is_turned else "not turned"]
-    return f"x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f}, z 0 – {z_end:.1f} mm; {text}"
+    return Message(
+        "x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f}, z 0 – {z_end:.1f} mm; {turn}",
+        x=x,
+        y=y,
+        x_end=x_end,
+        y_end=y_end,
+        z_end=z_end,
+        turn=texts["turned" if part.is_turned else "not turned"],
+    )
 
 
 def write_prescription(

@@ -28,7 +28,6 @@ from insole_core.geometry.transforms import rigid
 from insole_core.insole.prescription.prescription_lines import (
     make_facts,
     number_message,
-    plain_number,
 )
 from insole_core.messages import Message, Translate
 from insole_core.progress import SILENT, Progress
@@ -391,7 +390,7 @@ def _title(job: ExportJob, part: Part, drawn: Sequence[DrawnInsole]) -> dict[str
         "scale": "",
         "projection": "named at each view",
         "units": "mm",
-        "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
+        "tolerance": job.translate(_tolerance(job)),
         "file": "",
         "SHA-256": "",
         "drawn": f"Insole Studio {version('insole-studio')}",
@@ -459,18 +458,28 @@ def _measures(part: Part) -> dict[str, str]:
 def _make(job: ExportJob, part: Part) -> dict[str, str]:
     facts = {
         "material": job.materials.get(part.side) or "–",
-        "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
+        "tolerance": _tolerance(job),
         **{name: text for name, text in job.terms.facts.items() if name != "remarks"},
         **make_facts(part.insole.design),
     }
     if part.insole.design.shell is None or part.order.kind == "positive":
-        facts["draft of the walls"] = f"{plain_number(part.order.options.draft_deg)}°"
+        facts["draft of the walls"] = Message("{value:g}°", value=part.order.options.draft_deg)
     if job.terms.remarks:
         facts["remarks"] = job.terms.remarks
     if job.block is not None:
-        size = " × ".join(map(plain_number, job.block.size_mm))
-        facts["stock"] = f"{job.block.name}, {size} mm"
+        width, length, height = job.block.size_mm
+        facts["stock"] = Message(
+            "{block}, {length:g} × {width:g} × {height:g} mm",
+            block=job.block.name,
+            length=length,
+            width=width,
+            height=height,
+        )
     return facts
+
+
+def _tolerance(job: ExportJob) -> Message:
+    return Message("± {number} mm", number=number_message(job.shop.tolerance_mm, 2))
 
 
 def _released(job: ExportJob, part: Part) -> tuple[str, ...]:

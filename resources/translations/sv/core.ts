@@ -44,6 +44,10 @@
             <translation>”{words}” är ingen skostorlek; skriv system och storlek, till exempel ”EU 42”.</translation>
         </message>
         <message>
+            <source>.</source>
+            <translation>,</translation>
+        </message>
+        <message>
             <source>0°</source>
             <translation>0°</translation>
         </message>
@@ -6132,6 +6136,10 @@
             <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
         </message>
         <message>
+            <source>x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f}, z 0 – {z_end:.1f} mm; {turn}</source>
+            <translation>x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f}, z 0 – {z_end:.1f} mm; {turn}</translation>
+        </message>
+        <message>
             <source>yes</source>
             <translation>ja</translation>
         </message>
@@ -6210,6 +6218,10 @@
         <message>
             <source>{author} at {station} has changed the {side} foot meanwhile; compare both versions and choose.</source>
             <translation>{author} vid {station} har under tiden ändrat {side} fot; jämför båda versionerna och välj.</translation>
+        </message>
+        <message>
+            <source>{block}, {length:g} × {width:g} × {height:g} mm</source>
+            <translation>{block}, {length:g} × {width:g} × {height:g} mm</translation>
         </message>
         <message>
             <source>{capture} has no reading in the middle; put a flat surface there.</source>
@@ -7574,6 +7586,10 @@
         <message>
             <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>
             <translation>{zone}_end{where} är {end:g}, och måste ligga minst {least:g} bortom {zone}_start ({start:g}), annars får ytan ett steg.</translation>
+        </message>
+        <message>
+            <source>± {number} mm</source>
+            <translation>± {number} mm</translation>
         </message>
         <message>
             <source>“{zone}”</source>

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import re
 import shutil
 import zipfile
 from collections.abc import Callable
@@ -142,6 +143,9 @@ def test_a_later_order_of_the_number_is_its_next_revision_in_the_language_asked_
     for shown in ("Arbetsblad", "Revision\n2\n", "Eva Ek", "Tolerans", "Datum"):
         assert shown in text
     assert not {"Released", "Sheet", "Order", "left", "thick"} & set(text.split())
+    assert "0,3 mm" in text  # the tolerance
+    assert re.search(r"^\d+,\d$", text, re.MULTILINE)  # the dimensions of the drawing
+    assert not re.search(r"^\d+\.\d$|\d\.\d mm", text, re.MULTILINE)
     with pytest.raises(InputError, match="holds the patient's name"):
         write_package([item], unpacked, **wanted, released_by="Ottilia Bergqvist")
 

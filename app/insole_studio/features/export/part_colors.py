@@ -44,9 +44,8 @@ def colors_of(parts: Sequence[Part], made: MadeFor) -> dict[Side, PartColors]:
     """Return the colours of each part for what is made of them; none for a file of any machine."""
     if made.printing is not None:
         printed = [made.printing.zoned[part.side].printed for part in parts]
-        every = [each for one in printed for each in _densities(one)]
-        limits = min(every), max(*every, min(every) + 1)
-        return {part.side: _of_zones(one, limits) for part, one in zip(parts, printed, strict=True)}
+        levels = np.unique([each for one in printed for each in _densities(one)])
+        return {part.side: _of_zones(one, levels) for part, one in zip(parts, printed, strict=True)}
     if made.milling is None:
         return {}
     plan = made.milling
@@ -79,11 +78,20 @@ def _densities(printed: PrintedPart) -> list[float]:
     ]
 
 
-def _of_zones(printed: PrintedPart, limits: tuple[float, float]) -> PartColors:
-    """Colour a part by density, and name the zones that show."""
+def _of_zones(printed: PrintedPart, levels: FloatArray) -> PartColors:
+    """Colour a part by density, and name the zones that show.
+
+    Parameters
+    ----------
+    printed
+    levels : (n,) float64, %
+        All densities that are shown together, ascending. Their colours are evenly apart, so that
+        near ones can be told from each other.
+    """
     mesh, zones = cut_by_zones(printed)
     densities = np.array(_densities(printed))
-    colors = map_colors(densities, limits).astype(np.uint8)
+    ranks = np.searchsorted(levels, densities).astype(float)
+    colors = map_colors(ranks, (0.0, max(len(levels) - 1.0, 1.0))).astype(np.uint8)
     names = [tr("elsewhere {density:g} %"), *(zone.name for zone in printed.modifiers)]
     names[0] = fill(names[0], density=printed.infill.density_percent)
     shown = [number for number in range(len(names)) if (zones + 1 == number).any()]
@@ -91,6 +99,7 @@ def _of_zones(printed: PrintedPart, limits: tuple[float, float]) -> PartColors:
     swatches = tuple(
         (_hex(colors[number]), translate_core_message(names[number])) for number in shown
     )
+    limits = float(levels[0]), max(float(levels[-1]), levels[0] + 1.0)
     coloring = Coloring(densities[zones + 1], limits, "", painted=colors[zones + 1])
     return PartColors(mesh, coloring, swatches)
 
