@@ -26,6 +26,8 @@ _SECTION_MM = 0.25
 _PITCH_MM = 0.5
 _SEARCH_MM = 1.0
 """Pitch of the map that tells where there is still a wall."""
+_FREE_STEPS = 2
+"""Above a way along an edge, the walls have been cut free."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +46,7 @@ def contour(
     *,
     side: SideName,
     tabs: Tabs,
+    along_edges: Sequence[FloatArray] = (),
 ) -> Operation | None:
     """Cut round the solids, from the top of their walls down.
 
@@ -51,6 +54,8 @@ def contour(
     ----------
     surface
         With the heights beside the solids to which the walls are cut.
+    along_edges : (n, 3) float64 each, mm
+        Further ways of the axis, once the walls are cut.
 
     Returns
     -------
@@ -61,11 +66,14 @@ def contour(
     walls = _wall_tops(surface, machine.contour.cutter.radius_mm)
     over_tabs = tabs.axis_heights(surface)
     for loop in loops:
-        line = _densified(loop.line_mm)
+        line = densified(loop.line_mm)
         heights = np.maximum(loop.level_mm, over_tabs[surface.index_of(line)])
         path = np.column_stack([line, heights])
         for run in _pieces(path, _needed(path, loop.level_mm, surface, walls, machine)):
             writer.start(without_collinear(run))
+    for way in along_edges:
+        free_mm = way[0, 2] + _FREE_STEPS * machine.contour.step_down_mm
+        writer.start(without_collinear(way), free_mm)
     return None if writer.is_empty else writer.operation("contour", side, machine.contour.cutter)
 
 
@@ -167,9 +175,9 @@ def _needed(
     return np.asarray(reaches_up & reaches_down & (surface.beside_mm[i, j] > 0))
 
 
-def _densified(loop: FloatArray) -> FloatArray:
-    """Return a loop with points at most `_PITCH_MM` apart."""
-    pieces = np.ceil(np.linalg.norm(np.diff(loop, axis=0), axis=1) / _PITCH_MM).astype(int)
+def densified(loop: FloatArray, pitch_mm: float = _PITCH_MM) -> FloatArray:
+    """Return a loop with points at most a pitch apart."""
+    pieces = np.ceil(np.linalg.norm(np.diff(loop, axis=0), axis=1) / pitch_mm).astype(int)
     edge = np.repeat(np.arange(len(pieces)), pieces)
     within = np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
     share = (within / pieces[edge])[:, None]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.contours import Loop, contour, contour_loops, outermost
+from insole_core.milling.edges import EDGE_STEP_MM, ways_along_edge
 from insole_core.milling.machine import FlipAxis, Machine
 from insole_core.milling.rasters import OVER_RIM, finishing, roughing
 from insole_core.milling.surface import Surface, sample_surface
@@ -38,6 +39,8 @@ class BlockSide:
         Of all solids, for the contour.
     rough_mm, floor_mm : (nx, ny) float32
         Heights beside the solids to which roughing goes, and finishing and contour.
+    along_edges : (n, 3) float64 each, mm
+        Ways of the contour's cutter once the walls are cut.
     """
 
     name: SideName
@@ -46,6 +49,7 @@ class BlockSide:
     tabs: Tabs
     rough_mm: Float32Array
     floor_mm: Float32Array
+    along_edges: tuple[FloatArray, ...] = ()
 
 
 def one_side_of(
@@ -107,7 +111,10 @@ def mill_side(
     surface = side.surface.with_floor(side.floor_mm)
     finish = finishing(surface, machine, block_height_mm, side.name)
     progress.step(0.8, "Cutting round the piece")
-    walls = contour(side.loops, surface, machine, block_height_mm, side=side.name, tabs=side.tabs)
+    walls = contour(
+        side.loops, surface, machine, block_height_mm,
+        side=side.name, tabs=side.tabs, along_edges=side.along_edges,
+    )  # fmt: skip
     return [operation for operation in (rough, finish, walls) if operation is not None]
 
 
@@ -156,9 +163,17 @@ def _underside(
     tabs = tabs_of_underside(edge, places_mm, machine)
     lowest = float(tabs.heights_mm.min())
     loops = [loop for solid in solids for loop in contour_loops(solid, machine, block_mm, lowest)]
+    fine = replace(machine, contour=replace(machine.contour, step_down_mm=EDGE_STEP_MM))
+    along_edges = [
+        way
+        for solid in solids
+        for way in ways_along_edge(
+            contour_loops(solid, fine, block_mm, lowest), surface, edge, tabs
+        )
+    ]
     floor = tabs.over(surface, edge - np.float32(_DEEPER_MM))
     rough = edge + np.float32(machine.roughing.allowance_mm)
-    return BlockSide("underside", surface, tuple(loops), tabs, rough, floor)
+    return BlockSide("underside", surface, tuple(loops), tabs, rough, floor, tuple(along_edges))
 
 
 def _nodes_below(

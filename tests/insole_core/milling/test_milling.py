@@ -200,12 +200,30 @@ def test_both_sides_meet_in_the_turned_block():
         assert hole == pytest.approx(0.0, abs=0.01)
 
 
-def test_a_cupped_underside_is_milled_to_its_edge_and_held_there():
+def cupped(power: int, uneven: float = 0.0) -> TriangleMesh:
+    """Return a shell whose underside falls to its edge, which may rise and sink."""
     piece = solid(lean=0.001)
     x, y, z = piece.vertices.T
-    away = np.hypot((x - BLOCK_MM[0] / 2) / 24, (y - BLOCK_MM[1] / 2) / 34)
-    cupped = np.where(z < 1e-6, 6 * np.clip(away, 0, 1) ** 2, np.maximum(z, 9))
-    check_both_sides(TriangleMesh(np.column_stack([x, y, cupped]), piece.triangles), machine())
+    u, v = (x - BLOCK_MM[0] / 2) / 24, (y - BLOCK_MM[1] / 2) / 34
+    edge = 6 * (1 + uneven * np.sin(2 * np.arctan2(v, u)))
+    below = edge * np.clip(np.hypot(u, v), 0, 1) ** power
+    heights = np.where(z < 1e-6, below, np.maximum(z, 9))
+    return TriangleMesh(np.column_stack([x, y, heights]), piece.triangles)
+
+
+def test_a_cupped_underside_is_milled_to_its_edge_and_held_there():
+    check_both_sides(cupped(2), machine())
+
+
+def test_a_steep_edge_that_rises_and_sinks_is_milled_without_steps():
+    how, piece = machine(), cupped(6, 0.3)
+    plan = plan_milling([piece], BLOCK_MM, how, both_sides=True)
+    removal = left_of(plan, gcode(plan))
+    check_moves(removal, how)
+    lying = TriangleMesh(piece.vertices + np.array([0, 0, how.both_sides.skin_mm]), piece.triangles)
+    turned = turned_over(lying, BLOCK_MM, "length")
+    check_side(turned, removal.sides[1], removal, how, edge_round(turned, removal))
+    assert held(turned, removal, how) == TABS
 
 
 def test_the_origin_and_the_machines_axes_change_the_numbers_only():
