@@ -99,7 +99,10 @@ def test_a_dragged_outline_stays_fair(opened: Application, settle: Callable[[], 
 def drag_as_far(
     app: Application, view: SceneView, number: int, pixels: int, settle: Callable[[], None]
 ) -> None:
-    """Drag a point sideways; again where the view moved below the mouse."""
+    """Drag a point sideways; again where the view moved below the mouse.
+
+    The window of the tests is narrower than its longest message, and grows when that comes.
+    """
     for _ in range(5):
         settle()
         start, before = pixel(view, number), place(view, number)
