@@ -10,15 +10,26 @@ import ctypes
 import os
 from functools import cache
 
-_M_ARENA_MAX = -8
+_M_TRIM_THRESHOLD, _M_MMAP_THRESHOLD, _M_ARENA_MAX = -1, -3, -8
 """Of `mallopt`, from malloc.h."""
+_HEAP_BYTES, _KEPT_BYTES = 2**25, 2**26
+"""Largest array that is put into the heap, and how much may stay free at the heap's end.
+
+The C library takes these limits itself, but only after it has freed arrays of that size. Until then
+it asks the system for each one anew, which clears it page by page.
+"""
 
 
 def share_one_heap() -> None:
-    """Let all threads share one heap; holds for threads that have not allocated yet."""
+    """Let all threads share one heap, for large arrays too.
+
+    It holds for threads that have not allocated yet.
+    """
     libc = _glibc()
     if libc is not None:
         libc.mallopt(_M_ARENA_MAX, 1)
+        libc.mallopt(_M_MMAP_THRESHOLD, _HEAP_BYTES)
+        libc.mallopt(_M_TRIM_THRESHOLD, _KEPT_BYTES)
 
 
 def return_freed_memory() -> None:

@@ -98,6 +98,10 @@ def _run(arguments: list[str], stop: StopRequest) -> None:
             stop.check()
         print(f"{fraction:4.0%}  {text}", file=sys.stderr, flush=True)
 
+    # NumPy takes long to import, and wrong arguments are reported before.
+    from insole_studio.lean_numpy import unlist_parts_on_demand
+
+    unlist_parts_on_demand()
     parsed.command.run(parsed, Progress(print_progress))
     sys.stdout.flush()
 
