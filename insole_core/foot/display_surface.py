@@ -17,6 +17,7 @@ from insole_core.geometry.gap_closing import gap_triangles
 from insole_core.geometry.level_cut import level_cut
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
+from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.sampling import boundary_points
 
 _LOW_MM = 15.0
@@ -134,8 +135,8 @@ def _opened(mesh: TriangleMesh) -> FloatArray:
     of another above. It is positive everywhere where no disc fits at all.
     """
     furthest_mm = 2 * _HIGH_DISC_MM
-    rim_mm, _ = scipy.spatial.cKDTree(boundary_points(mesh, _RIM_STEP_MM)).query(
-        mesh.vertices, distance_upper_bound=furthest_mm
+    rim_mm, _ = point_tree(boundary_points(mesh, _RIM_STEP_MM)).query(
+        mesh.vertices, distance_upper_bound=furthest_mm, workers=-1
     )
     rim_mm = np.minimum(rim_mm, furthest_mm)
     low, high = (_within_discs(mesh, rim_mm, disc_mm) for disc_mm in (_LOW_DISC_MM, _HIGH_DISC_MM))
@@ -147,12 +148,14 @@ def _within_discs(mesh: TriangleMesh, rim_mm: FloatArray, disc_mm: float) -> Flo
     """Return how far (n,) inside the nearest disc each vertex lies, mm; negative outside."""
     inside_mm = rim_mm - disc_mm
     cut = level_cut(mesh, inside_mm)
-    centres = cut.extended(mesh.vertices)[np.unique(cut.triangles)]
+    used = np.zeros(len(mesh.vertices) + len(cut.ends), dtype=bool)
+    used[cut.triangles] = True
+    centres = cut.extended(mesh.vertices)[used]
     if len(centres) == 0:
         return np.full(len(rim_mm), -disc_mm)
     outer = inside_mm < 0
-    near, _ = scipy.spatial.cKDTree(centres).query(
-        mesh.vertices[outer], distance_upper_bound=2 * disc_mm
+    near, _ = point_tree(centres).query(
+        mesh.vertices[outer], distance_upper_bound=2 * disc_mm, workers=-1
     )
     away_mm = np.zeros(len(rim_mm))
     away_mm[outer] = np.minimum(near, 2 * disc_mm)
@@ -175,8 +178,11 @@ def _without_scraps(mesh: TriangleMesh) -> tuple[IntArray, IndexArray, BoolArray
     area_mm2 = np.bincount(piece, mesh.vertex_areas, minlength=count)
     is_large = area_mm2 >= min(_LEAST_PIECE_MM2, area_mm2.max())
     is_kept = is_large[piece[mesh.triangles[:, 0]]]
-    used, number = np.unique(mesh.triangles[is_kept], return_inverse=True)
-    return used.astype(np.int64), number.reshape(-1, 3).astype(np.int32), is_kept
+    kept = mesh.triangles[is_kept]
+    used = np.zeros(len(mesh.vertices), dtype=bool)
+    used[kept] = True
+    number = (np.cumsum(used) - 1).astype(np.int32)
+    return np.flatnonzero(used), number[kept], is_kept
 
 
 def _border_smoothed(mesh: TriangleMesh) -> FloatArray:

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
+from insole_core.geometry.point_tree import point_tree
 
 _EVENING_ROUNDS = 3
 _LEAST_DISTANCE = 0.7
@@ -97,7 +97,7 @@ def extend_boundary(
 
 
 def _is_free(points: FloatArray, mesh: TriangleMesh, width_mm: float) -> BoolArray:
-    near, _ = scipy.spatial.cKDTree(mesh.vertices).query(points)
+    near, _ = point_tree(mesh.vertices).query(points)
     return np.asarray(near > _LEAST_DISTANCE * width_mm)
 
 

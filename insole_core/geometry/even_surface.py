@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.sampling import boundary_points, sample_triangles
 from insole_core.geometry.transforms import transform
 
@@ -166,4 +166,4 @@ def _rim_distance(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
     rim = boundary_points(mesh, _CELL_MM)
     if len(rim) == 0:
         return np.full(len(points), np.inf)
-    return np.asarray(scipy.spatial.cKDTree(rim).query(points, distance_upper_bound=_RIM_MM)[0])
+    return np.asarray(point_tree(rim).query(points, distance_upper_bound=_RIM_MM)[0])

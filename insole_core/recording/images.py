@@ -143,7 +143,7 @@ def decode_color(name: str, content: bytes) -> ByteArray:
     InputError
         When it cannot be decoded.
     """
-    return np.ascontiguousarray(_decode(name, content, cv2.IMREAD_COLOR)[..., ::-1])
+    return _decode(name, content, cv2.IMREAD_COLOR_RGB).astype(np.uint8, copy=False)
 
 
 def read_picture(path: Path, flags: int) -> npt.NDArray[Any] | None:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.boundary_extension import Boundary
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
+from insole_core.geometry.point_tree import point_tree
 from insole_core.reconstruct.fusion.occluding_contour import Beyond, OccludingContour
 from insole_core.reconstruct.parallel import for_views
 
@@ -132,7 +132,7 @@ def _lies_before(
     touching = _touching(beyond, normals, _TOUCHING_MM, _TOUCHING_FACING)
     if len(touching) == 0:
         return np.zeros(len(normals), dtype=bool)
-    touched = scipy.spatial.cKDTree(mesh.vertices[beyond.vertex[touching]])
+    touched = point_tree(mesh.vertices[beyond.vertex[touching]])
     away, _ = touched.query(mesh.vertices, distance_upper_bound=reach_mm)
     sight = rim.eye_mm - mesh.vertices
     towards = np.einsum("nc,nc->n", normals, sight) / np.linalg.norm(sight, axis=1)

@@ -10,6 +10,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray
+from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.volume import check_any_inside, is_inside
 from insole_core.recording.box import Box
@@ -69,7 +70,7 @@ class DepthView:
 
     @cached_property
     def _tree(self) -> scipy.spatial.cKDTree:
-        return scipy.spatial.cKDTree(self.surface_points)
+        return point_tree(self.surface_points)
 
     @property
     def cut_edges(self) -> tuple[str, ...]:

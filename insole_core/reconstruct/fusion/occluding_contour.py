@@ -10,6 +10,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.silhouette import Silhouette
@@ -113,7 +114,7 @@ class OccludingContour:
 
     @cached_property
     def _tree(self) -> scipy.spatial.cKDTree:
-        return scipy.spatial.cKDTree(self.pixels)
+        return point_tree(self.pixels)
 
     @property
     def eye_mm(self) -> FloatArray:
