@@ -9,7 +9,6 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
@@ -17,9 +16,8 @@ from insole_core.reconstruct.fusion.depth_view import read_volume
 from insole_core.reconstruct.fusion.fused_surface import fuse
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
 from insole_core.reconstruct.markers.marker_observation import Registration
-from insole_core.reconstruct.parallel import VIEWS_AT_ONCE, both
+from insole_core.reconstruct.parallel import VIEWS_AT_ONCE
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS, RegistrationLimits
-from insole_core.reconstruct.preview import coarse_foot
 from insole_core.reconstruct.result import (
     Method,
     Reconstruction,
@@ -67,7 +65,6 @@ def reconstruct(
     limits: RegistrationLimits = DEFAULT_LIMITS,
     *,
     corrected: bool = True,
-    on_preview: Callable[[TriangleMesh], None] | None = None,
     measure: Callable[[View], MeasuredView] = measure_view,
     register: Register | None = None,
 ) -> Reconstruction:
@@ -86,9 +83,6 @@ def reconstruct(
         When the pose of a view is good enough.
     corrected
         Whether the learnt error of the sensor's matching is subtracted; for ``fused`` only.
-    on_preview
-        Called with a coarse coloured mesh as soon as the poses of all views are known, in a thread
-        that ends before this function returns; for ``fused`` only.
     measure
         Averages the frames of a view, for ``fused`` only; pass one with a cache when a session is
         reconstructed several times.
@@ -107,7 +101,7 @@ def reconstruct(
     NothingInVolumeError
         When that is for the lack of a foot in some of them.
     """
-    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(measure, on_preview, corrected)
+    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(measure, corrected)
 
     def found(measured: MeasuredView, edits: ViewEdits) -> Registration:
         return measured.register(session.manifest.reference_system, limits, edits)
@@ -166,7 +160,6 @@ class _Fused:
     """Fusion of all readings to the most probable smooth surface."""
 
     measuring: Callable[[View], MeasuredView]
-    on_preview: Callable[[TriangleMesh], None] | None
     corrected: bool
 
     def measure(self, view: View) -> MeasuredView:
@@ -200,17 +193,9 @@ class _Fused:
         )
 
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
-        surface = self._fused(parts, progress)
+        surface = fuse(parts, progress)
         # What was computed from them meanwhile is larger than they are, and is not needed again.
         return replace(surface, depth_views=tuple(replace(part.measured) for part in parts))
-
-    def _fused(self, parts: list[PreparedView], progress: Progress) -> Surface:
-        show = self.on_preview
-        if show is None:
-            return fuse(parts, progress)
-        # The preview must not delay the fine foot.
-        _, surface = both(lambda: show(coarse_foot(parts)), lambda: fuse(parts, progress))
-        return surface
 
 
 @dataclass(frozen=True, eq=False)

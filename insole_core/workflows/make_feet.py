@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -103,7 +103,6 @@ def make_feet(
     limits: RegistrationLimits = DEFAULT_LIMITS,
     progress: Progress = SILENT,
     *,
-    on_preview: Callable[[MadeFoot], None] | None = None,
     compare_views: bool = False,
     force: bool = False,
 ) -> tuple[MadeFoot, ...]:
@@ -113,8 +112,6 @@ def make_feet(
     ----------
     limits
         Beyond which the pose of a view is refused.
-    on_preview
-        Called once with a coarse foot of each side, before the fine one is made.
     compare_views
         Whether to measure how far the views deviate from each other on the feet.
     force
@@ -145,7 +142,6 @@ def make_feet(
                     foot,
                     limits,
                     part,
-                    on_preview=on_preview,
                     compare_views=compare_views,
                     force=force or shared is not None,
                     shared=shared,

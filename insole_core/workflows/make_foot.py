@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.errors import InsoleError, ReconstructionError, UsageError
+from insole_core.errors import ReconstructionError, UsageError
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -20,6 +20,7 @@ from insole_core.reconstruct import (
     ViewResult,
     reconstruct,
 )
+from insole_core.reconstruct.parallel import both, for_views
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.reconstruct.result import refused_result
 from insole_core.reconstruct.shared_views import SharedViews
@@ -158,7 +159,7 @@ class MadeFoot:
     edits, limits
         Corrections and limits that it was made with.
     reconstruction
-        Without its depth views, which are large; None for the coarse preview.
+        Without its depth views, which are large.
     agreement
         None where it was not requested.
     """
@@ -167,15 +168,18 @@ class MadeFoot:
     scan: ScannedFoot
     edits: HandEdits
     limits: RegistrationLimits
-    reconstruction: Reconstruction | None = None
+    reconstruction: Reconstruction
     agreement: ViewConsistency | None = None
 
     def display_surface(self) -> DisplaySurface:
-        """Return the mesh with an even border, reference frame; computed once, in about 0.3 s."""
+        """Return the mesh with an even border, reference frame; computed once, in about 0.2 s."""
         foot = self.scan.foot
 
         def compute() -> DisplaySurface:
-            shown = display_surface(self.mesh.transformed(foot.source2insole))
+            if len(foot.mesh.vertices) == len(self.mesh.vertices):  # no scraps were left out
+                shown = foot.display_surface()
+            else:
+                shown = display_surface(self.mesh.transformed(foot.source2insole))
             return shown.transformed(inverse(foot.source2insole))
 
         return foot.derived.get("display, reference frame", (), compute)
@@ -241,14 +245,15 @@ def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
     opened = open_session(path, progress)
     measured: dict[str, MeasuredView] = {}
     refused: dict[str, ReconstructionError] = {}
-    views = opened.session.views
-    for number, view in enumerate(views):
-        done = 0.1 + 0.9 * number / len(views)
-        progress.step(done, "Averaging the frames of the view {view}", view=view.name)
+
+    def measure(view: View) -> None:
+        progress.step(0.1, "Averaging the frames of the view {view}", view=view.name)
         try:
             measured[view.name] = measure_view(view)
         except ReconstructionError as error:
             refused[view.name] = error
+
+    for_views(measure, opened.session.views)
     progress.step(1.0, "The session is read")
     return replace(opened, measured=measured, refused=refused)
 
@@ -260,7 +265,6 @@ def reconstruct_session(
     *,
     method: Method = "fused",
     corrected: bool | None = None,
-    on_preview: Callable[[TriangleMesh], None] | None = None,
     shared: SharedViews | None = None,
 ) -> Reconstruction:
     """Reconstruct the coloured surface of a session, in the reference frame.
@@ -276,8 +280,6 @@ def reconstruct_session(
     corrected
         Whether the learnt error of the sensor's matching is subtracted, by the fused method only;
         by default as was chosen for the sensors.
-    on_preview
-        Called once with a coarse surface, by the fused method only.
     shared
         Of one foot of two, what it has in common with the other.
 
@@ -299,7 +301,6 @@ def reconstruct_session(
         progress,
         limits,
         corrected=choice.corrected,
-        on_preview=on_preview,
         measure=opened.measure if shared is None else shared.measure,
         register=None if shared is None else shared.around(opened.session.manifest.one_side),
     )
@@ -313,7 +314,6 @@ def make_foot(
     limits: RegistrationLimits = DEFAULT_LIMITS,
     progress: Progress = SILENT,
     *,
-    on_preview: Callable[[MadeFoot], None] | None = None,
     compare_views: bool = False,
     force: bool = False,
     shared: SharedViews | None = None,
@@ -324,8 +324,6 @@ def make_foot(
     ----------
     limits
         Beyond which the pose of a view is refused.
-    on_preview
-        Called once with a coarse foot, before the fine one is made.
     compare_views
         Whether to measure how far the views deviate from each other on the foot.
     force
@@ -346,28 +344,19 @@ def make_foot(
         When the shape is that of the other foot, unless `force`.
     Cancelled
     """
-    session, source = opened.session, session_source(opened.path, opened.session)
-
-    def placed(mesh: TriangleMesh, warnings: tuple[str, ...], certain: bool) -> MadeFoot:
-        foot = place_foot(mesh, session.manifest.one_side, frame="reference", force=certain)
-        return MadeFoot(mesh, ScannedFoot(foot, source, warnings), opened.edits, limits)
-
-    def show(mesh: TriangleMesh) -> None:
-        assert on_preview is not None
-        try:
-            coarse = placed(mesh, (), certain=True)
-        except InsoleError:
-            return  # the fine mesh decides whether it is a foot
-        on_preview(coarse)
-
-    result = reconstruct_session(
-        opened,
-        limits,
-        progress.part(0.0, 0.9),
-        on_preview=show if on_preview else None,
-        shared=shared,
-    )
+    result = reconstruct_session(opened, limits, progress.part(0.0, 0.9), shared=shared)
     progress.step(0.9, "Finding heel and toes")
-    made = placed(result.mesh, result.warnings, certain=force)
-    agreement = view_consistency(result.mesh, result.depth_views) if compare_views else None
-    return replace(made, reconstruction=replace(result, depth_views=()), agreement=agreement)
+    side = opened.session.manifest.one_side
+    agreement, foot = both(
+        lambda: view_consistency(result.mesh, result.depth_views) if compare_views else None,
+        lambda: place_foot(result.mesh, side, frame="reference", force=force),
+    )
+    source = session_source(opened.path, opened.session)
+    return MadeFoot(
+        result.mesh,
+        ScannedFoot(foot, source, result.warnings),
+        opened.edits,
+        limits,
+        replace(result, depth_views=()),
+        agreement,
+    )

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from insole_core.errors import OutputError
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
+from insole_core.reconstruct.parallel import for_views
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
@@ -39,11 +40,12 @@ class SessionEditor:
         """Why the corrections could not be saved; empty when they are."""
         self.results: dict[str, ViewResult] = {}
         self._changed = changed
-        for number, name in enumerate(self.names):
-            progress.step(
-                number / len(self.names), "Finding the markers of the view {view}", view=name
-            )
-            self.results[name] = opened.placed(name, limits)
+
+        def place(name: str) -> ViewResult:
+            progress.step(0.0, "Finding the markers of the view {view}", view=name)
+            return opened.placed(name, limits)
+
+        self.results.update(zip(self.names, for_views(place, self.names), strict=True))
 
     @property
     def names(self) -> tuple[str, ...]:

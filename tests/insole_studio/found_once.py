@@ -49,7 +49,6 @@ SHARED = (
     (imprinted_feet, "find_foot"),
     (imprinted_feet, "find_imprints"),
     (reconstruction, "prepare"),
-    (reconstruction, "coarse_foot"),
     (reconstruction, "fuse"),
     (MeasuredView, "_registered"),
     (compare_case, "compare_surfaces"),

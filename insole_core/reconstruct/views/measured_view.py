@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.memo import Memo
 from insole_core.messages import Message, joined
 from insole_core.reconstruct.markers.blobs import Blobs, find_blobs, sharpened
 from insole_core.reconstruct.markers.detections import Detections, locate_blobs
@@ -58,6 +59,7 @@ class MeasuredView:
     left_out: int
     motion_note: str
     precise: bool
+    derived: Memo = field(default_factory=lambda: Memo(2), init=False, repr=False)
 
     @property
     def points(self) -> FloatArray:
@@ -88,6 +90,8 @@ class MeasuredView:
     ) -> Registration:
         """Find the sensor's pose; fast enough to be repeated while markers are corrected.
 
+        The last ones are kept, for whoever makes a foot of the views that were placed before.
+
         Parameters
         ----------
         system
@@ -109,13 +113,9 @@ class MeasuredView:
             With the reason, as the end of a sentence; `PoseRefusedError` also holds the pose that
             was found but not accepted.
         """
+        key = (system, limits, edits)
         try:
-            registration = self._registered(system, limits, edits)
-            scale = depth_scale(registration, self.sightings, system, self.view.sensor)
-            if scale == 1.0:
-                return registration
-            again = self.at_scale(scale)._registered(system, limits, edits)
-            return replace(again, depth_scale=scale)
+            return self.derived.get("registration", key, lambda: self._scaled(*key))
         except ReconstructionError as error:
             if not self.picture_fault:
                 raise
@@ -123,6 +123,16 @@ class MeasuredView:
             if isinstance(error, PoseRefusedError):
                 raise PoseRefusedError(reason, error.registration) from error
             raise ReconstructionError(reason) from error
+
+    def _scaled(
+        self, system: ReferenceSystem, limits: RegistrationLimits, edits: ViewEdits
+    ) -> Registration:
+        registration = self._registered(system, limits, edits)
+        scale = depth_scale(registration, self.sightings, system, self.view.sensor)
+        if scale == 1.0:
+            return registration
+        again = self.at_scale(scale)._registered(system, limits, edits)
+        return replace(again, depth_scale=scale)
 
     def at_scale(self, scale: float) -> MeasuredView:
         """Return the view with its depth divided by a scale."""

@@ -36,7 +36,7 @@ def color_foot(kind: FootMap, made: MadeFoot) -> Coloring | None:
 
 
 def _confidence(made: MadeFoot) -> Coloring | None:
-    deviation_mm = made.reconstruction.deviation_mm if made.reconstruction is not None else None
+    deviation_mm = made.reconstruction.deviation_mm
     if deviation_mm is None:
         return None
     return Coloring(deviation_mm, (0.0, _span(deviation_mm)), tr("Standard deviation"))
@@ -58,7 +58,7 @@ def _agreement(made: MadeFoot) -> Coloring | None:
 
 
 def _correction(made: MadeFoot) -> Coloring | None:
-    correction_mm = made.reconstruction.correction_mm if made.reconstruction is not None else None
+    correction_mm = made.reconstruction.correction_mm
     if correction_mm is None:
         return None
     span = _span(np.abs(correction_mm))

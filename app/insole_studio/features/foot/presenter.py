@@ -11,12 +11,14 @@ import numpy as np
 
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
 from insole_core.progress import Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
+from insole_core.reconstruct.parallel import both
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
@@ -246,17 +248,11 @@ class FootStagePresenter:
         """Make every foot with the current corrections; `force` makes it despite a warning."""
         if self._work is None:
             return
-        work, opened, limits = self._work, self._work.opened, self._limits
+        opened, limits = self._work.opened, self._limits
         self._trouble = ""
 
-        def tell(made: MadeFoot) -> None:
-            _prepare_display(made)
-            self._jobs.tell(lambda: self._take_preview(work, made))
-
         def task(progress: Progress) -> tuple[MadeFoot, ...]:
-            feet = make_feet(
-                opened, limits, progress, on_preview=tell, compare_views=True, force=force
-            )
+            feet = make_feet(opened, limits, progress, compare_views=True, force=force)
             for made in feet:
                 _prepare_display(made)
             return feet
@@ -323,17 +319,17 @@ class FootStagePresenter:
         panel.go_on_requested.connect(self.go_on)
 
     def _take_session(self, work: SessionEditor) -> None:
+        self._work = work
+        self.make()  # it has begun when its views are shown
         try:
             self._show_session(work)
         except Exception as error:  # noqa: BLE001 - shown by the window
             # Half of one session must not stand beside half of another.
+            self._jobs.cancel(MAKING)
             self._forget("")
             self._unreadable(error)
-            return
-        self.make()
 
     def _show_session(self, work: SessionEditor) -> None:
-        self._work = work
         sides = work.opened.session.manifest.sides
         self._side = sides[0]
         self._panel.show_session(work.opened.path.stem, sides)
@@ -359,14 +355,6 @@ class FootStagePresenter:
         self._show_foot()
         self._show_sentences()
         self._show_buttons()
-
-    def _take_preview(self, work: SessionEditor, made: MadeFoot) -> None:
-        side = made.scan.foot.side
-        still = work is self._work and made.edits == work.opened.of_foot(side).edits
-        if still and self._jobs.is_running(MAKING):
-            self._made_feet[side] = made
-            self._show_foot()
-            self._show_buttons()
 
     def _take_feet(self, feet: Sequence[MadeFoot]) -> None:
         self._made_feet = {made.scan.foot.side: made for made in feet}
@@ -426,11 +414,7 @@ class FootStagePresenter:
             self._panel.show_foot(*on_display(self._made.display_surface(), coloring))
 
     def _possible_maps(self) -> list[FootMap]:
-        if self._made is None:
-            return [FootMap.VIEWS]
-        if self._made.reconstruction is None:
-            return [FootMap.VIEWS, FootMap.SKIN]
-        return list(FootMap)
+        return [FootMap.VIEWS] if self._made is None else list(FootMap)
 
     def _show_view_meshes(self) -> None:
         """Show every registered view in its own colour."""
@@ -460,7 +444,7 @@ class FootStagePresenter:
     def _show_sentences(self) -> None:
         sentences = [self._trouble] if self._trouble else self._troubles_of_views()
         made = self._made
-        if made is not None and made.reconstruction is not None and not self._is_stale:
+        if made is not None and not self._is_stale:
             sentences += made.scan.warnings
         self._panel.show_sentences(sentences)
 
@@ -493,9 +477,10 @@ class FootStagePresenter:
 
 
 def _prepare_display(made: MadeFoot) -> None:
-    """Compute in the job what this window shows, and what the design stage shows next."""
+    """Compute in the job what this window shows, and what the design stage shows at once."""
+    foot = made.scan.foot
+    both(lambda: find_landmarks(foot), foot.display_surface)
     made.display_surface()
-    made.scan.foot.display_surface()
 
 
 def _shown(limits: RegistrationLimits) -> Limits:

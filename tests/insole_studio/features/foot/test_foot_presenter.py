@@ -22,6 +22,7 @@ from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
 from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_studio.document.foot_display import known_display
 from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
 from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow
 from insole_studio.jobs import Jobs
@@ -258,20 +259,11 @@ def test_going_on_with_corrections_makes_the_foot_first(made: Bench) -> None:
 
 
 @pytest.mark.slow
-def test_the_coarse_foot_can_be_designed_on_while_the_fine_one_is_made(bench: Bench) -> None:
-    bench.presenter.open(bench.session, hand_over=False)
-    bench.until(lambda: bench.presenter._made is not None)
-    coarse = bench.presenter._made
-    assert coarse is not None
-    assert coarse.reconstruction is None
-    assert bench.jobs.is_running()
-    assert bench.panel.shown["show_map"][1] == [FootMap.VIEWS, FootMap.SKIN]
-    bench.panel.go_on_requested.emit()
-    assert bench.left == [False]
-    bench.settle()
-    assert bench.left == [False, True]
-    first, second = bench.handed
-    assert len(first.foot.mesh.vertices) < len(second.foot.mesh.vertices)
+def test_the_design_is_handed_a_foot_that_it_can_show_at_once(made: Bench) -> None:
+    made.panel.go_on_requested.emit()
+    (handed,) = made.handed
+    assert handed.foot.derived.known("landmarks", ()) is not None
+    assert known_display(handed.foot) is not None
 
 
 @pytest.mark.slow
