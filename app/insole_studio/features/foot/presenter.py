@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -18,7 +18,7 @@ from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
 from insole_core.progress import Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
-from insole_core.reconstruct.parallel import both
+from insole_core.reconstruct.parallel import both, for_views
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
@@ -77,6 +77,15 @@ class FootStagePanel(ImagePanel, Protocol):
     def show_sentences(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
     def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
     def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
+
+
+@dataclass(frozen=True, eq=False)
+class _ReadSession:
+    """What the job that reads a session hands over, for the foot that is shown first."""
+
+    work: SessionEditor
+    side: Side
+    meshes: Mapping[str, TriangleMesh]
 
 
 class FootStagePresenter:
@@ -158,9 +167,12 @@ class FootStagePresenter:
         self._forget(tr("The session is being read."))
         self._hands_over = hand_over
 
-        def read(progress: Progress) -> SessionEditor:
-            opened = measure_session(path, progress.part(0.0, 0.8))
-            return SessionEditor(opened, self._limits, self._take_change, progress.part(0.8, 1.0))
+        def read(progress: Progress) -> _ReadSession:
+            opened = measure_session(path, progress.part(0.0, 0.7))
+            work = SessionEditor(opened, self._limits, self._take_change, progress.part(0.7, 0.9))
+            progress.step(0.9, "The session is read")
+            side = opened.session.manifest.sides[0]
+            return _ReadSession(work, side, _view_meshes(work, side, work.names))
 
         self._jobs.start(READING, read, self._take_session, self._unreadable)
         self._show_buttons()
@@ -318,25 +330,25 @@ class FootStagePresenter:
         panel.cancel_requested.connect(self.cancel)
         panel.go_on_requested.connect(self.go_on)
 
-    def _take_session(self, work: SessionEditor) -> None:
-        self._work = work
+    def _take_session(self, read: _ReadSession) -> None:
+        self._work = read.work
         self.make()  # it has begun when its views are shown
         try:
-            self._show_session(work)
+            self._show_session(read)
         except Exception as error:  # noqa: BLE001 - shown by the window
             # Half of one session must not stand beside half of another.
             self._jobs.cancel(MAKING)
             self._forget("")
             self._unreadable(error)
 
-    def _show_session(self, work: SessionEditor) -> None:
-        sides = work.opened.session.manifest.sides
-        self._side = sides[0]
-        self._panel.show_session(work.opened.path.stem, sides)
+    def _show_session(self, read: _ReadSession) -> None:
+        work, self._side = read.work, read.side
+        self._panel.show_session(work.opened.path.stem, work.opened.session.manifest.sides)
         self._panel.show_side(self._side)
-        self._panel.show_box(self._foot(work).box)
+        self._mesh_box, self._meshes = self._foot(work).box, dict(read.meshes)
+        self._panel.show_box(self._mesh_box)
         self._markers.take(work)
-        self._take_change(frozenset(work.names))
+        self._take_change(frozenset())
 
     def _take_change(self, moved: frozenset[str]) -> None:
         """Show the views after a correction that moved some of them."""
@@ -420,26 +432,14 @@ class FootStagePresenter:
         """Show every registered view in its own colour."""
         if self._work is None:
             return
-        foot = self._foot(self._work)
-        results, measured = self._work.results, foot.measured
-        for number, name in enumerate(self._work.names):
-            pose = self._pose(self._work, results[name])
-            if name not in self._meshes and pose is not None:
-                color = VIEW_COLORS[number % len(VIEW_COLORS)]
-                self._meshes[name] = view_mesh(measured[name], pose, foot.box, color)
+        missing = [name for name in self._work.names if name not in self._meshes]
+        self._meshes |= _view_meshes(self._work, self._side, missing)
+        results = self._work.results
         shown = [mesh for name, mesh in self._meshes.items() if results[name].used]
         if shown:
             self._panel.show_foot(_together(shown), None)
         else:
             self._panel.show_nothing(tr("No view is placed. Correct its markers, or tick a view."))
-
-    def _pose(self, work: SessionEditor, result: ViewResult) -> FloatArray | None:
-        """Return the pose of a view in the own reference frame of the foot that is shown."""
-        system = work.opened.session.manifest.reference_system
-        pose = result.sensor2reference
-        if pose is None or not system.feet:
-            return pose
-        return rigid(np.eye(3), -np.array(system.place(self._side).origin_mm)) @ pose
 
     def _show_sentences(self) -> None:
         sentences = [self._trouble] if self._trouble else self._troubles_of_views()
@@ -474,6 +474,30 @@ class FootStagePresenter:
                 has_session=self._work is not None,
             )
         )
+
+
+def _view_meshes(work: SessionEditor, side: Side, names: Sequence[str]) -> dict[str, TriangleMesh]:
+    """Mesh the views that are placed, each in its own colour, in the foot's reference frame."""
+    foot = work.opened.of_foot(side)
+    poses = {name: _pose(work, side, work.results[name]) for name in names}
+
+    def mesh_of(name: str) -> tuple[str, TriangleMesh] | None:
+        pose = poses[name]
+        if pose is None:
+            return None
+        color = VIEW_COLORS[work.names.index(name) % len(VIEW_COLORS)]
+        return name, view_mesh(foot.measured[name], pose, foot.box, color)
+
+    return dict(filter(None, for_views(mesh_of, names)))
+
+
+def _pose(work: SessionEditor, side: Side, result: ViewResult) -> FloatArray | None:
+    """Return the pose of a view in the own reference frame of a foot."""
+    system = work.opened.session.manifest.reference_system
+    pose = result.sensor2reference
+    if pose is None or not system.feet:
+        return pose
+    return rigid(np.eye(3), -np.array(system.place(side).origin_mm)) @ pose
 
 
 def _prepare_display(made: MadeFoot) -> None:
