@@ -93,10 +93,6 @@ class Jobs(QObject):
             job.stop.set()
             self._end(job)
 
-    def tell(self, call: Callable[[], None]) -> None:
-        """Call a function in the thread of the window; running tasks may use it from theirs."""
-        self._answered.emit(call)
-
     @property
     def running(self) -> tuple[str, ...]:
         """The channels of the jobs that have not answered yet."""
