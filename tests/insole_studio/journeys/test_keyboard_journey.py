@@ -23,6 +23,7 @@ pytestmark = pytest.mark.slow
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 PATIENCE_MS = 60_000
+MOST_TRIES = 300
 NONE = Qt.KeyboardModifier.NoModifier
 
 
@@ -59,19 +60,23 @@ def _active() -> QWidget:
     return window
 
 
-def _type_path(path: Path) -> None:
+def _type_path(path: Path, tries: int = MOST_TRIES) -> None:
     """Type into the dialog once it is there, and press Enter until it is gone."""
     dialog = QApplication.activeModalWidget()
     if isinstance(dialog, QFileDialog) and dialog.isVisible():
         field = dialog.focusWidget()
-        assert isinstance(field, QLineEdit)  # one can type at once
-        if field.text() != str(path):
-            field.selectAll()
-            QTest.keyClicks(field, str(path))
-        QTest.keyClick(field, KEY.Key_Return)
+        if isinstance(field, QLineEdit):  # one can type at once
+            if field.text() != str(path):
+                field.selectAll()
+                QTest.keyClicks(field, str(path))
+            QTest.keyClick(field, KEY.Key_Return)
         if not dialog.isVisible():
             return
-    QTimer.singleShot(100, lambda: _type_path(path))
+        if tries == 0:
+            texts = [edit.text() for edit in dialog.findChildren(QLineEdit)]
+            dialog.reject()  # or the test would wait for ever
+            raise AssertionError(f"{path} is not taken: {texts}, {field}, {path.exists()}")
+    QTimer.singleShot(100, lambda: _type_path(path, max(tries - 1, 0)))
 
 
 @pytest.fixture
