@@ -46,8 +46,8 @@ class Keyboard:
         self.strike(KEY.Key_Return)
 
     def answering_file(self, path: Path) -> None:
-        """Type a path into the file dialog that comes next."""
-        QTimer.singleShot(100, lambda: _type_path(path))
+        """Paste a path into the file dialog that comes next."""
+        QTimer.singleShot(100, lambda: _paste_path(path))
 
     def wait_for(self, is_done: Callable[[], bool]) -> None:
         self._qtbot.waitUntil(is_done, timeout=PATIENCE_MS)
@@ -60,15 +60,20 @@ def _active() -> QWidget:
     return window
 
 
-def _type_path(path: Path, tries: int = MOST_TRIES) -> None:
-    """Type into the dialog once it is there, and press Enter until it is gone."""
+def _paste_path(path: Path, tries: int = MOST_TRIES) -> None:
+    """Paste into the dialog once it is there, and press Enter until it is gone.
+
+    Letter by letter, Qt selects the folders on the way in its list if that is slow to follow, and
+    opens the folder instead of the file.
+    """
     dialog = QApplication.activeModalWidget()
     if isinstance(dialog, QFileDialog) and dialog.isVisible():
         field = dialog.focusWidget()
         if isinstance(field, QLineEdit):  # one can type at once
             if field.text() != str(path):
                 field.selectAll()
-                QTest.keyClicks(field, str(path))
+                QApplication.clipboard().setText(str(path))
+                QTest.keyClick(field, KEY.Key_V, CTRL)
             QTest.keyClick(field, KEY.Key_Return)
         if not dialog.isVisible():
             return
@@ -76,7 +81,7 @@ def _type_path(path: Path, tries: int = MOST_TRIES) -> None:
             texts = [edit.text() for edit in dialog.findChildren(QLineEdit)]
             dialog.reject()  # or the test would wait for ever
             raise AssertionError(f"{path} is not taken: {texts}, {field}, {path.exists()}")
-    QTimer.singleShot(100, lambda: _type_path(path, max(tries - 1, 0)))
+    QTimer.singleShot(100, lambda: _paste_path(path, max(tries - 1, 0)))
 
 
 @pytest.fixture
