@@ -49,12 +49,22 @@ def _is_exposed(dialog: QWidget) -> bool:
 
 
 def _type_name(dialog: QFileDialog, path: Path) -> bool:
-    """Type a path and Enter; return whether the dialog took it (a completion may take Enter)."""
+    """Enter a path; return whether the dialog took it (a completion may take Enter)."""
     (field,) = dialog.findChildren(QLineEdit, "fileNameEdit")
-    field.selectAll()
-    QTest.keyClicks(field, str(path))
+    paste_path(field, path)
     QTest.keyClick(field, Qt.Key.Key_Return)
     return not dialog.isVisible()
+
+
+def paste_path(field: QLineEdit, path: Path) -> None:
+    """Paste a path into the field of a file dialog, in place of what is there.
+
+    Letter by letter, Qt selects the folders on the way in its list if that is slow to follow, and
+    opens the folder instead of the file.
+    """
+    field.selectAll()
+    QApplication.clipboard().setText(str(path))
+    QTest.keyClick(field, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
 
 
 @contextmanager

@@ -11,6 +11,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
+from real_dialogs import paste_path
 
 from insole_core.insole.prescription.design import Pelott, Posting
 from insole_studio.app.scripted import ScriptedWindow
@@ -61,19 +62,13 @@ def _active() -> QWidget:
 
 
 def _paste_path(path: Path, tries: int = MOST_TRIES) -> None:
-    """Paste into the dialog once it is there, and press Enter until it is gone.
-
-    Letter by letter, Qt selects the folders on the way in its list if that is slow to follow, and
-    opens the folder instead of the file.
-    """
+    """Paste into the dialog once it is there, and press Enter until it is gone."""
     dialog = QApplication.activeModalWidget()
     if isinstance(dialog, QFileDialog) and dialog.isVisible():
         field = dialog.focusWidget()
         if isinstance(field, QLineEdit):  # one can type at once
             if field.text() != str(path):
-                field.selectAll()
-                QApplication.clipboard().setText(str(path))
-                QTest.keyClick(field, KEY.Key_V, CTRL)
+                paste_path(field, path)
             QTest.keyClick(field, KEY.Key_Return)
         if not dialog.isVisible():
             return
