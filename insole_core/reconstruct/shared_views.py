@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from insole_core.errors import ReconstructionError
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
 from insole_core.reconstruct.markers.marker_observation import Registration
@@ -20,7 +19,9 @@ Register = Callable[[MeasuredView, ViewEdits], Registration]
 
 
 class SharedViews:
-    """Averages the frames of each view, and finds its pose from all markers, at most once.
+    """Averages the frames of each view once, and finds its pose from all markers.
+
+    The measurement keeps the pose for the other foot.
 
     Parameters
     ----------
@@ -42,7 +43,6 @@ class SharedViews:
         self._limits = limits
         self._measure = measure
         self._measured: dict[str, MeasuredView] = {}
-        self._placed: dict[str, Registration | ReconstructionError] = {}
 
     def measure(self, view: View) -> MeasuredView:
         """Return the measurement of a view.
@@ -64,22 +64,11 @@ class SharedViews:
         middle = (np.array(box.min_mm) + box.max_mm) / 2 + place.origin_mm
 
         def register(measured: MeasuredView, edits: ViewEdits) -> Registration:
-            found = self._register(measured, edits)
-            if isinstance(found, PoseRefusedError):
-                raise PoseRefusedError(found.message, found.registration.moved(common2foot, middle))
-            if isinstance(found, ReconstructionError):
-                raise found
+            try:
+                found = measured.register(self._system, self._limits, edits)
+            except PoseRefusedError as error:
+                moved = error.registration.moved(common2foot, middle)
+                raise PoseRefusedError(error.message, moved) from error
             return found.moved(common2foot, middle)
 
         return register
-
-    def _register(
-        self, measured: MeasuredView, edits: ViewEdits
-    ) -> Registration | ReconstructionError:
-        name = measured.view.name
-        if name not in self._placed:
-            try:
-                self._placed[name] = measured.register(self._system, self._limits, edits)
-            except ReconstructionError as error:
-                self._placed[name] = error
-        return self._placed[name]
