@@ -108,15 +108,15 @@ def display_surface(mesh: TriangleMesh) -> DisplaySurface:
         cut.triangles,
         None if colors is None else np.rint(colors).astype(np.uint8),
     )
-    used, triangles, is_kept = _without_scraps(trimmed)
-    whole = _taken(trimmed, used, triangles)
-    whole, is_filled = _gaps_closed(whole, is_filled[cut.source][is_kept])
+    kept = _in_large_pieces(trimmed)
+    of_kept = kept[trimmed.triangles[:, 0]]
+    whole, is_filled = _gaps_closed(trimmed.part(kept), is_filled[cut.source][of_kept])
     own = np.repeat(np.arange(count)[:, None], 2, axis=1)
     return DisplaySurface(
         replace(whole, vertices=_border_smoothed(whole)),
         is_filled,
-        np.concatenate([own, cut.ends])[used],
-        np.concatenate([np.zeros(count), cut.share])[used],
+        np.concatenate([own, cut.ends])[kept],
+        np.concatenate([np.zeros(count), cut.share])[kept],
     )
 
 
@@ -162,27 +162,12 @@ def _within_discs(mesh: TriangleMesh, rim_mm: FloatArray, disc_mm: float) -> Flo
     return disc_mm + _SLACK_MM - away_mm
 
 
-def _without_scraps(mesh: TriangleMesh) -> tuple[IntArray, IndexArray, BoolArray]:
-    """Leave out small pieces and unused vertices.
-
-    Returns
-    -------
-    used : (n,) int64
-        Vertices of the mesh that stay.
-    triangles : (m, 3) int32
-        Indices of those.
-    is_kept : (k,) bool
-        Whether each triangle of the mesh stays.
-    """
+def _in_large_pieces(mesh: TriangleMesh) -> BoolArray:
+    """Return which vertices (n,) lie in large pieces; those without triangles do not."""
     count, piece = pieces(mesh)
     area_mm2 = np.bincount(piece, mesh.vertex_areas, minlength=count)
     is_large = area_mm2 >= min(_LEAST_PIECE_MM2, area_mm2.max())
-    is_kept = is_large[piece[mesh.triangles[:, 0]]]
-    kept = mesh.triangles[is_kept]
-    used = np.zeros(len(mesh.vertices), dtype=bool)
-    used[kept] = True
-    number = (np.cumsum(used) - 1).astype(np.int32)
-    return np.flatnonzero(used), number[kept], is_kept
+    return np.asarray(is_large[piece])
 
 
 def _border_smoothed(mesh: TriangleMesh) -> FloatArray:
