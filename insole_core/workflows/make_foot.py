@@ -176,7 +176,7 @@ class MadeFoot:
         foot = self.scan.foot
 
         def compute() -> DisplaySurface:
-            if len(foot.mesh.vertices) == len(self.mesh.vertices):  # no scraps were left out
+            if foot.mesh.triangles is self.mesh.triangles:  # no scraps were left out
                 shown = foot.display_surface()
             else:
                 shown = display_surface(self.mesh.transformed(foot.source2insole))
@@ -243,17 +243,20 @@ def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
     Cancelled
     """
     opened = open_session(path, progress)
+    views = opened.session.views
     measured: dict[str, MeasuredView] = {}
     refused: dict[str, ReconstructionError] = {}
 
-    def measure(view: View) -> None:
-        progress.step(0.1, "Averaging the frames of the view {view}", view=view.name)
+    def measure(number: int) -> None:
+        view = views[number]
+        done = 0.1 + 0.9 * number / len(views)
+        progress.step(done, "Averaging the frames of the view {view}", view=view.name)
         try:
             measured[view.name] = measure_view(view)
         except ReconstructionError as error:
             refused[view.name] = error
 
-    for_views(measure, opened.session.views)
+    for_views(measure, range(len(views)))
     progress.step(1.0, "The session is read")
     return replace(opened, measured=measured, refused=refused)
 

@@ -42,7 +42,8 @@ class SessionEditor:
         self._changed = changed
 
         def place(name: str) -> ViewResult:
-            progress.step(0.0, "Finding the markers of the view {view}", view=name)
+            done = self.names.index(name) / len(self.names)
+            progress.step(done, "Finding the markers of the view {view}", view=name)
             return opened.placed(name, limits)
 
         self.results.update(zip(self.names, for_views(place, self.names), strict=True))

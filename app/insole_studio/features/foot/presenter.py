@@ -479,10 +479,9 @@ class FootStagePresenter:
 def _view_meshes(work: SessionEditor, side: Side, names: Sequence[str]) -> dict[str, TriangleMesh]:
     """Mesh the views that are placed, each in its own colour, in the foot's reference frame."""
     foot = work.opened.of_foot(side)
-    poses = {name: _pose(work, side, work.results[name]) for name in names}
 
     def mesh_of(name: str) -> tuple[str, TriangleMesh] | None:
-        pose = poses[name]
+        pose = _pose(work, side, work.results[name])
         if pose is None:
             return None
         color = VIEW_COLORS[work.names.index(name) % len(VIEW_COLORS)]
