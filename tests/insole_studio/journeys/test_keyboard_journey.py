@@ -66,17 +66,16 @@ def _paste_path(path: Path, tries: int = MOST_TRIES) -> None:
     dialog = QApplication.activeModalWidget()
     if isinstance(dialog, QFileDialog) and dialog.isVisible():
         field = dialog.focusWidget()
-        if isinstance(field, QLineEdit):  # one can type at once
-            if field.text() != str(path):
-                paste_path(field, path)
-            QTest.keyClick(field, KEY.Key_Return)
+        if not isinstance(field, QLineEdit) or tries == 0:  # one can type at once
+            dialog.reject()  # or the test would wait for ever
+            raise AssertionError(f"{path} is not taken, {field} has the focus")
+        if field.text() != str(path):
+            paste_path(field, path)
+        QTest.keyClick(field, KEY.Key_Return)
         if not dialog.isVisible():
             return
-        if tries == 0:
-            texts = [edit.text() for edit in dialog.findChildren(QLineEdit)]
-            dialog.reject()  # or the test would wait for ever
-            raise AssertionError(f"{path} is not taken: {texts}, {field}, {path.exists()}")
-    QTimer.singleShot(100, lambda: _paste_path(path, max(tries - 1, 0)))
+        tries -= 1
+    QTimer.singleShot(100, lambda: _paste_path(path, tries))
 
 
 @pytest.fixture
