@@ -1,6 +1,7 @@
 """From opening a session to its foot in the window, each run in a process of its own.
 
-    python -m benchmarks window_foot SESSION...
+    python -m benchmarks window_foot
+    python -c "import benchmarks.window_foot as b; b.main('SESSION', …)"
 
 Goal: the foot at most 0.8 s after the files are read. Shown offscreen. The peer is the command
 `reconstruct` as a whole process, which reads, reconstructs and writes the same foot.
