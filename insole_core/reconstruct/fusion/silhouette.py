@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray, IndexArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.fusion.depth_view import DepthView
+from insole_core.reconstruct.fusion.lab_color import rgb2lab
 
 _CORE_PX = 4
 """Depth widens the foot by up to half of the sensor's window; this far inside it is surely foot."""
@@ -156,7 +157,7 @@ def _likelihood(color: ByteArray, inside: BoolArray, around: BoolArray) -> Float
     """Compute the probability (height, width) of being foot, from the colour alone."""
     if min(inside.sum(), around.sum()) < _LEAST_SAMPLES:
         return None
-    lab = cv2.cvtColor(cv2.GaussianBlur(color, (0, 0), 1.0), cv2.COLOR_RGB2LAB)
+    lab = rgb2lab(np.asarray(cv2.GaussianBlur(color, (0, 0), 1.0), np.uint8))
     index = np.ravel_multi_index(tuple(np.moveaxis(lab // 8, 2, 0)), (_BINS,) * 3)
     foot, background = _histogram(index[inside]), _histogram(index[around])
     likelihood = (foot / (foot + background + 1e-7)).astype(np.float32)[index]
