@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks._measure import print_table, recorded_session, run_process
+from insole_studio.__main__ import LINEAR_ALGEBRA_THREADS
 
 RUNS = 5
 _CALL = "import sys, benchmarks.window_foot as b; b.measure(*sys.argv[1:])"
@@ -44,9 +45,10 @@ def main(*sessions: str) -> None:
 
 
 def _run(session: Path) -> list[float]:
+    one_thread = dict.fromkeys(LINEAR_ALGEBRA_THREADS, "1")  # as the program sets them
     done = subprocess.run(
         [sys.executable, "-c", _CALL, str(session)], check=True, capture_output=True, text=True,
-        env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
+        env={**os.environ, **one_thread, "QT_QPA_PLATFORM": "offscreen"},
     )  # fmt: skip
     return [float(word) for word in done.stdout.split()[-2:]]
 

@@ -11,10 +11,12 @@ MODULES = (
     "scipy.ndimage",
     "scipy.interpolate",
     "scipy.sparse.linalg",
+    "scipy.sparse.csgraph",
     "matplotlib.pyplot",
     "pyvista",
     "pyvista.plotting",
     "pyvistaqt",
+    "insole_studio.features.foot.stage",
 )
 """In parts of less than half a second: between two of them the window answers."""
 PAUSE_MS = 50
