@@ -81,7 +81,7 @@ class DisplaySurface:
         return mesh, np.concatenate([values, np.full(len(filled), np.nan)])
 
 
-def display_surface(mesh: TriangleMesh, ground_mm: float = 0.0) -> DisplaySurface:
+def display_surface(mesh: TriangleMesh) -> DisplaySurface:
     """Even the border of a foot's surface for display.
 
     Gaps narrower than 8 mm are closed, and 4 mm up to 15 mm above the ground. What is too narrow
@@ -89,22 +89,19 @@ def display_surface(mesh: TriangleMesh, ground_mm: float = 0.0) -> DisplaySurfac
 
     Parameters
     ----------
-    mesh : mm, insole frame, or another one whose z points upwards
-    ground_mm
-        Height of the ground in that frame.
+    mesh : mm, insole frame
 
     Returns
     -------
     DisplaySurface
-        mm, in the same frame.
+        mm, insole frame.
     """
     count = len(mesh.vertices)
     if len(mesh.links.ends) == 0:
         own = np.repeat(np.arange(count)[:, None], 2, axis=1)
         return DisplaySurface(mesh, np.zeros(len(mesh.triangles), bool), own, np.zeros(count))
-    low_mm = ground_mm + _LOW_MM
-    closed, is_filled = _gaps_closed(mesh, low_mm, np.zeros(len(mesh.triangles), dtype=bool))
-    cut = level_cut(closed, _opened(closed, low_mm))
+    closed, is_filled = _gaps_closed(mesh, np.zeros(len(mesh.triangles), dtype=bool))
+    cut = level_cut(closed, _opened(closed))
     colors = None if mesh.colors is None else cut.extended(mesh.colors.astype(np.float64))
     trimmed = TriangleMesh(
         cut.extended(mesh.vertices),
@@ -113,7 +110,7 @@ def display_surface(mesh: TriangleMesh, ground_mm: float = 0.0) -> DisplaySurfac
     )
     kept = _in_large_pieces(trimmed)
     of_kept = kept[trimmed.triangles[:, 0]]
-    whole, is_filled = _gaps_closed(trimmed.part(kept), low_mm, is_filled[cut.source][of_kept])
+    whole, is_filled = _gaps_closed(trimmed.part(kept), is_filled[cut.source][of_kept])
     own = np.repeat(np.arange(count)[:, None], 2, axis=1)
     return DisplaySurface(
         replace(whole, vertices=_border_smoothed(whole)),
@@ -123,17 +120,15 @@ def display_surface(mesh: TriangleMesh, ground_mm: float = 0.0) -> DisplaySurfac
     )
 
 
-def _gaps_closed(
-    mesh: TriangleMesh, low_mm: float, is_filled: BoolArray
-) -> tuple[TriangleMesh, BoolArray]:
+def _gaps_closed(mesh: TriangleMesh, is_filled: BoolArray) -> tuple[TriangleMesh, BoolArray]:
     """Close the narrow gaps; return also which triangles (m,) do so, or did before."""
-    is_low = mesh.vertices[:, 2] < low_mm
+    is_low = mesh.vertices[:, 2] < _LOW_MM
     added = gap_triangles(mesh, np.where(is_low, _LOW_GAP_MM, _HIGH_GAP_MM))
     closed = TriangleMesh(mesh.vertices, np.concatenate([mesh.triangles, added]), mesh.colors)
     return closed, np.concatenate([is_filled, np.ones(len(added), dtype=bool)])
 
 
-def _opened(mesh: TriangleMesh, low_mm: float) -> FloatArray:
+def _opened(mesh: TriangleMesh) -> FloatArray:
     """Return a field (n,), mm, that is negative where no disc within the surface reaches.
 
     That is an opening, in terms of morphology, by discs of one size for the sole and the toes and
@@ -145,7 +140,7 @@ def _opened(mesh: TriangleMesh, low_mm: float) -> FloatArray:
     )
     rim_mm = np.minimum(rim_mm, furthest_mm)
     low, high = (_within_discs(mesh, rim_mm, disc_mm) for disc_mm in (_LOW_DISC_MM, _HIGH_DISC_MM))
-    field = np.maximum(high, np.minimum(low, low_mm - mesh.vertices[:, 2]))
+    field = np.maximum(high, np.minimum(low, _LOW_MM - mesh.vertices[:, 2]))
     return field if (field >= 0).any() else np.ones(len(field))
 
 

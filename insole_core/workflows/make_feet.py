@@ -103,7 +103,7 @@ def make_feet(
     limits: RegistrationLimits = DEFAULT_LIMITS,
     progress: Progress = SILENT,
     *,
-    for_display: bool = False,
+    compare_views: bool = False,
     force: bool = False,
 ) -> tuple[MadeFoot, ...]:
     """Make every foot of a session ready for design; all or none.
@@ -112,8 +112,8 @@ def make_feet(
     ----------
     limits
         Beyond which the pose of a view is refused.
-    for_display
-        Whether to compute what a window shows of the feet, too, as `make_foot` does.
+    compare_views
+        Whether to measure how far the views deviate from each other on the feet.
     force
         Continue although the shape looks like the other foot, or a foot reaches out of its place.
 
@@ -142,7 +142,7 @@ def make_feet(
                     foot,
                     limits,
                     part,
-                    for_display=for_display,
+                    compare_views=compare_views,
                     force=force or shared is not None,
                     shared=shared,
                 )

@@ -8,11 +8,10 @@ from pathlib import Path
 
 from insole_core.errors import ReconstructionError, UsageError
 from insole_core.foot.display_surface import DisplaySurface, display_surface
-from insole_core.foot.foot import DISPLAY, Foot
 from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import inverse
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import (
     Method,
@@ -161,9 +160,8 @@ class MadeFoot:
         Corrections and limits that it was made with.
     reconstruction
         Without its depth views, which are large.
-    agreement, display
-        How far the views deviate from each other, and the mesh with an even border, reference
-        frame; None where they were not requested.
+    agreement
+        None where it was not requested.
     """
 
     mesh: TriangleMesh
@@ -172,7 +170,19 @@ class MadeFoot:
     limits: RegistrationLimits
     reconstruction: Reconstruction
     agreement: ViewConsistency | None = None
-    display: DisplaySurface | None = None
+
+    def display_surface(self) -> DisplaySurface:
+        """Return the mesh with an even border, reference frame; computed once, in about 0.2 s."""
+        foot = self.scan.foot
+
+        def compute() -> DisplaySurface:
+            if foot.mesh.triangles is self.mesh.triangles:  # no scraps were left out
+                shown = foot.display_surface()
+            else:
+                shown = display_surface(self.mesh.transformed(foot.source2insole))
+            return shown.transformed(inverse(foot.source2insole))
+
+        return foot.derived.get("display, reference frame", (), compute)
 
 
 def open_session(
@@ -307,7 +317,7 @@ def make_foot(
     limits: RegistrationLimits = DEFAULT_LIMITS,
     progress: Progress = SILENT,
     *,
-    for_display: bool = False,
+    compare_views: bool = False,
     force: bool = False,
     shared: SharedViews | None = None,
 ) -> MadeFoot:
@@ -317,9 +327,8 @@ def make_foot(
     ----------
     limits
         Beyond which the pose of a view is refused.
-    for_display
-        Whether to compute what a window shows of the foot, too: how far the views deviate from
-        each other on it, its surface with an even border, and its landmarks.
+    compare_views
+        Whether to measure how far the views deviate from each other on the foot.
     force
         Continue although the shape looks like the other foot.
     shared
@@ -341,36 +350,16 @@ def make_foot(
     result = reconstruct_session(opened, limits, progress.part(0.0, 0.9), shared=shared)
     progress.step(0.9, "Finding heel and toes")
     side = opened.session.manifest.one_side
+    agreement, foot = both(
+        lambda: view_consistency(result.mesh, result.depth_views) if compare_views else None,
+        lambda: place_foot(result.mesh, side, frame="reference", force=force),
+    )
     source = session_source(opened.path, opened.session)
-
-    def place() -> Foot:
-        return place_foot(result.mesh, side, frame="reference", force=force)
-
-    def made(foot: Foot) -> MadeFoot:
-        scan = ScannedFoot(foot, source, result.warnings)
-        without_views = replace(result, depth_views=())
-        return MadeFoot(result.mesh, scan, opened.edits, limits, without_views)
-
-    if not for_display:
-        return made(place())
-
-    def placed_with_landmarks() -> Foot:
-        foot = place()
-        find_landmarks(foot)  # kept by the foot
-        return foot
-
-    (agreement, display), foot = both(lambda: _display_of(result), placed_with_landmarks)
-    if foot.mesh.triangles is result.mesh.triangles:  # no scraps were left out
-        foot.derived.get(DISPLAY, (), lambda: display.transformed(foot.source2insole))
-    return replace(made(foot), agreement=agreement, display=display)
-
-
-def _display_of(result: Reconstruction) -> tuple[ViewConsistency, DisplaySurface]:
-    """Compare the views on the surface, and even its border; both before the foot is placed.
-
-    The reference frame stands upright, so that low is low in it: that saves a window a tenth of a
-    second, since both cores work.
-    """
-    agreement = view_consistency(result.mesh, result.depth_views)
-    ground_mm = float(result.mesh.vertices[:, 2].min())
-    return agreement, display_surface(result.mesh, ground_mm)
+    return MadeFoot(
+        result.mesh,
+        ScannedFoot(foot, source, result.warnings),
+        opened.edits,
+        limits,
+        replace(result, depth_views=()),
+        agreement,
+    )

@@ -1,7 +1,8 @@
-"""Colours in CIE L*a*b*, with 8 bits each, exactly as OpenCV computes them.
+"""Colours in CIE L*a*b*, with 8 bits each, as OpenCV computes them.
 
 OpenCV fills its tables when it converts the first colour, in software floating point, which takes
-0.1 s: a fifteenth of a whole `reconstruct`. The few that are needed here take 0.001 s.
+0.1 s: a fifteenth of a whole `reconstruct`. The few that are needed here take 0.001 s. They hold
+correctly rounded numbers, so that one colour of 10 000 differs from OpenCV's, by one.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, Float32Array, IndexArray
 
-_LEVELS = 255
+_MAX_LEVEL = 255
 _LINEAR_STEPS = 8
 """Steps of linear light for one of the colour's: dark ones lie close together."""
 _MATRIX_BITS, _ROOT_BITS = 12, 15
@@ -26,19 +27,17 @@ _WHITE_XYZ = np.array([0.950456, 1.0, 1.088754])  # D65
 
 
 def _linear_light() -> Float32Array:
-    """Return the linear light (256,) of each level of sRGB (IEC 61966-2-1)."""
-    level = np.arange(_LEVELS + 1) / _LEVELS
+    """Return the linear light (256,) of each level of sRGB (IEC 61966-2-1), in steps."""
+    level = np.arange(_MAX_LEVEL + 1) / _MAX_LEVEL
     light = np.where(level <= 0.04045, level / 12.92, ((level + 0.055) / 1.055) ** 2.4)
-    return np.asarray(np.rint(_LEVELS * _LINEAR_STEPS * light), np.float32)
+    return np.asarray(np.rint(_MAX_LEVEL * _LINEAR_STEPS * light), np.float32)
 
 
 def _roots() -> IndexArray:
     """Return the cube root of each step of light, or what CIE 15 puts in its place in the dark."""
-    brightest = np.float32(_LEVELS * _LINEAR_STEPS)
-    light = np.arange(1.5 * (_LEVELS + 1) * _LINEAR_STEPS, dtype=np.float32) / brightest
-    dark = light * np.float32(841 / 108) + np.float32(16 / 116)
-    root = np.where(light < 216 / 24389, dark, np.cbrt(light))
-    return np.rint(np.float32(2**_ROOT_BITS) * root).astype(np.int32)
+    light = np.linspace(0, 1, _MAX_LEVEL * _LINEAR_STEPS + 1)
+    root = np.where(light < 216 / 24389, light * 841 / 108 + 16 / 116, np.cbrt(light))
+    return np.rint(2**_ROOT_BITS * root).astype(np.int32)
 
 
 _LIGHT = _linear_light()
@@ -62,10 +61,10 @@ def rgb2lab(rgb: ByteArray) -> ByteArray:
     xyz = _MATRIX @ _LIGHT.take(channels)  # whole numbers below 2^24, so that sums are exact
     x, y, z = _ROOT.take(_rounded(xyz.astype(np.int32), _MATRIX_BITS))
     offset = 128 << _ROOT_BITS
-    brightness = (116 * _LEVELS + 50) // 100 * y - ((16 * _LEVELS << _ROOT_BITS) + 50) // 100
+    lightness = (116 * _MAX_LEVEL + 50) // 100 * y - ((16 * _MAX_LEVEL << _ROOT_BITS) + 50) // 100
     lab = np.empty(rgb.shape, np.uint8)
-    for channel, value in enumerate([brightness, 500 * (x - y) + offset, 200 * (y - z) + offset]):
-        lab.reshape(-1, 3)[:, channel] = np.clip(_rounded(value, _ROOT_BITS), 0, _LEVELS)
+    for channel, value in enumerate([lightness, 500 * (x - y) + offset, 200 * (y - z) + offset]):
+        lab.reshape(-1, 3)[:, channel] = np.clip(_rounded(value, _ROOT_BITS), 0, _MAX_LEVEL)
     return lab
 
 

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from insole_core.errors import ReconstructionError
-from insole_core.foot.display_surface import display_surface
 from insole_core.geometry.side import Side
 from insole_core.reconstruct import RegistrationLimits
 from insole_core.reconstruct.fusion.depth_view import read_volume
@@ -35,7 +34,7 @@ def measured() -> MeasuredSession:
 @pytest.fixture(scope="module")
 def in_window(measured: MeasuredSession) -> MadeFoot:
     """As the foot stage makes it."""
-    return make_foot(measured, LIMITS, for_display=True)
+    return make_foot(measured, LIMITS, compare_views=True)
 
 
 @pytest.mark.slow
@@ -76,24 +75,9 @@ def test_the_views_are_compared_where_the_reconstruction_read_them(
     assert np.array_equal(in_window.agreement.spread_mm, expected.spread_mm, equal_nan=True)
 
 
-def test_what_a_window_shows_is_computed_only_where_that_is_asked_for(
-    measured: MeasuredSession,
-) -> None:
+def test_views_are_compared_only_where_that_is_asked_for(measured: MeasuredSession) -> None:
     made = make_foot(measured)
     assert made.agreement is None
-    assert made.display is None
-
-
-def test_the_surface_for_display_is_as_of_the_placed_foot(in_window: MadeFoot) -> None:
-    """It is evened before the foot is placed, in a frame that stands almost as upright."""
-    foot, display = in_window.scan.foot, in_window.display
-    assert display is not None
-    shown = foot.display_surface()
-    assert shown.mesh.triangles is display.mesh.triangles  # not computed again
-    assert np.allclose(display.mesh.transformed(foot.source2insole).vertices, shown.mesh.vertices)
-    afterwards = display_surface(foot.mesh).mesh
-    assert shown.mesh.area_mm2 == pytest.approx(afterwards.area_mm2, rel=0.01)
-    assert shown.mesh.bounds_mm == pytest.approx(afterwards.bounds_mm, abs=1.0)
 
 
 def test_a_view_without_readings_says_so_again(measured: MeasuredSession) -> None:

@@ -11,13 +11,14 @@ import numpy as np
 
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
 from insole_core.progress import Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
-from insole_core.reconstruct.parallel import for_views
+from insole_core.reconstruct.parallel import both, for_views
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
@@ -263,7 +264,10 @@ class FootStagePresenter:
         self._trouble = ""
 
         def task(progress: Progress) -> tuple[MadeFoot, ...]:
-            return make_feet(opened, limits, progress, for_display=True, force=force)
+            feet = make_feet(opened, limits, progress, compare_views=True, force=force)
+            for made in feet:
+                _prepare_display(made)
+            return feet
 
         self._jobs.start(MAKING, task, self._take_feet, self._take_trouble)
         self._show_buttons()
@@ -417,9 +421,9 @@ class FootStagePresenter:
         self._panel.show_map(self._map, possible)
         if self._map is FootMap.VIEWS:
             self._show_view_meshes()
-        elif self._made is not None and self._made.display is not None:
+        elif self._made is not None:
             coloring = color_foot(self._map, self._made)
-            self._panel.show_foot(*on_display(self._made.display, coloring))
+            self._panel.show_foot(*on_display(self._made.display_surface(), coloring))
 
     def _possible_maps(self) -> list[FootMap]:
         return [FootMap.VIEWS] if self._made is None else list(FootMap)
@@ -493,6 +497,13 @@ def _pose(work: SessionEditor, side: Side, result: ViewResult) -> FloatArray | N
     if pose is None or not system.feet:
         return pose
     return rigid(np.eye(3), -np.array(system.place(side).origin_mm)) @ pose
+
+
+def _prepare_display(made: MadeFoot) -> None:
+    """Compute in the job what this window shows, and what the design stage shows at once."""
+    foot = made.scan.foot
+    both(lambda: find_landmarks(foot), foot.display_surface)
+    made.display_surface()
 
 
 def _shown(limits: RegistrationLimits) -> Limits:
