@@ -31,6 +31,28 @@ _LEAST_AT_BORDER_MM2 = 200.0
 """A foot that is cut shows a strip several times as large, stray readings far less."""
 
 
+class MissingFootError(ReconstructionError):
+    """One of two feet that were captured together is not in its place.
+
+    Parameters
+    ----------
+    session
+        Where it was read from.
+    side
+        Of the foot that is missing.
+    """
+
+    def __init__(self, session: str, side: Side) -> None:
+        super().__init__(
+            "{session} was recorded with both feet, but no {side} foot is in its place; capture "
+            "both again, or choose the {other} foot alone.",
+            session=session,
+            side=side,
+            other=side.other,
+        )
+        self.side = side
+
+
 class DoubtfulFeetError(InsoleError):
     """The feet of one capture contradict their places; a user may insist on them."""
 
@@ -78,10 +100,12 @@ def reconstruct_feet(
 
     Raises
     ------
+    MissingFootError
+        When one of two feet is not in its place.
     ReconstructionError
-        When no view can be used, or one of two feet is missing.
+        When no view can be used.
     DoubtfulFeetError
-        When one of two feet reaches out of its place, or is of the wrong side.
+        When a foot of two reaches out of its place, or is of the wrong side.
     Cancelled
     """
     feet = opened.feet
@@ -93,8 +117,7 @@ def reconstruct_feet(
                 foot, limits, part, method=method, corrected=corrected, shared=shared
             )
         results.append(ReconstructedFoot(foot.session.manifest.one_side, result))
-    if shared is not None:
-        _check_places(feet, [one.result.mesh for one in results])
+    _check_places(feet, [one.result.mesh for one in results])
     return tuple(results)
 
 
@@ -124,12 +147,14 @@ def make_feet(
 
     Raises
     ------
+    MissingFootError
+        When one of two feet is not in its place.
     ReconstructionError
-        When no view can be used, or one of two feet is missing.
+        When no view can be used.
     SideMismatchError
         When the shape of the only foot is that of the other one, unless `force`.
     DoubtfulFeetError
-        When one of two feet reaches out of its place, or is of the wrong side, unless `force`.
+        When a foot of two reaches out of its place, or is of the wrong side, unless `force`.
     Cancelled
     """
     feet = opened.feet
@@ -147,7 +172,7 @@ def make_feet(
                     shared=shared,
                 )
             )
-    if shared is not None and not force:
+    if not force:
         _check_places(feet, [one.mesh for one in made])
     return tuple(made)
 
@@ -167,13 +192,7 @@ def _naming(foot: MeasuredSession, feet: tuple[MeasuredSession, ...]) -> Iterato
     except NothingInVolumeError as error:
         if len(feet) == 1:
             raise
-        raise ReconstructionError(
-            "{session} was recorded with both feet, but no {side} foot is in its place; capture "
-            "both again, or choose the {other} foot alone.",
-            session=foot.session.source,
-            side=side,
-            other=side.other,
-        ) from error
+        raise MissingFootError(foot.session.source, side) from error
     except (InputError, ReconstructionError) as error:
         if len(feet) == 1:
             raise
@@ -183,15 +202,17 @@ def _naming(foot: MeasuredSession, feet: tuple[MeasuredSession, ...]) -> Iterato
 
 
 def _check_places(feet: tuple[MeasuredSession, ...], meshes: list[TriangleMesh]) -> None:
-    """Check that each of two feet is whole and in its own place."""
+    """Check that each foot of two is whole and in its own place; a single one may be cut."""
     for foot, mesh in zip(feet, meshes, strict=True):
-        if _reaches_out(mesh, volume_of_interest(foot.session)):
+        if foot.is_of_two and _reaches_out(mesh, volume_of_interest(foot.session)):
             raise DoubtfulFeetError(
                 "The {side} foot reaches out of its volume, so part of it is missing or of the "
                 "other foot; put each foot in the middle of its place, where they neither touch "
                 "nor cross, and capture them again.",
                 side=foot.session.manifest.one_side,
             )
+    if len(feet) == 1:
+        return
     seen = {
         foot.session.manifest.one_side: seen_side(mesh)
         for foot, mesh in zip(feet, meshes, strict=True)
@@ -213,7 +234,7 @@ def _check_places(feet: tuple[MeasuredSession, ...], meshes: list[TriangleMesh])
 
 
 def _reaches_out(mesh: TriangleMesh, box: Box) -> bool:
-    """Return whether a surface is cut at the left or right border of its volume."""
-    x = mesh.vertices[:, 0]
-    near = (x < box.min_mm[0] + _AT_BORDER_MM) | (x > box.max_mm[0] - _AT_BORDER_MM)
-    return bool(np.sum(mesh.vertex_areas[near]) > _LEAST_AT_BORDER_MM2)
+    """Return whether a surface is cut at a border of its volume; above, the leg always is."""
+    near = mesh.vertices < np.array(box.min_mm) + _AT_BORDER_MM
+    near[:, :2] |= mesh.vertices[:, :2] > np.array(box.max_mm[:2]) - _AT_BORDER_MM
+    return bool(np.sum(mesh.vertex_areas[near.any(axis=1)]) > _LEAST_AT_BORDER_MM2)

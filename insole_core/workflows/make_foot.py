@@ -53,6 +53,8 @@ class MeasuredSession:
         Why a view has no usable measurement, by its name.
     correction
         Whether the learnt error of the matching of these sensors is subtracted.
+    is_of_two
+        Whether it is that of one of two feet that were captured together.
     """
 
     path: Path
@@ -60,6 +62,7 @@ class MeasuredSession:
     measured: Mapping[str, MeasuredView]
     refused: Mapping[str, ReconstructionError]
     correction: CorrectionChoice = BY_DEFAULT
+    is_of_two: bool = False
 
     @property
     def edits(self) -> HandEdits:
@@ -74,7 +77,7 @@ class MeasuredSession:
     @property
     def feet(self) -> tuple[MeasuredSession, ...]:
         """One session for each captured foot, in the foot's own reference frame."""
-        return tuple(replace(self, session=foot) for foot in self.session.feet)
+        return tuple(self._of(side) for side in self.session.manifest.sides)
 
     def of_foot(self, side: Side | None) -> MeasuredSession:
         """Return the session of one of the captured feet, in the foot's own reference frame.
@@ -104,7 +107,11 @@ class MeasuredSession:
                 path=self.path,
                 recorded=sides[0],
             )
-        return replace(self, session=self.session.of_foot(side or sides[0]))
+        return self._of(side or sides[0])
+
+    def _of(self, side: Side) -> MeasuredSession:
+        is_of_two = self.is_of_two or len(self.session.manifest.sides) > 1
+        return replace(self, session=self.session.of_foot(side), is_of_two=is_of_two)
 
     def with_edits(self, edits: HandEdits) -> MeasuredSession:
         """Replace the manual corrections; the measurements stay."""

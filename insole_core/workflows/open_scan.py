@@ -15,7 +15,7 @@ from insole_core.recording.reader import is_session
 from insole_core.scans.scan_folder import holds_scans
 from insole_core.workflows.import_scan import examine_scan, take_foot
 from insole_core.workflows.make_feet import make_feet
-from insole_core.workflows.make_foot import make_foot, open_foot, open_session
+from insole_core.workflows.make_foot import open_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot
 
 
@@ -97,7 +97,8 @@ def _session_foot(
 ) -> ScannedFoot:
     _require_nothing_said(path, choice)
     opened = open_foot(path, side, progress)
-    return make_foot(opened, progress=progress.part(0.05, 1.0), force=choice.force).scan
+    (made,) = make_feet(opened, progress=progress.part(0.05, 1.0), force=choice.force)
+    return made.scan
 
 
 def _require_nothing_said(path: Path, choice: ImportChoice) -> None:

@@ -213,6 +213,7 @@ class SceneView(QWidget):
         """
         self.painter.show_surface(mesh, coloring)
         self._take(mesh)
+        self.request_render()
 
     def move_mesh(
         self,

@@ -17,6 +17,7 @@ from insole_core.workflows.make_feet import DoubtfulFeetError, make_feet, recons
 from insole_core.workflows.make_foot import MeasuredSession, measure_session, open_session
 
 BOTH_SMALL = Path(__file__).parents[2] / "data" / "sessions" / "both_small.zip"
+Triple = tuple[float, float, float]
 LENGTHS_MM = {Side.LEFT: 258.2, Side.RIGHT: 243.4}
 """Of the simulated feet, which differ so that they cannot be exchanged unseen."""
 
@@ -102,6 +103,30 @@ def test_a_foot_that_reaches_out_of_its_volume_is_refused(opened: MeasuredSessio
     beside = replace(left, origin_mm=(left.origin_mm[0] - 40, 0.0, 0.0))
     with pytest.raises(DoubtfulFeetError, match="The left foot reaches out of its volume"):
         reconstruct_feet(with_places(opened, beside, right), method="thesis")
+
+
+def with_volume_of_left(
+    opened: MeasuredSession, low_mm: Triple, high_mm: Triple
+) -> MeasuredSession:
+    left, right = places_of(opened)
+    return with_places(opened, replace(left, volume_of_interest=Box(low_mm, high_mm)), right)
+
+
+@pytest.mark.parametrize(
+    ("low_mm", "high_mm"),
+    [
+        pytest.param((-70.0, -150.0, -25.0), (70.0, 20.0, 150.0), id="without toes"),
+        pytest.param((-70.0, -20.0, -25.0), (70.0, 150.0, 150.0), id="without heel"),
+        pytest.param((-70.0, -150.0, 20.0), (70.0, 150.0, 150.0), id="without sole"),
+    ],
+)
+def test_a_foot_that_its_volume_cuts_is_refused(
+    opened: MeasuredSession, low_mm: Triple, high_mm: Triple
+) -> None:
+    cut = with_volume_of_left(opened, low_mm, high_mm)
+    for feet in (cut, cut.of_foot(Side.LEFT)):  # also if only this one is asked for
+        with pytest.raises(DoubtfulFeetError, match="The left foot reaches out of its volume"):
+            reconstruct_feet(feet, method="thesis")
 
 
 def test_the_volume_of_one_foot_is_corrected_alone(opened: MeasuredSession) -> None:

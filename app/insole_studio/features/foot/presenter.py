@@ -22,7 +22,7 @@ from insole_core.reconstruct.parallel import both, for_views
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
-from insole_core.workflows.make_feet import DoubtfulFeetError, make_feet
+from insole_core.workflows.make_feet import DoubtfulFeetError, MissingFootError, make_feet
 from insole_core.workflows.make_foot import (
     MadeFoot,
     MeasuredSession,
@@ -142,6 +142,8 @@ class FootStagePresenter:
         self._map = FootMap.VIEWS
         self._side = Side.LEFT
         """The foot that is shown, of those that were captured."""
+        self._only: Side | None = None
+        """The foot that is made alone, since the other one is missing."""
         self._made_feet: dict[Side, MadeFoot] = {}
         self._handed: dict[Side, MadeFoot] = {}
         self._trouble = ""
@@ -181,6 +183,7 @@ class FootStagePresenter:
         """Let go of the session, and show a sentence instead of all that was shown of it."""
         self._work = self._mesh_box = None
         self._made_feet, self._handed = {}, {}
+        self._only = None
         self._meshes = {}
         self._hands_over = self._leaves = False
         self._trouble = ""
@@ -256,11 +259,22 @@ class FootStagePresenter:
         if self._work is not None:
             self._work.redo()
 
-    def make(self, force: bool = False) -> None:
-        """Make every foot with the current corrections; `force` makes it despite a warning."""
+    def make(self, force: bool = False, only: Side | None = None) -> None:
+        """Make the feet with the current corrections.
+
+        Parameters
+        ----------
+        force
+            Despite a warning.
+        only
+            This one of two feet; by default both.
+        """
         if self._work is None:
             return
         opened, limits = self._work.opened, self._limits
+        self._only = only
+        if only is not None:
+            opened = opened.of_foot(only)
         self._trouble = ""
 
         def task(progress: Progress) -> tuple[MadeFoot, ...]:
@@ -304,6 +318,7 @@ class FootStagePresenter:
         wanted = {
             foot.session.manifest.one_side: (foot.edits, self._limits)
             for foot in self._work.opened.feet
+            if self._only in (None, foot.session.manifest.side)
         }
         return wanted != {side: (foot.edits, foot.limits) for side, foot in self._made_feet.items()}
 
@@ -370,6 +385,8 @@ class FootStagePresenter:
 
     def _take_feet(self, feet: Sequence[MadeFoot]) -> None:
         self._made_feet = {made.scan.foot.side: made for made in feet}
+        if self._made is None:
+            self.choose_foot(feet[0].scan.foot.side)
         self._panel.show_progress(0.0, "")
         if self._hands_over:
             self._hands_over = False
@@ -383,8 +400,11 @@ class FootStagePresenter:
 
     def _take_trouble(self, error: Exception) -> None:
         self._panel.show_progress(0.0, "")
+        if isinstance(error, MissingFootError) and self._ask(str(error)):
+            self.make(only=error.side.other)
+            return
         if isinstance(error, SideMismatchError | DoubtfulFeetError) and self._ask(str(error)):
-            self.make(force=True)
+            self.make(force=True, only=self._only)
             return
         if not isinstance(error, InsoleError):
             raise error
@@ -467,10 +487,10 @@ class FootStagePresenter:
             Buttons(
                 make=self._work is not None and not busy,
                 cancel=busy,
-                go_on=self._made is not None and not (busy and self._is_stale),
+                go_on=bool(self._made_feet) and not (busy and self._is_stale),
                 undo=history.undo_sentence if history is not None else "",
                 redo=history.redo_sentence if history is not None else "",
-                is_stale=self._made is not None and self._is_stale,
+                is_stale=bool(self._made_feet) and self._is_stale,
                 has_session=self._work is not None,
             )
         )

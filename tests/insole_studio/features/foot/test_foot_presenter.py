@@ -369,16 +369,25 @@ def test_corrections_that_cannot_be_kept_are_told(opened: Bench) -> None:
     assert opened.panel.marks["S3"].state == "excluded"
 
 
+def with_manifest(session: Path, folder: Path, change: Callable[[dict[str, Any]], None]) -> Path:
+    """Return a copy of a session in a folder, with another manifest."""
+    with zipfile.ZipFile(session) as archive:
+        archive.extractall(folder)
+    manifest = folder / "manifest.json"
+    values = json.loads(manifest.read_text())
+    change(values)
+    manifest.write_text(json.dumps(values))
+    return folder
+
+
 @pytest.fixture
 def other_side(bench: Bench, tmp_path: Path) -> Bench:
     """The session, declared as that of the other foot."""
-    with zipfile.ZipFile(bench.session) as archive:
-        archive.extractall(tmp_path / "session")
-    manifest = tmp_path / "session" / "manifest.json"
-    values = json.loads(manifest.read_text())
-    values["side"] = "right"
-    manifest.write_text(json.dumps(values))
-    bench.session = tmp_path / "session"
+
+    def change(manifest: dict[str, Any]) -> None:
+        manifest["side"] = "right"
+
+    bench.session = with_manifest(bench.session, tmp_path / "session", change)
     return bench
 
 
@@ -461,3 +470,26 @@ def test_both_feet_are_handed_over_in_one_go_and_corrected_apart(both: Bench) ->
     assert both.panel.buttons.is_stale
     both.panel.foot_chosen.emit(Side.LEFT)
     assert both.presenter.box != box
+
+
+@pytest.mark.slow
+def test_if_a_foot_is_missing_the_other_can_be_made_alone(
+    bench: Bench, tmp_path: Path, small_session: Path
+) -> None:
+    def move_left_place(manifest: dict[str, Any]) -> None:
+        manifest["reference_frame"]["feet"]["left"]["origin_mm"][0] = -400.0
+
+    both_feet = small_session.with_name("both_small.zip")
+    bench.session = with_manifest(both_feet, tmp_path / "missing", move_left_place)
+    bench.open(hand_over=True)
+    assert len(bench.asked) == 1
+    assert "no left foot is in its place" in bench.asked[0]
+    assert bench.handed == []
+    assert not bench.panel.buttons.go_on
+    bench.answer = True
+    bench.panel.make_requested.emit()
+    bench.until(lambda: bool(bench.handed))
+    assert [scanned.foot.side for scanned in bench.handed] == [Side.RIGHT]
+    assert bench.panel.shown["show_side"] == (Side.RIGHT,)
+    assert bench.panel.buttons.go_on
+    assert not bench.panel.buttons.is_stale

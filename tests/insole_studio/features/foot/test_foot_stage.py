@@ -11,10 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QToolButton
+from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
+from insole_core.geometry.arrays import ByteArray
 from insole_core.insole.prescription.design import Pelott
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import Pixel
@@ -62,6 +64,13 @@ def cell(stage: FootStage, row: int, title: str) -> str:
 
 def mark(stage: FootStage, marker: str) -> Mark:
     return next(m for m in stage.view.markers.picture._marks if m.id == marker)
+
+
+def pixels(widget: QWidget) -> ByteArray:
+    """What a widget shows (height, width, 4), without drawing its scene anew."""
+    image = widget.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+    raw = np.frombuffer(image.constBits(), np.uint8)
+    return raw.reshape(image.height(), image.width(), 4).copy()
 
 
 def click(stage: FootStage, pixel: Pixel) -> None:
@@ -337,6 +346,25 @@ def test_a_session_that_fails_on_the_way_leaves_nothing_of_the_one_before(
     (dialog,) = app.services.messages.dialogs
     assert "the table cannot be filled" in dialog.detailedText()
     assert app.case.foot is None
+
+
+@pytest.mark.drawn
+@pytest.mark.slow
+def test_another_map_is_drawn_at_once(
+    app: Application, settle: Callable[[], None], qtbot: QtBot, session: Path
+) -> None:
+    app.features.case_files.opener.open_path(session)
+    settle()
+    view = shown_stage(app).view
+    QTest.qWait(500)  # until the views are drawn
+    before = pixels(view.foot.scene.surface)
+
+    def differs() -> bool:
+        changed = (pixels(view.foot.scene.surface) != before).any(axis=-1)
+        return bool(changed.sum() > 1000)
+
+    QTest.keyClick(view.maps, Qt.Key.Key_Down)  # from the colours of the views to the skin's
+    qtbot.waitUntil(differs)
 
 
 @pytest.mark.display
