@@ -46,11 +46,7 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
     """
     root = JsonObject.parse(file, text)
     version = root.check_format(FORMAT, VERSION)
-    side: Sides = BOTH
-    if version == 1:
-        side = root.choice("side", list(Side))
-    else:
-        root.choice("side", [BOTH])
+    side = _captured(root, version)
     frame = root.object("reference_frame")
     system = parse_reference_system(frame)
     _check_feet(root, system, version)
@@ -130,6 +126,28 @@ def reference_system_json(system: ReferenceSystem) -> dict[str, Any]:
             for place in system.feet
         }
     return values
+
+
+def _captured(root: JsonObject, version: int) -> Sides:
+    """Read which foot was captured, of which there are as many as the version says."""
+    said = root.value("side")
+    if version == 1 and said == BOTH:
+        raise root.fail(
+            "version",
+            'is 1, that of a session of one foot, but "side" is "both"; make the version 2 if both '
+            "feet were captured, or name the one that was",
+        )
+    if version == 1:
+        return root.choice("side", list(Side))
+    if said in list(Side):
+        raise root.fail(
+            "version",
+            'is 2, that of a session of both feet, but "side" is "{side}"; make the version 1 if '
+            "this foot alone was captured",
+            side=said,
+        )
+    root.choice("side", [BOTH])
+    return BOTH
 
 
 def _feet(feet: JsonObject) -> tuple[FootPlace, ...]:

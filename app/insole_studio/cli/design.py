@@ -47,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     prescribed.add_arguments(parser)
     shoe_arguments.add_arguments(parser)
-    foot_argument.add_arguments(parser)
+    foot_argument.add_arguments(parser, reads_both=True)
     export_arguments.add_arguments(parser)
 
 
@@ -63,6 +63,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     if len(feet) == 1 or arguments.block is not None:
         orders = [(arguments, feet)]
     else:
+        arguments.pseudonym = export_arguments.pseudonym(arguments)  # one for the pair
         orders = [(_of_side(arguments, foot.side), [foot]) for foot in feet]
     with ExitStack() as opened:
         beside = [opened.enter_context(export_arguments.outputs(one)) for one, _ in orders]

@@ -160,7 +160,7 @@ def deliver(
     job = export_job.ExportJob(
         parts,
         shop,
-        identification={"pseudonym": _pseudonym(arguments)},
+        identification={"pseudonym": pseudonym(arguments)},
         responsible=responsible,
         materials={insole.design.side: _material(insole, arguments) for insole in insoles},
         block=block if len(insoles) > 1 else None,
@@ -272,7 +272,7 @@ def _order(arguments: argparse.Namespace) -> Order:
     )
 
 
-def _pseudonym(arguments: argparse.Namespace) -> str:
+def pseudonym(arguments: argparse.Namespace) -> str:
     """Return the pseudonym, or an order number, which is printed."""
     from insole_core.solids.order_number import new_order_number
 

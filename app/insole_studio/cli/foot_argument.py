@@ -19,12 +19,21 @@ if TYPE_CHECKING:
     from insole_core.workflows.scanned_foot import ScannedFoot
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what can be said of a foot's scan, besides its path."""
+def add_arguments(parser: argparse.ArgumentParser, *, reads_both: bool = False) -> None:
+    """Add what can be said of a foot's scan, besides its path.
+
+    Parameters
+    ----------
+    parser
+    reads_both
+        Whether both feet are read where a session holds them and no side is said.
+    """
     parser.add_argument(
         "--side",
         choices=[side.value for side in Side],
-        help="needed for a mesh; of a session of both feet, only this one",
+        help="needed for a mesh; of a session of both feet, only this one"
+        if reads_both
+        else "needed for a mesh, and for a session of both feet",
     )
     add_scan_arguments(parser)
     parser.add_argument(

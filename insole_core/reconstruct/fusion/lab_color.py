@@ -37,7 +37,7 @@ def _roots() -> IndexArray:
     """Return the cube root of each step of light, or what CIE 15 puts in its place in the dark."""
     light = np.linspace(0, 1, _MAX_LEVEL * _LINEAR_STEPS + 1)
     root = np.where(light < 216 / 24389, light * 841 / 108 + 16 / 116, np.cbrt(light))
-    return np.rint(2**_ROOT_BITS * root).astype(np.int32)
+    return np.asarray(np.rint(2**_ROOT_BITS * root), np.int32)
 
 
 _LIGHT = _linear_light()

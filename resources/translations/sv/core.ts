@@ -4392,8 +4392,16 @@
             <translation>är 0, så att fräsen skulle stå stilla; ange det verkliga värdet</translation>
         </message>
         <message>
+            <source>is 1, that of a session of one foot, but "side" is "both"; make the version 2 if both feet were captured, or name the one that was</source>
+            <translation>är 1, som för en session av en fot, men ”side” är ”both”; ändra versionen till 2 om båda fötterna avbildades, eller ange den som avbildades</translation>
+        </message>
+        <message>
             <source>is 1, that of a session of one foot, but the reference system "{system}" is for both feet; make it 2, and "side" "both"</source>
             <translation>är 1, som för en session med en fot, men referenssystemet ”{system}” är för båda fötterna; ändra till 2, och "side" till "both"</translation>
+        </message>
+        <message>
+            <source>is 2, that of a session of both feet, but "side" is "{side}"; make the version 1 if this foot alone was captured</source>
+            <translation>är 2, som för en session av båda fötterna, men ”side” är ”{side}”; ändra versionen till 1 om enbart denna fot avbildades</translation>
         </message>
         <message>
             <source>is empty, but a reference system has at least 4 markers</source>

@@ -60,7 +60,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_report_argument(parser)
     parser.add_argument(
         "--apply", action="store_true",
-        help="use what is better from now on for sessions of these sensors",
+        help="use what is better from now on for sessions of these sensors, unless a limit is "
+        "exceeded",
     )  # fmt: skip
     add_store_argument(parser)
 
