@@ -226,6 +226,7 @@ class SceneView(QWidget):
         followed = self.painter.move_surface(mesh, normals, moved, coloring)
         if followed:
             self._take(mesh)
+            self.request_render()
         return followed
 
     def show_handles(self, handles: tuple[Handle, ...]) -> None:

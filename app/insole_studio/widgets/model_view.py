@@ -139,7 +139,6 @@ class ModelView(QWidget):
         followed = self.scene.move_mesh(mesh, normals, moved, coloring)
         if followed:
             self._legend.show_coloring(coloring)
-            self.scene.request_render()
         return followed
 
     def show_wireframe(self, shown: bool) -> None:

@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.geometry.arrays import ByteArray
@@ -66,11 +66,11 @@ def mark(stage: FootStage, marker: str) -> Mark:
     return next(m for m in stage.view.markers.picture._marks if m.id == marker)
 
 
-def pixels(widget: QWidget) -> ByteArray:
-    """What a widget shows (height, width, 4), without drawing its scene anew."""
-    image = widget.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
-    raw = np.frombuffer(image.constBits(), np.uint8)
-    return raw.reshape(image.height(), image.width(), 4).copy()
+def pixels(image: QImage) -> ByteArray:
+    """The colours of a picture (height, width, 3)."""
+    image = image.convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    return rows[:, : 3 * image.width()].reshape(image.height(), -1, 3).copy()
 
 
 def click(stage: FootStage, pixel: Pixel) -> None:
@@ -357,11 +357,14 @@ def test_another_map_is_drawn_at_once(
     settle()
     view = shown_stage(app).view
     QTest.qWait(500)  # until the views are drawn
-    before = pixels(view.foot.scene.surface)
+
+    def shown() -> ByteArray:
+        return pixels(view.foot.scene.surface.grab().toImage())  # without drawing the scene anew
+
+    before = shown()
 
     def differs() -> bool:
-        changed = (pixels(view.foot.scene.surface) != before).any(axis=-1)
-        return bool(changed.sum() > 1000)
+        return bool((shown() != before).any(axis=-1).sum() > 1000)
 
     QTest.keyClick(view.maps, Qt.Key.Key_Down)  # from the colours of the views to the skin's
     qtbot.waitUntil(differs)
@@ -376,10 +379,8 @@ def test_the_views_and_the_box_are_seen(
     settle()
     stage = shown_stage(app)
     stage.view._look(Preset.PLANTAR)
-    image = stage.view.foot.scene.picture()
-    raw = np.frombuffer(image.constBits(), np.uint8)
-    rows = raw.reshape(image.height(), image.bytesPerLine())[:, : 3 * image.width()]
-    red, green, blue = np.moveaxis(rows.reshape(image.height(), -1, 3).astype(int), -1, 0)
+    picture = pixels(stage.view.foot.scene.picture())
+    red, green, blue = np.moveaxis(picture.astype(int), -1, 0)
     orange = (red > green + 40) & (green > blue + 40)
     bluish = (blue > red + 60) & (blue > green + 30)
     assert orange.sum() > 500
