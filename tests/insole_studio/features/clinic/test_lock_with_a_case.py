@@ -74,7 +74,7 @@ def test_what_was_just_changed_is_saved_while_the_window_is_locked(
     take_over(opened, qtbot, "eva", OTHER_PASSWORD)
     assert opened.case.record is record
     assert "Anna" in opened.window.windowTitle()
-    assert opened.services.keeper.state is KeepState.SAVED
+    qtbot.waitUntil(lambda: opened.services.keeper.state is KeepState.SAVED, timeout=10_000)
 
 
 def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
