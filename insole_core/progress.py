@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from insole_core.messages import Message, Value
 
@@ -64,6 +64,20 @@ class Progress:
         width = self.end - self.start
         return Progress(
             self.report, self.is_cancelled, self.start + start * width, self.start + end * width
+        )
+
+    def about(self, template: str, /, **values: Value) -> Progress:
+        """Return the same progress, each of whose messages says what it is about.
+
+        Parameters
+        ----------
+        template, values
+            Of a `Message` around each one that is reported, which it calls ``step``:
+            ``"The {side} foot: {step}", side=side``.
+        """
+        return replace(
+            self,
+            report=lambda done, step: self.report(done, Message(template, step=step, **values)),
         )
 
     def parts(self, count: int) -> tuple[Progress, ...]:

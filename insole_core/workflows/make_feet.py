@@ -111,7 +111,7 @@ def reconstruct_feet(
     feet = opened.feet
     shared = _shared(opened, limits)
     results = []
-    for foot, part in zip(feet, progress.parts(len(feet)), strict=True):
+    for foot, part in zip(feet, _parts(progress, feet), strict=True):
         with _naming(foot, feet):
             result = reconstruct_session(
                 foot, limits, part, method=method, corrected=corrected, shared=shared
@@ -160,7 +160,7 @@ def make_feet(
     feet = opened.feet
     shared = _shared(opened, limits)
     made: list[MadeFoot] = []
-    for foot, part in zip(feet, progress.parts(len(feet)), strict=True):
+    for foot, part in zip(feet, _parts(progress, feet), strict=True):
         with _naming(foot, feet):
             made.append(
                 make_foot(
@@ -181,6 +181,17 @@ def _shared(opened: MeasuredSession, limits: RegistrationLimits) -> SharedViews 
     """Return what the two feet of a session have in common; None for one foot."""
     system = opened.session.manifest.reference_system
     return SharedViews(system, limits, opened.measure) if system.feet else None
+
+
+def _parts(progress: Progress, feet: tuple[MeasuredSession, ...]) -> tuple[Progress, ...]:
+    """Return the progress of each foot, which says of two feet which one it is."""
+    parts = progress.parts(len(feet))
+    if len(feet) == 1:
+        return parts
+    return tuple(
+        part.about("The {side} foot: {step}", side=foot.session.manifest.one_side)
+        for foot, part in zip(feet, parts, strict=True)
+    )
 
 
 @contextmanager

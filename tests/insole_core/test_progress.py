@@ -16,6 +16,14 @@ def test_parts_report_their_share_of_the_whole() -> None:
     assert seen == [(0.625, "deep"), (1.0, "end")]
 
 
+def test_each_message_says_what_it_is_about() -> None:
+    seen: list[tuple[float, str]] = []
+    whole = Progress(lambda fraction, text: seen.append((fraction, text)))
+    right = whole.part(0.5, 1.0).about("The {side} foot: {step}", side="right")
+    right.part(0.0, 0.5).step(0.5, "Placing the view {view}", view="left")
+    assert seen == [(0.625, "The right foot: Placing the view left")]
+
+
 def test_cancelling_stops_at_the_next_step() -> None:
     progress = Progress(is_cancelled=lambda: True)
     with pytest.raises(Cancelled):

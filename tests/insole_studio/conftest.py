@@ -71,6 +71,9 @@ class CannedQuestions:
         self.asked.append(sentence)
         return self.anyway
 
+    def make_alone(self, sentence: str, _side: Side) -> bool:
+        return self.open_anyway(sentence)
+
     def about_unsaved(self, _name: str) -> Answer:
         self.asked.append("unsaved")
         return self.unsaved

@@ -67,6 +67,10 @@ class AnsweredQuestions(Questions):
         """Return whether to continue."""
         return self.answers.anyway
 
+    def make_alone(self, _sentence: str, _side: Side) -> bool:
+        """Return whether to make one foot of two."""
+        return self.answers.anyway
+
     def about_unsaved(self, _name: str) -> Answer:
         """Return what to do with unsaved work."""
         return self.answers.unsaved

@@ -101,6 +101,18 @@ class Questions:
         ]
         return self._choose(sentence, choices, default=False)
 
+    def make_alone(self, sentence: str, side: Side) -> bool:
+        """Ask whether to make one foot of two, since the other one cannot be made."""
+        make = {
+            Side.LEFT: tr("Make the left foot alone"),
+            Side.RIGHT: tr("Make the right foot alone"),
+        }
+        choices = [
+            _Choice(make[side], True, _ACCEPT),
+            _Choice(tr("Make no foot"), False, _REJECT),
+        ]
+        return self._choose(sentence, choices, default=False)
+
     def about_unsaved(self, name: str) -> Answer:
         """Ask what to do with unsaved work."""
         choices = [

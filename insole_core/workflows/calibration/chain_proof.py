@@ -81,7 +81,7 @@ def prove_chain(
     Raises
     ------
     UsageError
-        When the sessions are of different sensors, or of both feet.
+        When a session is named twice, or the sessions are of different sensors or of both feet.
     InputError
         When a session violates the format.
     ReconstructionError
@@ -90,6 +90,7 @@ def prove_chain(
         When the object is not found, or is not what was said.
     Cancelled
     """
+    _check_once(paths)
     serials = _common_serials([open_session(path) for path in paths])
     captures: list[Capture] = []
     for path, part in zip(paths, progress.part(0.0, 0.8).parts(len(paths)), strict=True):
@@ -99,6 +100,14 @@ def prove_chain(
     evaluation = evaluate_chain(known, captures)
     notes = tuple(note for capture in captures for note in _notes(capture))
     return ChainProof(evaluation, judge(evaluation), serials, notes)
+
+
+def _check_once(paths: Sequence[Path]) -> None:
+    """Check that no capture counts twice."""
+    places = [path.resolve() for path in paths]
+    for number, path in enumerate(paths):
+        if places[number] in places[:number]:
+            raise UsageError("{path} is named twice; name each session once.", path=path)
 
 
 def _common_serials(sessions: Sequence[MeasuredSession]) -> tuple[str, ...]:

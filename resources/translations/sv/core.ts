@@ -2960,6 +2960,10 @@
             <translation>Foten på {side} sida: {reason}</translation>
         </message>
         <message>
+            <source>The {side} foot: {step}</source>
+            <translation>Foten på {side} sida: {step}</translation>
+        </message>
+        <message>
             <source>The {side} insole has no pad {zone}; its pads are: {names}.</source>
             <translation>Inlägget ({side}) har ingen pelott {zone}; de som finns är: {names}.</translation>
         </message>
@@ -7086,6 +7090,10 @@
         <message>
             <source>{path} is named for two results; give each of them a name of its own.</source>
             <translation>{path} anges för två resultat; ge vart och ett ett eget namn.</translation>
+        </message>
+        <message>
+            <source>{path} is named twice; name each session once.</source>
+            <translation>{path} är angiven två gånger; ange varje session en gång.</translation>
         </message>
         <message>
             <source>{path} is neither a case, a session nor a mesh; open a {case_suffix} file, the folder or zip archive of a session, or a {mesh_suffixes} file.</source>

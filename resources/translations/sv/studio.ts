@@ -1140,6 +1140,18 @@
             <translation>Sänk med penseln</translation>
         </message>
         <message>
+            <source>Make no foot</source>
+            <translation>Gör ingen fot</translation>
+        </message>
+        <message>
+            <source>Make the left foot alone</source>
+            <translation>Gör bara vänster fot</translation>
+        </message>
+        <message>
+            <source>Make the right foot alone</source>
+            <translation>Gör bara höger fot</translation>
+        </message>
+        <message>
             <source>Maps</source>
             <translation>Kartor</translation>
         </message>

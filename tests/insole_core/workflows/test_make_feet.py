@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 from insole_core.errors import InsoleError, UsageError
 from insole_core.geometry.side import BOTH, Side
+from insole_core.progress import Progress
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.session import FootPlace
@@ -64,6 +66,13 @@ def test_one_foot_of_both_is_as_that_of_a_session_of_its_own(opened: MeasuredSes
         assert one.sensor2reference is not None
         assert shared.sensor2reference is not None
         np.testing.assert_allclose(one.sensor2reference, shared.sensor2reference, atol=1e-4)
+
+
+def test_progress_names_the_foot(opened: MeasuredSession) -> None:
+    seen: list[tuple[float, str]] = []
+    reconstruct_feet(opened, progress=Progress(lambda *step: seen.append(step)), method="thesis")
+    about = [foot for foot, _ in groupby(text.split(": ")[0] for _, text in seen)]
+    assert about == ["The left foot", "The right foot"]
 
 
 def test_a_session_of_both_asks_which_foot_is_meant() -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.geometry.side import Side
 from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
@@ -59,6 +60,7 @@ class FootWindow(StageWindow["FootStage"]):
             ),
             remember=self._remember_limits,
             ask=self._ask_to_open,
+            ask_alone=self._ask_alone,
             dark=self._services.dark,
             touch=settings.touch,
         )
@@ -97,3 +99,7 @@ class FootWindow(StageWindow["FootStage"]):
     def _ask_to_open(self, sentence: str) -> bool:
         assert self.stage is not None
         return self._services.messages.questions.on(self.stage).open_anyway(sentence)
+
+    def _ask_alone(self, sentence: str, side: Side) -> bool:
+        assert self.stage is not None
+        return self._services.messages.questions.on(self.stage).make_alone(sentence, side)

@@ -105,6 +105,8 @@ class FootStagePresenter:
         Called with a foot for the design stage.
     ask
         Asks whether to continue despite a warning.
+    ask_alone
+        Asks whether to make one foot, since the other one is missing.
     finished
         Called when the stage has done its work; with True if no job is running.
     needed_again
@@ -122,6 +124,7 @@ class FootStagePresenter:
         remember: Callable[[RegistrationLimits], None],
         hand_over: Callable[[ScannedFoot], None],
         ask: Callable[[str], bool],
+        ask_alone: Callable[[str, Side], bool],
         finished: Callable[[bool], None],
         needed_again: Callable[[], None],
         unreadable: Callable[[Exception], None],
@@ -132,6 +135,7 @@ class FootStagePresenter:
         self._remember = remember
         self._hand_over = hand_over
         self._ask = ask
+        self._ask_alone = ask_alone
         self._finished = finished
         self._needed_again = needed_again
         self._unreadable = unreadable
@@ -400,7 +404,7 @@ class FootStagePresenter:
 
     def _take_trouble(self, error: Exception) -> None:
         self._panel.show_progress(0.0, "")
-        if isinstance(error, MissingFootError) and self._ask(str(error)):
+        if isinstance(error, MissingFootError) and self._ask_alone(str(error), error.side.other):
             self.make(only=error.side.other)
             return
         if isinstance(error, SideMismatchError | DoubtfulFeetError) and self._ask(str(error)):

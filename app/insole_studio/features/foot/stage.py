@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
+from insole_core.geometry.side import Side
 from insole_core.reconstruct import RegistrationLimits
 from insole_studio.features.foot.box_dragger import BoxDragger
 from insole_studio.features.foot.presenter import FootStagePresenter
@@ -50,6 +51,7 @@ class FootStage(StageFrame):
         limits: RegistrationLimits,
         remember: Callable[[RegistrationLimits], None],
         ask: Callable[[str], bool],
+        ask_alone: Callable[[str, Side], bool],
         dark: bool,
         touch: bool = False,
     ) -> None:
@@ -71,6 +73,7 @@ class FootStage(StageFrame):
             remember=remember,
             hand_over=self.foot_made.emit,
             ask=ask,
+            ask_alone=ask_alone,
             finished=self._leave,
             needed_again=self._come_back,
             unreadable=self._give_up,

@@ -136,6 +136,11 @@ def test_sessions_that_do_not_belong_together(session: Path, tmp_path: Path) -> 
         prove_chain([session, other], BALL)
 
 
+def test_no_session_counts_twice(session: Path) -> None:
+    with pytest.raises(UsageError, match=r"ball is named twice; name each session once\."):
+        prove_chain([session, session / ".." / session.name], BALL)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

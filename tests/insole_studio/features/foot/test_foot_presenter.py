@@ -86,6 +86,7 @@ class Bench:
         self.errors: list[Exception] = []
         self.limits = [DEFAULT_LIMITS]
         self.asked: list[str] = []
+        self.alone: list[Side] = []
         self.answer = False
         self.presenter = FootStagePresenter(
             panel=self.panel,
@@ -94,6 +95,7 @@ class Bench:
             remember=self.limits.append,
             hand_over=self.handed.append,
             ask=self._ask,
+            ask_alone=self._ask_alone,
             finished=self.left.append,
             needed_again=self._need,
             unreadable=self.errors.append,
@@ -105,6 +107,10 @@ class Bench:
     def _ask(self, sentence: str) -> bool:
         self.asked.append(sentence)
         return self.answer
+
+    def _ask_alone(self, sentence: str, side: Side) -> bool:
+        self.alone.append(side)
+        return self._ask(sentence)
 
     def until(self, is_ready: Callable[[], bool]) -> None:
         self._qtbot.waitUntil(is_ready, timeout=60_000)
@@ -484,6 +490,7 @@ def test_if_a_foot_is_missing_the_other_can_be_made_alone(
     bench.open(hand_over=True)
     assert len(bench.asked) == 1
     assert "no left foot is in its place" in bench.asked[0]
+    assert bench.alone == [Side.RIGHT]
     assert bench.handed == []
     assert not bench.panel.buttons.go_on
     bench.answer = True
