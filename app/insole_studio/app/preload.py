@@ -17,6 +17,7 @@ MODULES = (
     "pyvista.plotting",
     "pyvistaqt",
     "insole_studio.features.foot.stage",
+    "insole_studio.scene.painter",
 )
 """In parts of less than half a second: between two of them the window answers."""
 PAUSE_MS = 50
