@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from image_colors import colors_of
 from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
@@ -179,12 +180,12 @@ def test_a_pelott_changes_the_picture_of_both_views(
 ) -> None:
     """With real GL: the picture of each view is another one round the pelott, and only there."""
     views = (opened.stage.foot.scene, opened.stage.insole.scene)
-    before = [_pixels(view) for view in views]
+    before = [colors_of(view.picture()) for view in views]
     opened.window.actions_by_key["tool_pelott"].trigger()
     QTest.mouseClick(views[0].surface, LEFT, pos=pixel(views[0], 0.0, 150.0))
     settle()
     for view, old in zip(views, before, strict=True):
-        new = _pixels(view)
+        new = colors_of(view.picture())
         x, y = pixel(view, 0.0, 150.0).toTuple()
         changed = (np.abs(new - old).max(axis=2) > 20).astype(int)
         assert changed[y - 20 : y + 20, x - 20 : x + 20].sum() > 50
@@ -200,13 +201,6 @@ def test_the_window_grabbed_holds_its_scenes(opened: Application) -> None:
     middle = pixel(scene, -20.0, 200.0) + corner
     color = image.pixelColor(middle)
     assert color.red() > color.blue() + 30
-
-
-def _pixels(view: SceneView) -> np.ndarray:
-    image = view.picture()
-    raw = np.frombuffer(image.constBits(), np.uint8)
-    rows = raw.reshape(image.height(), image.bytesPerLine())[:, : 3 * image.width()]
-    return rows.reshape(image.height(), image.width(), 3).astype(int)
 
 
 def test_long_remarks_on_a_scan_stay_until_they_are_dismissed(

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from image_colors import colors_of
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
-from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.arrays import IntArray
 from insole_core.insole.prescription.design import Pelott
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import Pixel
@@ -64,13 +64,6 @@ def cell(stage: FootStage, row: int, title: str) -> str:
 
 def mark(stage: FootStage, marker: str) -> Mark:
     return next(m for m in stage.view.markers.picture._marks if m.id == marker)
-
-
-def pixels(image: QImage) -> ByteArray:
-    """The colours of a picture (height, width, 3)."""
-    image = image.convertToFormat(QImage.Format.Format_RGB888)
-    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
-    return rows[:, : 3 * image.width()].reshape(image.height(), -1, 3).copy()
 
 
 def click(stage: FootStage, pixel: Pixel) -> None:
@@ -358,8 +351,8 @@ def test_another_map_is_drawn_at_once(
     view = shown_stage(app).view
     QTest.qWait(500)  # until the views are drawn
 
-    def shown() -> ByteArray:
-        return pixels(view.foot.scene.surface.grab().toImage())  # without drawing the scene anew
+    def shown() -> IntArray:
+        return colors_of(view.foot.scene.surface.grab().toImage())  # without drawing it anew
 
     before = shown()
 
@@ -379,8 +372,7 @@ def test_the_views_and_the_box_are_seen(
     settle()
     stage = shown_stage(app)
     stage.view._look(Preset.PLANTAR)
-    picture = pixels(stage.view.foot.scene.picture())
-    red, green, blue = np.moveaxis(picture.astype(int), -1, 0)
+    red, green, blue = np.moveaxis(colors_of(stage.view.foot.scene.picture()), -1, 0)
     orange = (red > green + 40) & (green > blue + 40)
     bluish = (blue > red + 60) & (blue > green + 30)
     assert orange.sum() > 500
