@@ -1,5 +1,8 @@
 """Opening an order again: what is missing, changed, added, or of a wrong side.
 
+`order.json` holds a digest of all that it says, the SHA-256 and size of every file, and each job
+sheet the terms that it was written with.
+
 An archive is read where it lies and never unpacked, so that no name in it leads anywhere.
 """
 
@@ -7,25 +10,31 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, Protocol
+from typing import Any, Final, Protocol
 
 from insole_core.errors import InputError
+from insole_core.export.sheet_terms import SheetTerms, sheet_terms, terms_in
 from insole_core.export.shop_order import (
+    DIGEST_KEY,
     MADE_FROM,
     ORDER_FILE,
     OrderedFile,
     OrderItem,
+    Release,
     ShopOrder,
+    digest_of_order,
     is_plain_name,
     parse_shop_order,
 )
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
 from insole_core.given_file import given_errors, read_given
-from insole_core.messages import Message
+from insole_core.json_object import JsonObject
+from insole_core.messages import Message, Value
 from insole_core.progress import SILENT, Progress
 from insole_core.regular_file import is_folder
 from insole_core.strict_json import MOST_BYTES
@@ -33,6 +42,7 @@ from insole_core.zip_archive import DamagedArchiveError, ZipArchive
 
 MOST_BYTES_OF_A_FILE: Final = 512 * 2**20
 MOST_BYTES_OF_AN_ORDER: Final = 4 * 2**30
+MOST_BYTES_OF_A_PAPER: Final = 64 * 2**20
 MOST_FILES: Final = 20_000
 _SYSTEM_FILES: Final = frozenset({".ds_store", "thumbs.db", "desktop.ini"})
 """What file managers put into folders by themselves."""
@@ -40,10 +50,37 @@ _SYSTEM_FILES: Final = frozenset({".ds_store", "thumbs.db", "desktop.ini"})
 
 @dataclass(frozen=True)
 class Verification:
-    """An order that was opened, and one sentence for everything that is wrong with it."""
+    """An order that was opened, and one sentence for everything that is wrong with it.
+
+    Parameters
+    ----------
+    has_digest
+        Whether `order.json` has a digest of what it says; those of earlier versions have none.
+    sheets
+        Number of job sheets whose terms were compared with it.
+    """
 
     order: ShopOrder
     problems: tuple[Message, ...]
+    has_digest: bool
+    sheets: int
+
+    def compared(self) -> Message:
+        """Return what was compared and is as it was written."""
+        facts: dict[str, Value] = {"count": len(self.order.files), "order": ORDER_FILE}
+        facts["sheets"] = self.sheets
+        if self.has_digest:
+            return Message(
+                "Unchanged: {count} files; all that {order} says (quantities, materials, texts, "
+                "dates, names of programs); the terms on {sheets} job sheets.",
+                **facts,
+            )
+        return Message(
+            "Unchanged: {count} files; the terms on {sheets} job sheets. {order} was written by an "
+            "earlier version of the program, without a digest of its own: compare quantities, "
+            "materials and texts with what the clinic has sent.",
+            **facts,
+        )
 
 
 class _Source(Protocol):
@@ -57,8 +94,12 @@ class _Source(Protocol):
         """Return the content of `order.json`."""
         ...
 
-    def digest(self, name: str) -> str:
-        """Return the SHA-256 of a file; raises `InputError` when it cannot be read."""
+    def digest(self, name: str) -> tuple[str, int]:
+        """Return SHA-256 and bytes of a file; raises `InputError` when it cannot be read."""
+        ...
+
+    def content(self, name: str) -> bytes:
+        """Return a paper; raises `InputError` when it cannot be read."""
         ...
 
 
@@ -74,10 +115,13 @@ class _Folder:
     def order_text(self) -> bytes:
         return read_given(self._path / ORDER_FILE, MOST_BYTES)
 
-    def digest(self, name: str) -> str:
+    def digest(self, name: str) -> tuple[str, int]:
         path = self._path / name
         with given_errors(path, MOST_BYTES_OF_A_FILE):
-            return sha256_of(path, MOST_BYTES_OF_A_FILE)
+            return sha256_of(path, MOST_BYTES_OF_A_FILE), path.stat().st_size
+
+    def content(self, name: str) -> bytes:
+        return read_given(self._path / name, MOST_BYTES_OF_A_PAPER)
 
 
 class _Archive:
@@ -97,9 +141,12 @@ class _Archive:
     def order_text(self) -> bytes:
         return self._archive.read(ORDER_FILE, MOST_BYTES)
 
-    def digest(self, name: str) -> str:
+    def digest(self, name: str) -> tuple[str, int]:
         content = self._archive.read(name, MOST_BYTES_OF_A_FILE)
-        return hashlib.sha256(content).hexdigest()
+        return hashlib.sha256(content).hexdigest(), len(content)
+
+    def content(self, name: str) -> bytes:
+        return self._archive.read(name, MOST_BYTES_OF_A_PAPER)
 
 
 def verify_order(path: Path, progress: Progress = SILENT) -> Verification:
@@ -117,13 +164,17 @@ def verify_order(path: Path, progress: Progress = SILENT) -> Verification:
         version.
     Cancelled
     """
-    source, names, order = _opened(path)
+    source, names, order, content = _opened(path)
+    sheets = list(_sheets(source, order, frozenset(names)))
     problems = [
+        *_problems_of_content(content, any(stated is not None for _, _, stated in sheets)),
+        *(problem for sheet in sheets for problem in _problems_of_sheet(order.release, *sheet)),
         *_problems_of_files(source, order, frozenset(names), progress),
         *(problem for item in order.items for problem in _problems_of_sides(item)),
         *_additional(order, names),
     ]
-    return Verification(order, tuple(problems))
+    compared = sum(stated is not None for _, _, stated in sheets)
+    return Verification(order, tuple(problems), DIGEST_KEY in content, compared)
 
 
 def read_order(path: Path) -> ShopOrder:
@@ -137,8 +188,11 @@ def read_order(path: Path) -> ShopOrder:
     return _opened(path)[2]
 
 
-def _opened(path: Path) -> tuple[_Source, list[str], ShopOrder]:
-    """Return an order with the names of all its files but those of file managers."""
+def _opened(path: Path) -> tuple[_Source, list[str], ShopOrder, Mapping[str, Any]]:
+    """Return an order with the names of all its files but those of file managers.
+
+    The last value is all that its `order.json` says, also with keys of later versions.
+    """
     source: _Source = _Folder(path) if is_folder(path) else _Archive(path)
     names = [name for name in source.names() if name.casefold() not in _SYSTEM_FILES]
     if len(names) > MOST_FILES:
@@ -154,7 +208,49 @@ def _opened(path: Path) -> tuple[_Source, list[str], ShopOrder]:
             path=path,
             file=ORDER_FILE,
         )
-    return source, names, parse_shop_order(f"{path.name}/{ORDER_FILE}", source.order_text())
+    name, text = f"{path.name}/{ORDER_FILE}", source.order_text()
+    return source, names, parse_shop_order(name, text), JsonObject.parse(name, text).values
+
+
+def _problems_of_content(content: Mapping[str, Any], is_expected: bool) -> Iterator[Message]:
+    """Say whether what `order.json` says is what was written; a digest may be expected in it."""
+    is_expected |= DIGEST_KEY in content
+    if is_expected and content.get(DIGEST_KEY) != digest_of_order(content):
+        yield Message(
+            "{file} has been changed since the order was written: quantities, materials, texts or "
+            "names in it may be wrong; ask the clinic to send the order again.",
+            file=ORDER_FILE,
+        )
+
+
+def _sheets(
+    source: _Source, order: ShopOrder, names: frozenset[str]
+) -> Iterator[tuple[OrderItem, OrderedFile, SheetTerms | None]]:
+    """Yield each job sheet that is there, its item, and the terms it was written with."""
+    for item in order.items:
+        for file in item.files:
+            if file.role == "job_sheet" and file.name in names:
+                with suppress(InputError):  # told with the other files
+                    yield item, file, terms_in(source.content(file.name))
+
+
+def _problems_of_sheet(
+    release: Release, item: OrderItem, file: OrderedFile, stated: SheetTerms | None
+) -> Iterator[Message]:
+    """Say which terms on a job sheet are others than in `order.json`."""
+    materials = {side: item.materials[side] for side in file.sides}
+    ordered = sheet_terms(release, item.pseudonym, materials, item.terms)
+    for name, value in ordered.items():
+        if stated is not None and stated.get(name) != value:
+            yield Message(
+                "{file} says {stated} for {term}, and {order} says {value}; ask the clinic which "
+                "is right.",
+                file=file.name,
+                stated=f'"{stated.get(name, "")}"',
+                term=name,
+                order=ORDER_FILE,
+                value=f'"{value}"',
+            )
 
 
 def _problems_of_files(
@@ -170,12 +266,21 @@ def _problems_of_files(
             )
             continue
         try:
-            digest = source.digest(file.name)
+            digest, size = source.digest(file.name)
         except DamagedArchiveError as error:
             yield error.message
             continue
         if digest != file.sha256:
             yield _about_changed(file, by_digest.get(digest))
+        elif size != file.size_bytes:
+            yield Message(
+                "{file} has {size} bytes, and {order} says {stated}; ask the clinic to send the "
+                "order again.",
+                file=file.name,
+                size=size,
+                order=ORDER_FILE,
+                stated=file.size_bytes,
+            )
 
 
 def _about_changed(file: OrderedFile, real: OrderedFile | None) -> Message:

@@ -149,11 +149,15 @@ def write_job_sheet(
     nesting: Nesting | None = None,
     pieces: Sequence[DrawnInsole] = (),
     translate: Translate = str,
+    *,
+    keyword: str = "",
 ) -> None:
     """Write the drawing and the job sheets of the parts, each on a page of its own.
 
     Parameters
     ----------
+    keyword
+        Of the document, for programs: see `sheet_terms`.
     pieces
         All of the order, which the first page of the drawing shows from four sides.
     translate
@@ -174,7 +178,7 @@ def write_job_sheet(
         pages.insert(0, _nesting_page(nesting, sheets[0], texts, translate))
     pages = [*_drawing(sheets, pieces, translate), *pages]
     story = [flowable for page in pages for flowable in (PageBreak(), *page)][1:]
-    write_pages(story, path, texts["title"])
+    write_pages(story, path, texts["title"], keyword=keyword)
 
 
 def _drawing(
@@ -333,13 +337,15 @@ def paragraph(text: str, style: ParagraphStyle = BODY) -> Paragraph:
     return Paragraph(escape(as_written(text)), style)
 
 
-def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -> None:
+def write_pages(
+    story: list[Flowable], path: Path, title: str, foot: str = "", keyword: str = ""
+) -> None:
     """Lay out A4 pages.
 
     Parameters
     ----------
-    title
-        Title in the metadata of the document.
+    title, keyword
+        In the metadata of the document.
     foot
         Footer of every page; "#" is replaced by the page number.
 
@@ -357,7 +363,7 @@ def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -
 
     with replacing_file(path) as beside, beside.open("wb") as file:
         document = SimpleDocTemplate(
-            file, pagesize=A4, title=title, author="Insole Studio",
+            file, pagesize=A4, title=title, author="Insole Studio", keywords=keyword,
             leftMargin=_MARGIN, rightMargin=_MARGIN, topMargin=_MARGIN, bottomMargin=_MARGIN,
         )  # fmt: skip
         document.build(story, onFirstPage=draw_foot, onLaterPages=draw_foot)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 from collections.abc import Mapping
@@ -18,6 +19,7 @@ from insole_core.json_object import JsonObject
 FORMAT: Final = "insole-order"
 VERSION: Final = 1
 ORDER_FILE: Final = "order.json"
+DIGEST_KEY: Final = "sha256"
 MOST_PAIRS: Final = 1000
 """Of one item; more is a slip of the finger."""
 _MOST_LETTERS: Final = 200
@@ -227,7 +229,7 @@ def write_shop_order(order: ShopOrder, path: Path) -> None:
     OutputError
         When the place cannot be written.
     """
-    content = {
+    content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
         "number": order.release.number,
@@ -238,7 +240,21 @@ def write_shop_order(order: ShopOrder, path: Path) -> None:
         "clinic": order.clinic,
         "items": [_item_json(item) for item in order.items],
     }
+    content[DIGEST_KEY] = digest_of_order(content)
     write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", path)
+
+
+def digest_of_order(content: Mapping[str, Any]) -> str:
+    """Return the SHA-256 of everything that an `order.json` says, but for its own digest.
+
+    Parameters
+    ----------
+    content
+        The root object, also with keys that this program does not know.
+    """
+    said = {key: value for key, value in content.items() if key != DIGEST_KEY}
+    text = json.dumps(said, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode("ascii")).hexdigest()
 
 
 def _item_json(item: OrderItem) -> dict[str, Any]:

@@ -15,6 +15,7 @@ import numpy as np
 
 from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
+from insole_core.export.sheet_terms import as_keyword, sheet_terms
 from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.export.slicer_3mf import Printer, write_slicer_3mf
 from insole_core.export.solid_file import check_suffix, write_solids
@@ -283,7 +284,15 @@ def run_export_job(
         drawn = job.drawn or drawn_parts(job.parts, job.translate)
         sheets = [_job_sheet(job, each, drawn, places, beside) for each in placed]
         nesting = _nesting(job.block, placed) if job.block and job.is_nested else None
-        write_job_sheet(sheets, beside.job_sheet, nesting, drawn, job.translate)
+        keyword = as_keyword(
+            sheet_terms(
+                job.release,
+                job.identification.get("pseudonym", ""),
+                {part.side: job.materials.get(part.side, "") for part in job.parts},
+                job.terms,
+            )
+        )
+        write_job_sheet(sheets, beside.job_sheet, nesting, drawn, job.translate, keyword=keyword)
     if beside.prescription is not None:
         progress.step(0.8, "Writing the prescription")
         write_prescription_paper(

@@ -3288,6 +3288,14 @@
             <translation>US dam</translation>
         </message>
         <message>
+            <source>Unchanged: {count} files; all that {order} says (quantities, materials, texts, dates, names of programs); the terms on {sheets} job sheets.</source>
+            <translation>Oförändrat: {count} filer; allt som {order} säger (antal, material, texter, datum, programnamn); villkoren på {sheets} arbetsblad.</translation>
+        </message>
+        <message>
+            <source>Unchanged: {count} files; the terms on {sheets} job sheets. {order} was written by an earlier version of the program, without a digest of its own: compare quantities, materials and texts with what the clinic has sent.</source>
+            <translation>Oförändrat: {count} filer; villkoren på {sheets} arbetsblad. {order} skrevs av en tidigare version av programmet, utan egen kontrollsumma: jämför antal, material och texter med det som kliniken har skickat.</translation>
+        </message>
+        <message>
             <source>Underside</source>
             <translation>Undersida</translation>
         </message>
@@ -6392,8 +6400,16 @@
             <translation>{file} anger inte {what}; ange det.</translation>
         </message>
         <message>
+            <source>{file} has been changed since the order was written: quantities, materials, texts or names in it may be wrong; ask the clinic to send the order again.</source>
+            <translation>{file} har ändrats sedan beställningen skrevs: antal, material, texter eller namn i den kan vara fel; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
             <source>{file} has been changed since the order was written; ask the clinic to send the order again.</source>
             <translation>{file} har ändrats sedan beställningen skrevs; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} has {size} bytes, and {order} says {stated}; ask the clinic to send the order again.</source>
+            <translation>{file} har {size} byte, och {order} anger {stated}; be kliniken att skicka beställningen igen.</translation>
         </message>
         <message>
             <source>{file} holds what {real} was; ask the clinic to send the order again.</source>
@@ -6454,6 +6470,10 @@
         <message>
             <source>{file} must hold one JSON object {{…}}; restore the file.</source>
             <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
+        </message>
+        <message>
+            <source>{file} says {stated} for {term}, and {order} says {value}; ask the clinic which is right.</source>
+            <translation>{file} anger {stated} för {term}, och {order} anger {value}; fråga kliniken vilket som stämmer.</translation>
         </message>
         <message>
             <source>{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore the file from a backup.</source>

@@ -308,8 +308,8 @@
             <translation>Beställning</translation>
         </message>
         <message>
-            <source>Order {number} is complete and unchanged: {count} files.</source>
-            <translation>Beställning {number} är fullständig och oförändrad: {count} filer.</translation>
+            <source>Order {number} is complete.</source>
+            <translation>Beställning {number} är fullständig.</translation>
         </message>
         <message>
             <source>Order {number} is not as it was written; do not make it:</source>

@@ -7,9 +7,10 @@ import json
 import re
 import shutil
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from datetime import UTC, date, datetime, timedelta
+from functools import reduce
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError, OutputError
 from insole_core.export.order_verification import verify_order
-from insole_core.export.shop_order import MOST_PAIRS, OrderTerms
+from insole_core.export.shop_order import MOST_PAIRS, OrderTerms, digest_of_order
 from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -161,6 +162,96 @@ def test_what_happened_to_the_files_is_told(unpacked: Path) -> None:
     assert "virus.exe is not part of the order" in told[2]
 
 
+def leaves(value: Any, *keys: Any) -> Iterator[tuple[Any, ...]]:
+    """Yield the keys that lead to each value that is neither an object nor a list."""
+    if isinstance(value, dict | list):
+        inner = value.items() if isinstance(value, dict) else enumerate(value)
+        for key, each in inner:
+            yield from leaves(each, *keys, key)
+    else:
+        yield keys
+
+
+def changed(value: Any) -> Any:
+    """Return another value of the same kind that a shop could take for right."""
+    if isinstance(value, str):
+        others = {"left": "right", "right": "left", "insole": "block", "solid": "other",
+                  "gcode": "other", "job_sheet": "other", "insole-order": None}  # fmt: skip
+        is_date = re.match(r"\d{4}-\d\d-\d\d", value)
+        is_digest = re.fullmatch("[0-9a-f]{64}", value)
+        if is_date or is_digest:
+            return value.replace("2026", "2027") if is_date else value[::-1]
+        return others.get(value, f"{value}0")
+    return None if value is None else value * 10 + 1
+
+
+def test_whatever_is_changed_in_the_order_file_is_told(unpacked: Path) -> None:
+    path = unpacked / "order.json"
+    text = path.read_text()
+    tried = list(leaves(json.loads(text)))
+    assert len(tried) > 40
+    for *keys, last in tried:
+        order = json.loads(text)
+        within = reduce(lambda place, key: place[key], keys, order)
+        if (after := changed(within[last])) == within[last] or last in ("format", "version"):
+            continue
+        within[last] = after
+        path.write_text(json.dumps(order))
+        try:
+            told = problems_of(unpacked)
+        except InputError:  # refused, as it could not be right
+            continue
+        assert "order.json has been changed since the order was written" in told, (keys, last)
+
+
+def sealed(path: Path, change: Callable[[dict[str, Any]], object]) -> None:
+    """Change an order file as a program does that knows its digest."""
+    order = json.loads(path.read_text())
+    change(order)
+    path.write_text(json.dumps(order | {"sha256": digest_of_order(order)}))
+
+
+@pytest.mark.parametrize(
+    ("told", "change"),
+    [
+        ('says "2" for quantity, and order.json says "20"',
+         lambda order: order["items"][0].update(quantity=20)),
+        ('says "EVA" for material, right, and order.json says "EVA 60"',
+         lambda order: order["items"][0]["materials"].update(right="EVA 60")),
+        ('says "1" for revision', lambda order: order.update(revision=2)),
+        ('says "soft heel" for remarks', lambda order: order["items"][0].update(remarks="hard")),
+        ("bytes, and order.json says 5",
+         lambda order: order["items"][0]["files"][0].update(bytes=5)),
+    ],
+)  # fmt: skip
+def test_the_order_file_is_compared_with_sheets_and_files(
+    unpacked: Path, told: str, change: Callable[[dict[str, Any]], object]
+) -> None:
+    sealed(unpacked / "order.json", change)
+    problems = problems_of(unpacked)
+    assert told in problems
+    assert "order.json has been changed" not in problems
+
+
+def test_an_answer_says_what_was_compared(unpacked: Path, parts: tuple[Part, ...]) -> None:
+    assert "5 files; all that order.json says" in verify_order(unpacked).compared()
+    assert "terms on 2 job sheets" in verify_order(unpacked).compared()
+    path = unpacked / "order.json"
+    order = json.loads(path.read_text())
+    del order["sha256"]
+    path.write_text(json.dumps(order))
+    assert "order.json has been changed" in problems_of(unpacked)  # its sheets are of this version
+    before = unpacked.with_name("before")
+    written_again(parts, before)
+    order = json.loads((before / "order.json").read_text())
+    del order["sha256"]
+    (before / "order.json").write_text(json.dumps(order))
+    verification = verify_order(before)
+    assert verification.problems == ()
+    assert "all that order.json says" not in verification.compared()
+    assert "without a digest of its own" in verification.compared()
+
+
 def test_exchanged_sides_are_told(unpacked: Path) -> None:
     left, right = unpacked / "P-17-left.stl", unpacked / "P-17-right.stl"
     left.rename(unpacked / "kept")
@@ -286,7 +377,9 @@ def test_the_command_writes_and_verifies(
     wanted = ["order", "create", str(case), "--out", str(out), "--quantity", "3"]
     assert run([*wanted, "--side", "left", "--number", "A7"]) == 0
     assert run(["order", "verify", str(out)]) == 0
-    assert "Order A7" in capsys.readouterr().out
+    told = capsys.readouterr()
+    assert "Order A7" in told.out
+    assert "all that order.json says" in told.out.splitlines()[-1]
     (out / "P-17-left.stl").write_bytes(b"")
     assert run(["order", "verify", str(out)]) == 1
     told = capsys.readouterr()

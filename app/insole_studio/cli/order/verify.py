@@ -38,4 +38,4 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             order=arguments.order,
             count=len(verification.problems),
         )
-    print("Complete and unchanged.")
+    print(f"The order is complete. {verification.compared()}")

@@ -257,10 +257,12 @@ class ExportActions(StageWindow["ExportStage"]):
     def _tell_verified(self, verified: Verification) -> None:
         number = verified.order.release.number
         if not verified.problems:
-            sentence = tr("Order {number} is complete and unchanged: {count} files.")
-            self._messages.say(
-                sentence.format(number=number, count=len(verified.order.files)), LONG_MS
-            )
+            sentence = tr("Order {number} is complete.").format(number=number)
+            answer = f"{sentence} {translate_core_message(verified.compared())}"
+            if verified.has_digest:
+                self._messages.say(answer, LONG_MS)
+            else:
+                self._messages.show_sentence(answer)
             return
         lines = [translate_core_message(problem) for problem in verified.problems]
         more = len(lines) - _MOST_LINES

@@ -18,6 +18,7 @@ from pytestqt.qtbot import QtBot
 import insole_studio
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
+from insole_core.export.shop_order import digest_of_order
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
@@ -462,7 +463,7 @@ def test_an_order_that_arrived_is_verified(
     folder = tmp_path / "26-7KQ4M"
     folder.mkdir()
     paths_given.answer = folder / "order.json"
-    paths_given.answer.write_text(json.dumps(order))
+    paths_given.answer.write_text(json.dumps(order | {"sha256": digest_of_order(order)}))
     solid = folder / "a-left.stl"
     solid.write_bytes(b"solid")
     export, status = app.features.export, app.window.statusBar()
