@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sqlalchemy.engine import URL, make_url
-from sqlalchemy.exc import ArgumentError
+from sqlalchemy.engine import URL
 
-from insole_core.errors import InputError
+from insole_core.records.server_address import read_address
 
 DATABASE_FILE = "records.sqlite3"
 CONTENTS_FOLDER = "contents"
-_LOCAL_HOSTS = ("", "localhost", "127.0.0.1", "::1")
-_VERIFIED = "verify-full"
 
 
 @dataclass(frozen=True)
@@ -50,23 +47,10 @@ class RecordsPlace:
         Raises
         ------
         InputError
-            When it is no such address, or asks for a connection that is not verified.
+            When it is no such address, asks for a connection that is not verified, or leaves open
+            which server it reaches.
         """
-        try:
-            parsed = make_url(url)
-        except ArgumentError:
-            raise InputError(
-                "The address of the database cannot be read; write it as "
-                "postgresql+psycopg://user@server/database."
-            ) from None
-        if parsed.drivername not in ("postgresql", "postgresql+psycopg"):
-            raise InputError(
-                "The record cannot use a database of the kind {kind}; give the address of a "
-                "PostgreSQL server: postgresql+psycopg://user@server/database.",
-                kind=parsed.drivername,
-            )
-        parsed = parsed.set(drivername="postgresql+psycopg")
-        return cls(_with_verified_tls(parsed), contents)
+        return cls(read_address(url), contents)
 
     @property
     def has_password(self) -> bool:
@@ -92,21 +76,6 @@ class RecordsPlace:
         """What to call the database in a sentence; without user and password."""
         if self.is_local:
             return str(self.database_file)
-        return f"{self.url.host or 'localhost'}/{self.url.database or ''}"
-
-
-def _with_verified_tls(url: URL) -> URL:
-    host = url.host or str(url.query.get("host", ""))
-    if host in _LOCAL_HOSTS or host.startswith("/"):  # a socket of this computer
-        return url
-    mode = url.query.get("sslmode", _VERIFIED)
-    if mode != _VERIFIED:
-        raise InputError(
-            "The address of the database asks for sslmode={mode}, with which patients' data could "
-            "be read on the way; remove it, or write sslmode=verify-full.",
-            mode=str(mode),
-        )
-    added = {"sslmode": _VERIFIED}
-    if "sslrootcert" not in url.query:
-        added["sslrootcert"] = "system"
-    return url.update_query_dict(added)
+        hosts = (self.url.host,) if self.url.host else self.url.normalized_query.get("host", ())
+        named = [host for host in hosts if host and not host.startswith("/")]
+        return f"{','.join(named) or 'localhost'}/{self.url.database or ''}"

@@ -1912,12 +1912,44 @@
             <translation>Adressen innehåller ett lösenord, som skulle lagras med inställningarna; ta bort det och skriv det på sin egen rad.</translation>
         </message>
         <message>
-            <source>The address of the database asks for sslmode={mode}, with which patients' data could be read on the way; remove it, or write sslmode=verify-full.</source>
-            <translation>Databasens adress begär sslmode={mode}, och då kan patientuppgifter läsas på vägen; ta bort det eller skriv sslmode=verify-full.</translation>
+            <source>The address of the database asks for {option}={found}, with which patients' data could be read on the way; remove it, or write {option}={value}.</source>
+            <translation>Databasens adress begär {option}={found}, och då kan patientuppgifter läsas på vägen; ta bort det eller skriv {option}={value}.</translation>
         </message>
         <message>
             <source>The address of the database cannot be read; write it as postgresql+psycopg://user@server/database.</source>
             <translation>Databasens adress kan inte läsas; skriv den som postgresql+psycopg://user@server/database.</translation>
+        </message>
+        <message>
+            <source>The address of the database does not say which one of the server; write it as postgresql+psycopg://user@server/database.</source>
+            <translation>Databasens adress säger inte vilken av serverns databaser; skriv den som postgresql+psycopg://user@server/database.</translation>
+        </message>
+        <message>
+            <source>The address of the database has the option {option}, which is not allowed, since it could lead to another server or weaken the connection; remove it.</source>
+            <translation>Databasens adress har tillvalet {option}, som inte är tillåtet eftersom det kan leda till en annan server eller försvaga anslutningen; ta bort det.</translation>
+        </message>
+        <message>
+            <source>The address of the database has the port {port}; give one from 1 to 65535.</source>
+            <translation>Databasens adress har porten {port}; ange en från 1 till 65535.</translation>
+        </message>
+        <message>
+            <source>The address of the database holds a password as {option}; remove it: the password is asked, or taken from PostgreSQL's own password file.</source>
+            <translation>Databasens adress innehåller ett lösenord som {option}; ta bort det: lösenordet efterfrågas eller tas från PostgreSQL:s egen lösenordsfil.</translation>
+        </message>
+        <message>
+            <source>The address of the database names a server that cannot be one, {server}; write its name, or for a socket of this computer: postgresql+psycopg://user@/database?host=/folder.</source>
+            <translation>Databasens adress nämner en server som inte kan vara någon, {server}; skriv dess namn, eller för en socket på den här datorn: postgresql+psycopg://user@/database?host=/folder.</translation>
+        </message>
+        <message>
+            <source>The address of the database names no server, and the environment variable {variable} would choose one; name the server in the address.</source>
+            <translation>Databasens adress nämner ingen server, och miljövariabeln {variable} skulle välja en; ange servern i adressen.</translation>
+        </message>
+        <message>
+            <source>The address of the database names this computer and others; name one or the other.</source>
+            <translation>Databasens adress nämner både den här datorn och andra; ange det ena eller det andra.</translation>
+        </message>
+        <message>
+            <source>The address of the database says {option} more than once; say it once.</source>
+            <translation>Databasens adress anger {option} mer än en gång; ange det en gång.</translation>
         </message>
         <message>
             <source>The arch is only {height_mm:g} mm high where {target_mm:g} mm are prescribed; a recess or a stroke lowers it there.</source>
@@ -2154,6 +2186,10 @@
         <message>
             <source>The drawn outline of the insole crosses itself; move its points apart.</source>
             <translation>Inläggets ritade kontur korsar sig själv; flytta isär punkterna.</translation>
+        </message>
+        <message>
+            <source>The environment variable {variable} sends connections to another server than the address of the database names; remove it, and name the server in the address.</source>
+            <translation>Miljövariabeln {variable} skickar anslutningar till en annan server än den som databasens adress nämner; ta bort den och ange servern i adressen.</translation>
         </message>
         <message>
             <source>The face {face} was not measured and stays as planned: {reason}</source>
