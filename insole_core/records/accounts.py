@@ -22,7 +22,7 @@ from sqlalchemy import Connection, Row, delete, func, insert, select, update
 from insole_core.errors import InputError, NotAllowed, RecordsError
 from insole_core.records import schema
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Author, Proof, Role
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase
 from insole_core.records.passwords import (
@@ -104,8 +104,14 @@ class Accounts:
             return accounts_are_on(connection)
 
     def all(self) -> list[Account]:
-        """Return all accounts by name."""
+        """Return all accounts by name.
+
+        Raises
+        ------
+        NotAllowed
+        """
         with self._database.reading() as connection:
+            require(connection, self._who, Right.MANAGE_ACCOUNTS)
             rows = connection.execute(select(schema.accounts).order_by(schema.accounts.c.name))
             return [_account(row) for row in rows]
 
@@ -249,7 +255,7 @@ class Accounts:
                 "The name or the password is wrong; try again, or ask the administrator for "
                 "another password."
             )
-        author = Author(found.name, self._who.station, Role(found.role))
+        author = Author(found.name, self._who.station, Role(found.role), Proof.PASSWORD)
         if not self._database.is_read_only:
             with suppress(DamagedDatabase):  # from now on it may only be read, by whoever may
                 self._note_success(author, found, password)

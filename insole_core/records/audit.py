@@ -12,6 +12,7 @@ import hashlib
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
@@ -30,14 +31,17 @@ from sqlalchemy import (
 
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.records.author import Author
+from insole_core.records.author import Author, Proof
 from insole_core.records.database import Database
+from insole_core.records.rights import Right, require
 from insole_core.records.schema import FIRST_HASH, audit, audit_head
 from insole_core.records.times import utc_now
 
 Detail: TypeAlias = str | int | float | bool | None
 LONGEST_DETAIL: Final = 200
 """Details are numbers, ids, hashes and names of fields; a longer text is about a patient."""
+SIGNED_IN_BY: Final = "signed_in_by"
+"""Detail of every line of somebody who has signed in: how it was proven who they are."""
 _WORD: Final = re.compile(r"[a-z][a-z_ ]{0,39}")
 _HEAD_ROW: Final = 1
 _BATCH: Final = 5000
@@ -114,10 +118,17 @@ class AuditReport:
 
 
 class AuditLog:
-    """The audit log of a record."""
+    """The audit log of a record.
 
-    def __init__(self, database: Database) -> None:
+    Parameters
+    ----------
+    who
+        Whoever reads it, which only an account with the right to it may.
+    """
+
+    def __init__(self, database: Database, who: Author) -> None:
         self._database = database
+        self._who = who
 
     @staticmethod
     def append(
@@ -160,6 +171,8 @@ class AuditLog:
         **details: Detail,
     ) -> list[AuditLine]:
         """Do the same as `append` for each of some subjects, at least one."""
+        if author.proof is not Proof.NONE:
+            details = {**details, SIGNED_IN_BY: str(author.proof)}
         for subject_id in subject_ids:
             _check_words(action, subject_kind, subject_id, details)
         written = json.dumps(details, sort_keys=True, separators=(",", ":"), allow_nan=False)
@@ -215,14 +228,14 @@ class AuditLog:
             query = query.where(by == author)
         if before is not None:
             query = query.where(audit.c.seq < before)
-        with self._database.reading() as connection:
+        with self._reading() as connection:
             if times is not None:
                 query = _within(connection, query, times)
             return [AuditLine(**row._mapping) for row in connection.execute(query)]
 
     def head(self) -> tuple[int, str]:
         """Return number and hash of the last line; 0 and zeros of an empty log."""
-        with self._database.reading() as connection:
+        with self._reading() as connection:
             return head_of(connection)
 
     def verify(
@@ -240,8 +253,14 @@ class AuditLog:
         ------
         Cancelled
         """
-        with self._database.reading() as connection:
+        with self._reading() as connection:
             return verify_chain(connection, known, progress)
+
+    @contextmanager
+    def _reading(self) -> Iterator[Connection]:
+        with self._database.reading() as connection:
+            require(connection, self._who, Right.READ_AUDIT)
+            yield connection
 
 
 def head_of(connection: Connection) -> tuple[int, str]:

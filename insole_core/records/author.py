@@ -1,11 +1,16 @@
-"""Who works on the record, and at which station."""
+"""Who works on the record, at which station, and how that was proven."""
 
 from __future__ import annotations
 
-import getpass
+import os
 import platform
 from dataclasses import dataclass
 from enum import StrEnum
+
+try:
+    import pwd
+except ImportError:  # Windows
+    pwd = None  # type: ignore[assignment]
 
 
 class Role(StrEnum):
@@ -14,6 +19,24 @@ class Role(StrEnum):
     ORTHOPEDIST = "orthopedist"
     TECHNICIAN = "technician"
     ADMINISTRATOR = "administrator"
+    BACKUP_SERVICE = "backup service"
+    """No person: a scheduled task, which makes and verifies backups."""
+
+    @property
+    def sees_patients(self) -> bool:
+        """Whether the role treats patients."""
+        return self in (Role.ORTHOPEDIST, Role.TECHNICIAN)
+
+
+class Proof(StrEnum):
+    """How it was proven who somebody is; the audit log keeps it with every line."""
+
+    NONE = "none"
+    """Not at all: the name is that of the operating system's user, who is nobody once the record
+    has accounts."""
+    PASSWORD = "password"
+    SYSTEM_USER = "system user"
+    """The operating system, or the server of the database, says which of its users it is."""
 
 
 @dataclass(frozen=True)
@@ -26,17 +49,30 @@ class Author:
         Of the account; while accounts are off, of the operating system's user.
     station
         Name of the computer.
+    proof
+        Only `insole_core.records.accounts` states another one than none.
     """
 
     name: str
     station: str
     role: Role = Role.ORTHOPEDIST
+    proof: Proof = Proof.NONE
 
     @classmethod
     def of_user(cls) -> Author:
         """Return the operating system's user at this computer."""
-        try:
-            name = getpass.getuser()
-        except (ImportError, KeyError, OSError):  # no name: some containers, services of Windows
-            name = ""
-        return cls(name or "?", platform.node() or "?")
+        return cls(system_user() or "?", platform.node() or "?")
+
+
+def system_user() -> str:
+    """Return the name of whoever runs this program, as the operating system knows it.
+
+    Not the environment's, which anybody can set. Empty where the user has no name, as in some
+    containers.
+    """
+    try:
+        if pwd is None:  # Windows, where this is the name in the program's access token
+            return os.getlogin()
+        return pwd.getpwuid(os.getuid()).pw_name
+    except (KeyError, OSError):
+        return ""

@@ -49,7 +49,7 @@ class Records:
         self.follow_ups = FollowUps(context)
         self.presence = Presence(context)
         self.clinic = ClinicSettings(context)
-        self.audit = AuditLog(database)
+        self.audit = AuditLog(database, who)
         self.accounts = Accounts(database, who)
         self._changes = ChangeFeed(context)
 

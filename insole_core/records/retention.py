@@ -38,7 +38,7 @@ from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
 from insole_core.records.person import new_pseudonym
 from insole_core.records.person_rows import ids_of_joined
-from insole_core.records.rights import Right, require
+from insole_core.records.rights import Right, require, require_signed_in
 from insole_core.records.schema import (
     captures,
     contents,
@@ -322,16 +322,19 @@ def erase_identity(connection: Connection, person_id: str) -> None:
 def sweep_contents(
     context: RecordsContext, now: datetime | None = None, grace_s: float = GRACE_S
 ) -> SweptContents:
-    """Let large files go that nothing refers to any more, as after an erasure; anybody may.
+    """Let large files go that nothing refers to any more, as after an erasure; every account may.
 
     Raises
     ------
+    NotAllowed
+        When nobody has signed in.
     RecordsError
         When somebody refers to one of them at the same moment: the next sweep is in time.
     """
     now = datetime.now(UTC) if now is None else now
     before = datetime.fromtimestamp(now.timestamp() - grace_s, UTC).isoformat()
     with context.database.writing() as connection:
+        require_signed_in(connection, context.author)
         unused = and_(*(~exists().where(column == contents.c.sha256) for column in _REFERRING))
         old = contents.c.created_at < before
         removed = connection.execute(delete(contents).where(unused, old)).rowcount

@@ -12,7 +12,7 @@ from sqlalchemy import Connection, select
 
 from insole_core.errors import NotAllowed
 from insole_core.messages import joined
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Author, Proof, Role
 from insole_core.records.schema import accounts, clinic
 
 ACCOUNTS_ON: Final = "accounts_on"
@@ -52,6 +52,7 @@ RIGHTS: Final[Mapping[Role, frozenset[Right]]] = MappingProxyType(
                 Right.MANAGE_ACCOUNTS,
             }
         ),
+        Role.BACKUP_SERVICE: frozenset({Right.BACK_UP}),
     }
 )
 """Who prescribes does not manage accounts, and who manages accounts does not see patients. Erasing
@@ -65,22 +66,18 @@ def accounts_are_on(connection: Connection) -> bool:
 
 
 def require(connection: Connection, author: Author, right: Right) -> None:
-    """Check that somebody may do something; while accounts are off, everybody may do everything.
+    """Check that somebody may do something: the one check that all doors of the record share.
 
-    The role is that of the account in the database, so that whoever is demoted or disabled
-    meanwhile stops at their next step.
+    While accounts are off, everybody may do everything. Once they are on, a name alone is nobody:
+    it takes a proof. The role is that of the account in the database, so that whoever is demoted or
+    disabled meanwhile stops at their next step.
 
     Raises
     ------
     NotAllowed
     """
-    if not accounts_are_on(connection):
-        return
-    query = select(accounts.c.role).where(accounts.c.name == author.name, ~accounts.c.is_disabled)
-    role = connection.execute(query).scalar()
-    if role is None:
-        raise NotAllowed("You are not signed in; sign in with your account of the record first.")
-    if right not in RIGHTS[Role(role)]:
+    role = require_signed_in(connection, author)
+    if role is not None and right not in RIGHTS[role]:
         allowed = [other for other in Role if right in RIGHTS[other]]
         raise NotAllowed(
             "The account {account} ({role}) may not {action}; ask somebody who may: {who}.",
@@ -89,3 +86,24 @@ def require(connection: Connection, author: Author, right: Right) -> None:
             action=str(right),
             who=joined(allowed, " / "),
         )
+
+
+def require_signed_in(connection: Connection, author: Author) -> Role | None:
+    """Check that somebody has an account, whatever it may do, and return its role.
+
+    Returns
+    -------
+    Role or None
+        None while accounts are off.
+
+    Raises
+    ------
+    NotAllowed
+    """
+    if not accounts_are_on(connection):
+        return None
+    query = select(accounts.c.role).where(accounts.c.name == author.name, ~accounts.c.is_disabled)
+    role = None if author.proof is Proof.NONE else connection.execute(query).scalar()
+    if role is None:
+        raise NotAllowed("You are not signed in; sign in with your account of the record first.")
+    return Role(role)

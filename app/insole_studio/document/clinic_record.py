@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.errors import InsoleError, Unreachable
 from insole_core.progress import Progress
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Author
 from insole_studio.document.record_location import RecordLocation
 from insole_studio.jobs import Jobs
 
@@ -101,9 +101,9 @@ class ClinicRecord(QObject):
 
     @property
     def may_show_patients(self) -> bool:
-        """Whether whoever works here may see patients, which an administrator may not."""
+        """Whether whoever works here may see patients, as those who treat them."""
         author = self.author
-        return author is None or author.role is not Role.ADMINISTRATOR
+        return author is None or author.role.sees_patients
 
     @property
     def is_read_only(self) -> bool:

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from argon2 import PasswordHasher
 from sqlalchemy import select
+from stations import proven
 
 from insole_core.errors import InputError, NotAllowed, RecordsError
 from insole_core.messages import Message
@@ -28,6 +29,7 @@ from insole_core.records.rights import RIGHTS, Right, require
 
 GOOD, BETTER = "vier Schuhe gehen", "långa korridorer ekar"
 SYSTEM_USER = Author("operator", "desk")
+CHEF = proven("chef", Role.ADMINISTRATOR)
 
 
 @dataclass
@@ -60,7 +62,7 @@ def accounts_of(database: Database, clocks: Clocks, who: Author = SYSTEM_USER) -
 def administered(database: Database, clocks: Clocks) -> Accounts:
     """The accounts as the first administrator sees them."""
     accounts_of(database, clocks).switch_on("chef", "Carla Chef", GOOD)
-    return accounts_of(database, clocks, Author("chef", "desk", Role.ADMINISTRATOR))
+    return accounts_of(database, clocks, CHEF)
 
 
 @pytest.fixture
@@ -69,7 +71,7 @@ def anna(administered: Accounts) -> Account:
 
 
 def actions(database: Database) -> list[str]:
-    return [line.action for line in reversed(AuditLog(database).lines())]
+    return [line.action for line in reversed(AuditLog(database, CHEF).lines())]
 
 
 def refuse(accounts: Accounts, name: str, times: int) -> None:
@@ -102,7 +104,7 @@ def test_the_first_administrator_is_made_by_switching_on(administered: Accounts)
     (chef,) = administered.all()
     assert (chef.name, chef.role) == ("chef", Role.ADMINISTRATOR)
     author = administered.sign_in("chef", GOOD)
-    assert author == Author("chef", "desk", Role.ADMINISTRATOR)
+    assert author == CHEF
     with pytest.raises(RecordsError, match="on already"):
         administered.switch_on("eva", "Eva", GOOD)
 
@@ -111,7 +113,7 @@ def test_switching_off_and_on_again_takes_a_new_password(
     administered: Accounts, anna: Account
 ) -> None:
     with pytest.raises(NotAllowed):
-        Accounts(administered._database, Author(anna.name, "desk")).switch_off()
+        Accounts(administered._database, proven(anna.name)).switch_off()
     administered.switch_off()
     assert not administered.are_on
     administered.switch_on("chef", "Carla Chef", BETTER)
@@ -314,7 +316,7 @@ def test_accounts_sign_in_where_the_record_may_only_be_read(
     with pytest.raises(NotAllowed, match="wait 2 min"):
         accounts.sign_in("anna", BETTER)
     clocks.wait(2 * FIRST_LOCK_S + 1)
-    assert accounts.sign_in("anna", BETTER) == Author("anna", "desk", Role.ORTHOPEDIST)
+    assert accounts.sign_in("anna", BETTER) == proven("anna")
     refuse(accounts, "anna", FREE_FAILURES - 1)  # the count began anew
     assert accounts.sign_in("chef", GOOD).role is Role.ADMINISTRATOR
     assert actions(database) == before
@@ -356,7 +358,7 @@ def test_passwords_are_reset_by_an_administrator(
     database: Database, administered: Accounts, anna: Account, clocks: Clocks
 ) -> None:
     with pytest.raises(NotAllowed, match="may not manage accounts"):
-        accounts_of(database, clocks, Author("anna", "desk")).reset_password(anna.id, GOOD)
+        accounts_of(database, clocks, proven("anna")).reset_password(anna.id, GOOD)
     administered.reset_password(anna.id, GOOD)
     assert administered.sign_in("anna", GOOD).name == "anna"
     with pytest.raises(RecordsError, match="no such account"):
@@ -391,7 +393,7 @@ MATRIX = {
     Right.MERGE: "o",
     Right.ERASE: "a",
     Right.READ_AUDIT: "a",
-    Right.BACK_UP: "ota",
+    Right.BACK_UP: "otab",
     Right.SET_UP: "a",
     Right.MANAGE_ACCOUNTS: "a",
 }
@@ -401,7 +403,7 @@ MATRIX = {
 def test_roles_have_their_rights(database: Database, administered: Accounts, role: Role) -> None:
     assert set(MATRIX) == set(Right)
     administered.add("eva", "Eva Ek", role, BETTER)
-    eva = Author("eva", "desk", Role.ADMINISTRATOR)  # what the window believes does not count
+    eva = proven("eva", Role.ADMINISTRATOR)  # what the window believes does not count
     with database.reading() as connection:
         for right, allowed in MATRIX.items():
             if role[0] in allowed:
@@ -428,6 +430,6 @@ def test_the_audit_log_tells_what_happened_and_no_password(
         "switched on", "added", "locked", "refused", "refused", "unlocked", "signed in",
         "changed password",
     ]  # fmt: skip
-    lines = AuditLog(database).lines()
+    lines = AuditLog(database, CHEF).lines()
     assert not any(text in str(vars(line)) for line in lines for text in (GOOD, BETTER))
-    assert AuditLog(database).verify().is_intact
+    assert AuditLog(database, CHEF).verify().is_intact

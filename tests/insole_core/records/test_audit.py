@@ -28,7 +28,7 @@ def database(stations: Stations) -> Database:
 
 @pytest.fixture
 def log(database: Database) -> AuditLog:
-    return AuditLog(database)
+    return AuditLog(database, ANNA)
 
 
 def write(database: Database, count: int) -> None:
@@ -125,7 +125,7 @@ def test_the_first_broken_line_is_named(
 
 def rewrite_all(database: Database) -> None:
     """Forge a chain that is consistent in itself, with another author."""
-    lines = AuditLog(database).lines()
+    lines = AuditLog(database, ANNA).lines()
     previous = FIRST_HASH
     with without_triggers(database) as connection:
         connection.execute(text("DELETE FROM audit"))

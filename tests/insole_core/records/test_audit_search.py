@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import date, timedelta
 
 import pytest
-from stations import BEN, Stations
+from stations import BEN, Stations, proven
 
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records.audit_search import (
@@ -14,7 +14,7 @@ from insole_core.records.audit_search import (
     search_audit,
     verify_audit,
 )
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
@@ -72,9 +72,9 @@ def test_the_next_page_begins_where_the_last_one_ended(records: Records) -> None
 def test_the_log_is_for_administrators(stations: Stations) -> None:
     records = stations.open()
     records.accounts.switch_on("root", "Rut Root", "four words in a row")
-    admin = records.for_author(Author("root", "desk", Role.ADMINISTRATOR))
+    admin = records.for_author(proven("root", Role.ADMINISTRATOR))
     admin.accounts.add("eva", "Eva Ek", Role.TECHNICIAN, "other words in a row")
-    eva = records.for_author(Author("eva", "desk", Role.TECHNICIAN))
+    eva = records.for_author(proven("eva", Role.TECHNICIAN))
     for ask in (
         lambda: search_audit(eva.context, AuditFilter()),
         lambda: authors_of_audit(eva.context),

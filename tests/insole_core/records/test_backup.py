@@ -30,13 +30,14 @@ from backed_up_record import (
     make_record,
 )
 from sqlalchemy import insert, text
+from stations import proven
 
 from insole_core.errors import InputError, NotAllowed, OutputError, RecordsError
 from insole_core.progress import Cancelled, Progress
 from insole_core.records import schema
 from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.backup import backup_folder
 from insole_core.records.backup import restore as restoring
 from insole_core.records.backup.back_up import BackupReport, back_up, set_up_backups
@@ -88,7 +89,9 @@ def test_a_restored_record_equals_the_one_that_was_backed_up(
     restored, told = restored_at(folder, tmp_path / "another machine" / "record")
     equal_rows(context, restored)
     assert any(STRANGE in row for row in all_rows(restored)["persons"])
-    assert [line.action for line in AuditLog(restored.database).lines(limit=1)] == ["restored"]
+    assert [line.action for line in AuditLog(restored.database, ANNA).lines(limit=1)] == [
+        "restored"
+    ]
     assert told.audit.is_intact
     assert sorted(restored.contents.digests()) == sorted(context.contents.digests())
     assert {restored.contents.read(name) for name in restored.contents.digests()} == {MESH, SESSION}
@@ -225,7 +228,7 @@ def test_a_backup_is_set_up_first_and_by_who_may(
                  lambda: back_up(context, folder)):  # fmt: skip
         with pytest.raises(NotAllowed, match="not signed in"):
             work()
-    chef = Author("chef", "desk", Role.ADMINISTRATOR)
+    chef = proven("chef", Role.ADMINISTRATOR)
     back_up(RecordsContext(context.database, context.contents, chef), folder)
 
 
@@ -572,7 +575,7 @@ def equal_rows(context: RecordsContext, other: RecordsContext) -> None:
         assert after[name] == before[name], name
     # The backup was made before the line that tells of it.
     assert after["audit"][: len(before["audit"]) - 1] == before["audit"][:-1]
-    assert AuditLog(other.database).verify().is_intact
+    assert AuditLog(other.database, ANNA).verify().is_intact
     signatures = verified_signatures(other)
     assert signatures == SignatureReport(signatures.checked)
 

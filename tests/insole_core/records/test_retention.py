@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 from backed_up_record import ANNA, MESH, RECIPIENT, SECRET, SESSION, STRANGE, context_of, fill
 from sqlalchemy import insert, select, text
-from stations import Stations
+from stations import Stations, proven
 
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records import schema
 from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.backup.back_up import back_up, set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.restore import restore
@@ -99,7 +99,7 @@ def test_on_request_the_device_stays_under_the_pseudonym(context: RecordsContext
     assert [row.id for row in rows(context, schema.captures)] == ["c"]
     with context.database.reading() as connection:
         assert verify_signatures(connection) == SignatureReport(checked=1)
-    assert AuditLog(context.database).verify().is_intact
+    assert AuditLog(context.database, ANNA).verify().is_intact
 
 
 def test_after_the_time_of_keeping_nothing_stays_but_the_fact(context: RecordsContext) -> None:
@@ -111,10 +111,10 @@ def test_after_the_time_of_keeping_nothing_stays_but_the_fact(context: RecordsCo
     assert [word for word in PERSONAL if word in everything(context)] == []
     with context.database.reading() as connection:
         assert verify_signatures(connection) == SignatureReport(checked=0)
-    lines = AuditLog(context.database).lines()
+    lines = AuditLog(context.database, ANNA).lines()
     assert (lines[0].action, lines[0].subject_id, lines[0].author) == ("erased", "kept", "anna")
     assert '"reason":"retention over"' in lines[0].details
-    assert AuditLog(context.database).verify().is_intact
+    assert AuditLog(context.database, ANNA).verify().is_intact
 
 
 def test_what_was_kept_for_the_law_goes_later(context: RecordsContext) -> None:
@@ -186,9 +186,7 @@ def test_only_the_administrator_erases(context: RecordsContext) -> None:
         with pytest.raises(NotAllowed):
             work()
     assert "Storgatan" in everything(context)
-    chef = RecordsContext(
-        context.database, context.contents, Author("chef", "desk", Role.ADMINISTRATOR)
-    )
+    chef = RecordsContext(context.database, context.contents, proven("chef", Role.ADMINISTRATOR))
     erase_person(chef, "kept", REQUEST, TODAY)
 
 

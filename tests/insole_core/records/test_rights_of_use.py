@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 from sqlalchemy import insert
-from stations import Stations
+from stations import Stations, proven
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import NotAllowed
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.captures import MESH
 from insole_core.records.clinic import write_setting
 from insole_core.records.person import Person
@@ -38,7 +38,7 @@ def visit(stations: Stations, foot_record: FootRecord) -> Visit:
 
 
 def signed_in(stations: Stations, role: str) -> Records:
-    return stations.open(Author(role, "desk"))
+    return stations.open(proven(role))
 
 
 Use = Callable[[Records, Visit], object]

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from sqlalchemy import delete, insert, select, update
-from stations import Stations
+from stations import Stations, proven
 from tampering import without_triggers
 
 from insole_core.errors import NotAllowed, RecordsError
@@ -78,7 +78,7 @@ def test_a_signed_version_states_who_signed_and_is_closed(
     assert row.is_closed
     assert row.revision == 2  # who still edits it learns of it
     assert signature.digest == digest_of(row._asdict())
-    assert signature.digest in AuditLog(database).lines()[0].details
+    assert signature.digest in AuditLog(database, ANNA).lines()[0].details
     assert report_of(database) == SignatureReport(checked=1)
 
 
@@ -100,10 +100,10 @@ def test_a_version_is_signed_once(database: Database, version_id: str) -> None:
 def test_only_who_may_sign_signs(database: Database, version_id: str) -> None:
     accounts = Accounts(database, ANNA)
     accounts.switch_on("chef", "Carla Chef", "vier Schuhe gehen")
-    administered = Accounts(database, Author("chef", "desk", Role.ADMINISTRATOR))
+    administered = Accounts(database, proven("chef", Role.ADMINISTRATOR))
     administered.add("tim", "Tim Ek", Role.TECHNICIAN, "vier Schuhe gehen")
     with pytest.raises(NotAllowed, match=r"tim .technician. may not sign prescriptions"):
-        signed(database, version_id, Author("tim", "desk", Role.ORTHOPEDIST))
+        signed(database, version_id, proven("tim", Role.ORTHOPEDIST))
     assert report_of(database).checked == 0
 
 

@@ -10,13 +10,14 @@ from pathlib import Path
 import pytest
 from read_pdf import text_of_pdf
 from sqlalchemy import text
+from stations import proven
 from tampering import without_triggers
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InputError, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.records.accounts import Accounts
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
 from insole_core.records.order import Order, OrderState
@@ -124,10 +125,11 @@ def test_what_the_annex_asks_for_is_asked_for(records: Records, order: Order) ->
 def test_the_full_name_of_who_signed_is_printed(records: Records, order: Order) -> None:
     accounts = Accounts(records.context.database, records.who)
     accounts.switch_on("chef", "Carla Chef", "vier Schuhe gehen")
-    chef = Accounts(records.context.database, Author("chef", "desk", Role.ADMINISTRATOR))
+    chef = Accounts(records.context.database, proven("chef", Role.ADMINISTRATOR))
     chef.add("anna", "Anna Åkesson", Role.ORTHOPEDIST, "vier Schuhe gehen")
-    sign_all(records, order)
-    assert stated(records, order).responsible.prescriber == "Anna Åkesson"
+    anna = records.for_author(proven("anna"))
+    sign_all(anna, order)
+    assert stated(anna, order).responsible.prescriber == "Anna Åkesson"
 
 
 def test_an_erased_patient_stays_documented_under_the_pseudonym(

@@ -30,7 +30,7 @@ def test_a_sound_record_is_sound(context: RecordsContext) -> None:
     assert report.problems() == []
     assert report.is_sound
     assert (report.audit.lines, report.signatures.checked, report.contents.checked) == (
-        AuditLog(context.database).head()[0], 1, 2,
+        AuditLog(context.database, context.author).head()[0], 1, 2,
     )  # fmt: skip
 
 

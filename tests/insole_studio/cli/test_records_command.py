@@ -8,6 +8,7 @@ import json
 from datetime import date
 
 import pytest
+from stations import proven
 
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, Patient
@@ -165,7 +166,7 @@ def test_where_the_clinic_has_accounts_a_command_signs_in_and_keeps_to_the_role(
     records = open_records(RecordsPlace.local(record), Author("eva", "desk"))
     database = records.context.database
     Accounts(database, records.who).switch_on("eva", "Eva Lund", password)
-    eva = Accounts(database, Author("eva", "desk", Role.ADMINISTRATOR))
+    eva = Accounts(database, proven("eva", Role.ADMINISTRATOR))
     eva.add("olle", "Olle Ek", Role.ORTHOPEDIST, password)
     records.close()
     command = ["records", "show", "A-1", "--record", str(record)]

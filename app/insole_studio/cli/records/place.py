@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import argparse
+import logging
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import NotAllowed, UsageError
-from insole_studio.cli.records.secrets import ask
+from insole_core.errors import NotAllowed, RecordsError, UsageError
+from insole_studio.cli.argument_parser import whole
+from insole_studio.cli.records.secrets import password_of
 
 if TYPE_CHECKING:
     from insole_core.records.author import Author
     from insole_core.records.place import RecordsPlace
     from insole_core.records.records import Records
     from insole_core.records.rights import Right
+
+log = logging.getLogger(__name__)
 
 
 def add_place(parser: argparse.ArgumentParser) -> None:
@@ -35,6 +39,15 @@ def add_place(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--account", metavar="NAME",
         help="sign in with this account; its password is asked, or read from the standard input",
+    )  # fmt: skip
+    password = parser.add_mutually_exclusive_group()
+    password.add_argument(
+        "--password-file", type=Path, metavar="FILE",
+        help="file with the password of --account, which only you may read",
+    )  # fmt: skip
+    password.add_argument(
+        "--password-fd", type=whole, metavar="N",
+        help="file descriptor that a script has opened to hand over the password",
     )  # fmt: skip
 
 
@@ -58,6 +71,32 @@ def place_of(arguments: argparse.Namespace) -> RecordsPlace:
     return RecordsPlace.of_url(arguments.database, arguments.contents)
 
 
+def check_may_set_aside(arguments: argparse.Namespace) -> None:
+    """Check that whoever restores may set the record aside that is there, as in the window.
+
+    To a damaged record nobody may be able to sign in: there the passphrase of the backup is enough.
+
+    Raises
+    ------
+    NotAllowed
+    """
+    from insole_core.records.author import Author
+    from insole_core.records.open import open_records
+    from insole_core.records.rights import Right
+
+    place = place_of(arguments)
+    if not place.is_local or not place.database_file.exists():
+        return
+    try:
+        records = open_records(place, Author.of_user())
+    except RecordsError as error:
+        log.warning("a record that cannot be opened may be set aside: %s", error)
+        return
+    with closing(records):
+        if not records.is_read_only:
+            _check(records, sign_in(records, arguments), Right.SET_UP)
+
+
 @contextmanager
 def opened(arguments: argparse.Namespace, right: Right) -> Iterator[Records]:
     """Yield the record that the options name, signed in where the clinic has accounts.
@@ -76,28 +115,38 @@ def opened(arguments: argparse.Namespace, right: Right) -> Iterator[Records]:
     """
     from insole_core.records.author import Author
     from insole_core.records.open import open_records
-    from insole_core.records.rights import require
 
     place = place_of(arguments)
     if place.is_local and not place.database_file.exists():
         raise UsageError(f"{place.database_file} does not exist; name the folder of a record.")
-    records = open_records(place, Author.of_user())
-    try:
+    with closing(open_records(place, Author.of_user())) as records:
+        who = sign_in(records, arguments)
+        _check(records, who, right)
+        yield records.for_author(who)
+
+
+def _check(records: Records, who: Author, right: Right) -> None:
+    from insole_core.records.rights import require
+
+    with records.context.database.reading() as connection:
+        require(connection, who, right)
+
+
+def sign_in(records: Records, arguments: argparse.Namespace) -> Author:
+    """Return whoever the options name, once that is proven; the system's user without accounts.
+
+    Raises
+    ------
+    NotAllowed
+        When the password is wrong, or nobody signs in to a record with accounts.
+    """
+    if not records.accounts.are_on:
         if arguments.account is not None:
-            who = _signed_in(records, arguments.account)
-            records.close()
-            records = open_records(place, who)
-        with records.context.database.reading() as connection:
-            require(connection, records.who, right)
-        yield records
-    finally:
-        records.close()
-
-
-def _signed_in(records: Records, account: str) -> Author:
-    from insole_core.records.accounts import Accounts
-
-    accounts = Accounts(records.context.database, records.who)
-    if not accounts.are_on:
-        raise NotAllowed("The record has no accounts; leave out --account.")
-    return accounts.sign_in(account, ask(f"Password of {account}: ", None))
+            raise NotAllowed("The record has no accounts; leave out --account.")
+        return records.who
+    if arguments.account is None:
+        raise NotAllowed(
+            "The record has accounts, and you are not signed in; name yours with --account NAME, "
+            "and its password is asked for."
+        )
+    return records.accounts.sign_in(arguments.account, password_of(arguments))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
-from insole_studio.cli.records.place import add_place, place_of
+from insole_studio.cli.records.place import add_place, check_may_set_aside, place_of
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
 from insole_studio.user_paths import UserPaths
 
@@ -34,6 +34,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.records.author import Author
     from insole_core.records.backup.restore import restore
 
+    if arguments.set_aside:
+        check_may_set_aside(arguments)
     report = restore(
         arguments.folder,
         secret_of(arguments),

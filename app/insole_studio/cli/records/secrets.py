@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import getpass
+import os
 import sys
 from pathlib import Path
 
@@ -39,6 +40,23 @@ def secret_of(arguments: argparse.Namespace) -> str:
     return keys[0]
 
 
+def password_of(arguments: argparse.Namespace) -> str:
+    """Return the password of the account that the options name; never an argument or a variable.
+
+    Raises
+    ------
+    InputError
+        When others may read the file with the password.
+    UsageError
+        When there is none.
+    """
+    if arguments.password_fd is not None:
+        return _read_descriptor(arguments.password_fd)
+    if arguments.password_file is not None:
+        _check_private(arguments.password_file)
+    return ask(f"Password of {arguments.account}: ", arguments.password_file)
+
+
 def ask(prompt: str, file: Path | None) -> str:
     """Return a secret from a file, from whoever sits at the terminal, or from standard input.
 
@@ -53,8 +71,32 @@ def ask(prompt: str, file: Path | None) -> str:
         return getpass.getpass(prompt)
     line = sys.stdin.readline().rstrip("\r\n")
     if not line:
-        raise UsageError("Nobody can be asked for the passphrase; give the file that holds it.")
+        raise UsageError(
+            f"Nobody can be asked for: {prompt.strip(' :')}; give the file that holds it, or write "
+            "it to the standard input."
+        )
     return line
+
+
+def _read_descriptor(number: int) -> str:
+    try:
+        with os.fdopen(os.dup(number), encoding="utf-8") as stream:
+            return stream.readline(_MOST_BYTES).rstrip("\r\n")
+    except (OSError, OverflowError, UnicodeDecodeError) as error:
+        raise UsageError(
+            f"The file descriptor {number} of --password-fd holds no text that can be read; open "
+            "it before the command begins."
+        ) from error
+
+
+def _check_private(file: Path) -> None:
+    """Refuse a password that others may read; Windows has no such bits, and reports none."""
+    if os.name == "posix" and file.exists() and file.stat().st_mode & 0o077:
+        raise InputError(
+            "{path} holds a password, and others may read it; take that right from them (chmod "
+            "600), and choose another password.",
+            path=file,
+        )
 
 
 def _read(file: Path) -> str:

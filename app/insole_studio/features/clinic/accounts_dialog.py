@@ -241,10 +241,6 @@ def read_lock_minutes(records: Records) -> int:
 
 
 def _read(records: Records) -> _Shown:
-    from insole_core.records.rights import Right, require
-
-    with records.context.database.reading() as connection:
-        require(connection, records.who, Right.MANAGE_ACCOUNTS)
     accounts = records.accounts.all() if records.accounts.are_on else None
     return _Shown(accounts, read_lock_minutes(records))
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QDialog
 
 from insole_core.errors import InsoleError
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Author
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.clinic.accounts_dialog import read_lock_minutes
@@ -129,7 +129,7 @@ class SessionLock(QObject):
             keeper.leave(lambda: self._hand_over(author))
 
     def _hand_over(self, author: Author) -> None:
-        if author.role is Role.ADMINISTRATOR and not self._has_hidden_patients():
+        if not author.role.sees_patients and not self._has_hidden_patients():
             return
         self._author = author
         self._end_dialog()

@@ -12,10 +12,11 @@ from administering import OTHER_PASSWORD, PASSWORD, Dialog, shown
 from argon2 import PasswordHasher
 from postgres_server import binaries, running_server
 from pytestqt.qtbot import QtBot
+from stations import proven
 
 from insole_core.records import passwords
 from insole_core.records.accounts import Accounts
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.place import DATABASE_FILE
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application
@@ -49,7 +50,7 @@ def run(clinic: Application, rest: Callable[[], None]) -> Callable[[str, type[Di
 def with_accounts(clinic: Application, records: Records, qtbot: QtBot) -> Application:
     """The same with accounts: an administrator, and Eva who treats patients; nobody signed in."""
     records.accounts.switch_on("admin", "Rut Root", PASSWORD)
-    root = Author("admin", "desk", Role.ADMINISTRATOR)
+    root = proven("admin", Role.ADMINISTRATOR)
     accounts: Accounts = records.for_author(root).accounts
     accounts.add("eva", "Eva Ek", Role.ORTHOPEDIST, OTHER_PASSWORD)
     record = clinic.services.clinic

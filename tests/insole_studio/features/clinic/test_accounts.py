@@ -11,8 +11,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
+from stations import proven
 
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application
@@ -232,7 +233,7 @@ def test_an_administrator_who_takes_over_sees_no_patient(
     with_accounts: Application, records: Records, qtbot: QtBot, rest: Callable[[], None]
 ) -> None:
     signed_in(with_accounts, qtbot)
-    eva = records.for_author(Author("eva", "desk"))
+    eva = records.for_author(proven("eva"))
     eva.persons.add(Person("Anna Berg", date(1970, 2, 28)))
     pages = with_accounts.features.records
     assert pages.start is not None

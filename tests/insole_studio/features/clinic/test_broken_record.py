@@ -13,9 +13,9 @@ from administering import OTHER_PASSWORD, shown, sign_in, type_into
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
+from stations import proven
 
 from insole_core.records import database as database_module
-from insole_core.records.author import Author
 from insole_core.records.backup.back_up import back_up, set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.person import Person
@@ -39,8 +39,8 @@ def backed_up(
     with_accounts: Application, records: Records, backup_folder: Path, secret: str
 ) -> Application:
     """Eva's patient Anna is in a backup."""
-    records.for_author(Author("eva", "desk")).persons.add(Person("Anna Berg"))
-    root = records.for_author(Author("admin", "desk"))
+    records.for_author(proven("eva")).persons.add(Person("Anna Berg"))
+    root = records.for_author(proven("admin"))
     recipient = str(pyrage.x25519.Identity.from_str(secret).to_public())
     set_up_backups(root.context, BackupKey.for_recipients([recipient]))
     back_up(root.context, backup_folder)

@@ -9,12 +9,13 @@ from datetime import date
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in
 from pytestqt.qtbot import QtBot
+from stations import proven
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
@@ -25,7 +26,7 @@ from insole_studio.features.clinic.sign_in_dialog import SignInDialog
 
 @pytest.fixture
 def eva(records: Records) -> Records:
-    return records.for_author(Author("eva", "desk"))
+    return records.for_author(proven("eva"))
 
 
 @pytest.fixture
@@ -80,7 +81,7 @@ def test_what_was_just_changed_is_saved_while_the_window_is_locked(
 def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
     opened: Application, records: Records, eva: Records, qtbot: QtBot
 ) -> None:
-    root = records.for_author(Author("admin", "desk", Role.ADMINISTRATOR))
+    root = records.for_author(proven("admin", Role.ADMINISTRATOR))
     root.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
     thicken(opened, 4.5)
     opened.window.actions_by_key["lock"].trigger()
@@ -111,8 +112,8 @@ def test_an_administrator_sees_no_case_that_waits_for_a_decision_and_nothing_of_
     """Somebody else has changed the same foot; the window is locked before anybody decides."""
     assert opened.case.kept is not None
     visit_id = opened.case.kept.visit.id
-    tom = records.for_author(Author("tom", "capture room", Role.TECHNICIAN))
-    root = records.for_author(Author("admin", "desk", Role.ADMINISTRATOR))
+    tom = records.for_author(proven("tom", Role.TECHNICIAN, "capture room"))
+    root = records.for_author(proven("admin", Role.ADMINISTRATOR))
     root.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
     theirs = tom.visits.open_case(visit_id)
     (foot,) = theirs.record.feet
