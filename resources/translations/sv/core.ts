@@ -3672,6 +3672,10 @@
             <translation>säkerhetskopierad</translation>
         </message>
         <message>
+            <source>backup service</source>
+            <translation>säkerhetskopiering</translation>
+        </message>
+        <message>
             <source>ball</source>
             <translation>trampdyna</translation>
         </message>
