@@ -74,7 +74,7 @@ def run(folder: Path) -> None:
         print(f"{text:8} wrote {report.written_bytes / 1e6:9.1f} MB in {report.written_objects}")
 
     before = resident_mb("VmRSS")
-    audit = timed("audit log verified", AuditLog(context.database).verify)
+    audit = timed("audit log verified", AuditLog(context.database, ANNA).verify)
     grown = resident_mb("VmHWM") - before
     print(f"  {audit.lines} lines, {grown:.0f} MB more than before")
     damaged = timed("files checked without the key", lambda: damaged_files(backups))

@@ -9,8 +9,14 @@ from enum import StrEnum
 
 try:
     import pwd
-except ImportError:  # Windows
-    pwd = None  # type: ignore[assignment]
+except ImportError:  # on Windows, where this is the name in the program's access token
+
+    def _own_name() -> str:
+        return os.getlogin()
+else:
+
+    def _own_name() -> str:
+        return pwd.getpwuid(os.getuid()).pw_name
 
 
 class Role(StrEnum):
@@ -71,8 +77,6 @@ def system_user() -> str:
     containers.
     """
     try:
-        if pwd is None:  # Windows, where this is the name in the program's access token
-            return os.getlogin()
-        return pwd.getpwuid(os.getuid()).pw_name
+        return _own_name()
     except (KeyError, OSError):
         return ""
