@@ -1,23 +1,28 @@
 """Plausibility of a calibrated sensor as a Kinect v1.
 
 Sensors of this kind differ by a few per cent. A larger difference indicates a wrong input, above
-all of the side of the board's square: it scales every distance, and no residual shows it.
+all of the side of the board's square or of the distances of walls: they scale every depth, and no
+residual shows it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
+from insole_core.calibration.walls.disparity_fit import linear_inverse_near
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.messages import Message, joined
-from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import COLOR_CAMERA, DEPTH2COLOR, DEPTH_CAMERA
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
+
+Kind = Literal["depth", "color"]
 
 _FOCAL_PX, _PROJECTOR_MM, _INFINITY_RAW = 580.0, 75.0, 1090.0
 _SLOPE = 1000 / (8 * _FOCAL_PX * _PROJECTOR_MM)
@@ -29,11 +34,32 @@ to 3.153 and -0.002894; a real device has 3.155 and -0.002878 (docs/calibration.
 numbers, thesis (17), differ from all of these by 7 %."""
 _TOLERANCE = 0.03
 """Tolerance of the depth and of the focal lengths, as a share."""
+_FOCAL_NAMES: dict[Kind, str] = {
+    "depth": "the focal length of the depth camera",
+    "color": "the focal length of the colour camera",
+}
+_CENTRE_NAMES: dict[Kind, tuple[str, str]] = {
+    "depth": ("cx of the depth camera", "cy of the depth camera"),
+    "color": ("cx of the colour camera", "cy of the colour camera"),
+}
+_TOLERANCE_OF_WALLS = 0.08
+"""Of the depth where distances were measured by hand: they are a truth of their own, and Burrus's
+numbers, which many programs use, are 7 % off."""
 _SLOPE_NAME, _BASELINE_NAME = "b of the depth", "the distance between the cameras"
 _BASELINE_MM = (20.0, 28.0)
 """Real devices: 23.1 to 26.7 mm; nominal 25 mm."""
 _MOST_TURN_DEG = 2.0
 """A real device: 0.6°."""
+_MOST_OFF_SHARE = 0.1
+"""How far a principal point lies from the middle at most, as a share of the width; real devices: up
+to 0.02."""
+_MOST_LEFT_SHARE = 0.02
+"""What a shift leaves over all distances at most, as a share of the width: 25 mm between the
+cameras, seen at 600 instead of 1000 mm."""
+_MOST_ERROR = (0.0, 3.0)
+"""Error of a measured distance in per cent; a tape is better than 1 %."""
+_FARTHEST_RAW = 1080.0
+"""A raw number at about 35 m: beyond any wall."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +90,135 @@ class _Number:
         )
 
 
+@dataclass(frozen=True)
+class Distances:
+    """Distances of walls as they were measured by hand.
+
+    Parameters
+    ----------
+    names
+        Of the captures.
+    raw, depth_mm : (n,) float64, raw units and mm
+        The raw number of each at the image centre, and its measured distance.
+    """
+
+    names: Sequence[str]
+    raw: FloatArray
+    depth_mm: FloatArray
+
+
+def find_camera_misfit(camera: PinholeCamera, kind: Kind) -> str:
+    """Report which numbers of one camera no Kinect v1 has, and the likely reason.
+
+    Parameters
+    ----------
+    kind
+        ``depth`` or ``color``.
+
+    Returns
+    -------
+    str
+        A sentence; empty if everything is plausible.
+    """
+    reason = Message(
+        "the pictures may be those of another camera, cut or scaled, or the board was hardly "
+        "turned, so take them again"
+    )
+    return _misfit([_focal_number(camera, kind), *_centre_numbers(camera, kind)], lambda _: reason)
+
+
+def find_shift_misfit(color: PinholeCamera, left_px: float) -> str:
+    """Report whether a colour camera that was shifted onto the depth is none of a Kinect v1.
+
+    Parameters
+    ----------
+    color
+        After the shift.
+    left_px
+        The largest offset that the shift has left.
+
+    Returns
+    -------
+    str
+        A sentence; empty if everything is plausible.
+    """
+    most_px = _MOST_LEFT_SHARE * color.width
+    left = _Number("the largest offset that is left", left_px, (0.0, most_px), 1, " px")
+    reason = Message(
+        "the points may be assigned to the wrong places, or the cameras were not calibrated yet, "
+        "so mark the points again"
+    )
+    return _misfit([left, *_centre_numbers(color, "color")], lambda _: reason)
+
+
+def find_depth_misfit(model: DisparityModel, measured: Distances) -> str:
+    """Report which numbers of a depth scale no Kinect v1 has, and the likely reason.
+
+    Parameters
+    ----------
+    model
+        As it was fitted to the distances.
+
+    Returns
+    -------
+    str
+        A sentence; empty if everything is plausible.
+    """
+    found_mm = model.depth_mm(measured.raw)
+    error = np.nan_to_num(np.abs(found_mm / measured.depth_mm - 1), nan=1.0)
+    worst = _Number("the largest error of a distance", 100 * error.max(), _MOST_ERROR, 1, " %")
+    if worst.fits:
+        near = linear_inverse_near(model, measured.raw)
+        numbers = [*_depth_numbers(near, _TOLERANCE_OF_WALLS)]
+    else:
+        numbers = [worst]
+    return _misfit(numbers, lambda _: _distance_reason(measured))
+
+
+def unusual_distances(measured: Distances) -> tuple[str, ...]:
+    """Return advice, in a sentence, where all walls are nearer or farther than usual sensors say.
+
+    Not so far that `find_depth_misfit` reports it; empty otherwise.
+    """
+    off = float(np.median(measured.depth_mm / _usual_mm(measured))) - 1
+    if abs(off) <= _TOLERANCE:
+        return ()
+    return (
+        Message(
+            "The distances differ by {share:+.0%} from what a usual Kinect v1 measures; make sure "
+            "that they reach from the front of the sensor to the wall.",
+            share=off,
+        ),
+    )
+
+
+def _usual_mm(measured: Distances) -> FloatArray:
+    return USUAL_DEPTH.depth_mm(np.minimum(measured.raw, _FARTHEST_RAW))
+
+
+def _distance_reason(measured: Distances) -> str:
+    """Name the capture whose distance differs most from what a usual sensor measures."""
+    usual_mm = _usual_mm(measured)
+    worst = int(np.argmax(np.abs(np.log(usual_mm / measured.depth_mm))))
+    values = {
+        "capture": measured.names[worst],
+        "given_mm": measured.depth_mm[worst],
+        "usual_mm": usual_mm[worst],
+    }
+    if (np.argsort(measured.raw) != np.argsort(measured.depth_mm)).any():
+        return Message(
+            "the distances are in another order than the captures ({capture} is about "
+            "{usual_mm:.0f} mm away, but {given_mm:.0f} mm was given), so give one for each, in "
+            "the order of their names",
+            **values,
+        )
+    return Message(
+        "{capture} is about {usual_mm:.0f} mm away, but {given_mm:.0f} mm was given, so measure "
+        "again from the front of the sensor to the wall, with walls from 500 to 1000 mm",
+        **values,
+    )
+
+
 def find_misfit(sensor: Sensor, square_mm: float, depth: LinearInverseDisparity | None) -> str:
     """Report which numbers of a sensor no Kinect v1 has, and the likely reason.
 
@@ -81,36 +236,55 @@ def find_misfit(sensor: Sensor, square_mm: float, depth: LinearInverseDisparity 
     str
         A sentence; empty if everything is plausible.
     """
-    found = [*_depth_numbers(depth), *_camera_numbers(sensor)]
-    wrong = [number for number in found if not number.fits]
-    if not wrong:
-        return ""
-    findings = joined(number.finding for number in wrong)
-    reason = _reason(sensor, square_mm, depth, wrong)
-    return Message(
-        "The result does not fit a Kinect v1: {findings}; {reason}.",
-        findings=findings,
-        reason=reason,
+    return _misfit(
+        [*_depth_numbers(depth), *_camera_numbers(sensor)],
+        lambda wrong: _reason(sensor, square_mm, depth, wrong),
     )
 
 
-def _depth_numbers(depth: LinearInverseDisparity | None) -> Iterator[_Number]:
+def _misfit(numbers: Sequence[_Number], reason: Callable[[list[_Number]], str]) -> str:
+    wrong = [number for number in numbers if not number.fits]
+    if not wrong:
+        return ""
+    return Message(
+        "The result does not fit a Kinect v1: {findings}; {reason}.",
+        findings=joined(number.finding for number in wrong),
+        reason=reason(wrong),
+    )
+
+
+def _depth_numbers(
+    depth: LinearInverseDisparity | None, tolerance: float = _TOLERANCE
+) -> Iterator[_Number]:
     if depth is not None:
-        yield _Number("a of the depth", depth.a, _about(USUAL_DEPTH.a), 3)
-        yield _Number(_SLOPE_NAME, depth.b, _about(USUAL_DEPTH.b), 5)
+        yield _Number("a of the depth", depth.a, _about(USUAL_DEPTH.a, tolerance), 3)
+        yield _Number(_SLOPE_NAME, depth.b, _about(USUAL_DEPTH.b, tolerance), 5)
 
 
 def _camera_numbers(sensor: Sensor) -> Iterator[_Number]:
-    for name, camera, nominal in (
-        ("the focal length of the depth camera", sensor.depth_camera, DEPTH_CAMERA),
-        ("the focal length of the colour camera", sensor.color_camera, COLOR_CAMERA),
-    ):
-        usual_px = nominal.fx * camera.width / nominal.width
-        yield _Number(name, _unlike(camera, usual_px), _about(usual_px), 1, " px")
+    yield _focal_number(sensor.depth_camera, "depth")
+    yield _focal_number(sensor.color_camera, "color")
     baseline_mm = _length(sensor.depth2color)
     yield _Number(_BASELINE_NAME, baseline_mm, _BASELINE_MM, 1, " mm")
     turn_deg = rotation_angle_deg(sensor.depth2color[:3, :3])
     yield _Number("the angle between the cameras", turn_deg, (0.0, _MOST_TURN_DEG), 1, "°")
+
+
+def _focal_number(camera: PinholeCamera, kind: Kind) -> _Number:
+    nominal = DEPTH_CAMERA if kind == "depth" else COLOR_CAMERA
+    usual_px = nominal.fx * camera.width / nominal.width
+    name = _FOCAL_NAMES[kind]
+    return _Number(name, _unlike(camera, usual_px), _about(usual_px), 1, " px")
+
+
+def _centre_numbers(camera: PinholeCamera, kind: Kind) -> Iterator[_Number]:
+    most_px = _MOST_OFF_SHARE * camera.width
+    for name, value, length in (
+        (_CENTRE_NAMES[kind][0], camera.cx, camera.width),
+        (_CENTRE_NAMES[kind][1], camera.cy, camera.height),
+    ):
+        middle = (length - 1) / 2
+        yield _Number(name, value, (middle - most_px, middle + most_px), 1, " px")
 
 
 def _reason(
@@ -148,8 +322,8 @@ def _likely_square(
     return ""
 
 
-def _about(usual: float) -> tuple[float, float]:
-    low, high = sorted((usual * (1 - _TOLERANCE), usual * (1 + _TOLERANCE)))
+def _about(usual: float, tolerance: float = _TOLERANCE) -> tuple[float, float]:
+    low, high = sorted((usual * (1 - tolerance), usual * (1 + tolerance)))
     return low, high
 
 

@@ -7,10 +7,12 @@ from pathlib import Path
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import write_private
+from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.recording.sensor_json import correction_name, parse_sensor, sensor_json
 from insole_core.sensing.correction import load_correction
 from insole_core.sensing.sensor import Sensor
+from insole_core.strict_json import MOST_BYTES
 
 SENSOR_FILE = "sensor.json"
 CORRECTION_FILE = "correction.npz"
@@ -29,9 +31,19 @@ def read_sensor(folder: Path) -> Sensor:
         raise InputError(
             "{path} does not exist; name a folder that holds a sensor.json.", path=path
         )
-    root = JsonObject.read(path)
-    named = correction_name(root)
-    return parse_sensor(root, None if named is None else load_correction(folder / named))
+    return _sensor_of(JsonObject.read(path), folder)
+
+
+def check_readable(folder: Path) -> None:
+    """Check that a sensor that was just written to a folder can be read again.
+
+    Raises
+    ------
+    InputError
+        Names the value that the format does not allow, without the folder.
+    """
+    text = read_given(folder / SENSOR_FILE, MOST_BYTES)
+    _sensor_of(JsonObject.parse(SENSOR_FILE, text), folder)
 
 
 def write_sensor(sensor: Sensor, folder: Path) -> None:
@@ -50,3 +62,8 @@ def write_sensor(sensor: Sensor, folder: Path) -> None:
         sensor.correction.save(folder / name)
     text = json.dumps(sensor_json(sensor, name), indent=1, ensure_ascii=False)
     write_private(folder / SENSOR_FILE, f"{text}\n".encode())
+
+
+def _sensor_of(root: JsonObject, folder: Path) -> Sensor:
+    named = correction_name(root)
+    return parse_sensor(root, None if named is None else load_correction(folder / named))

@@ -13,6 +13,7 @@ from insole_studio.cli.calibration import (
     session,
     shift,
     stereo,
+    undo,
 )
 from insole_studio.cli.subcommands import Command, add_steps
 
@@ -25,6 +26,7 @@ STEPS: tuple[Command, ...] = (
     stereo,
     shift,
     disparity,
+    undo,
     reference,
     session,
 )

@@ -58,10 +58,14 @@ def save_reference_system(system: ReferenceSystem, path: Path) -> None:
 
     Raises
     ------
+    InputError
+        If it could not be read again as it is.
     OutputError
         If the path cannot be written.
     """
-    write_text(json.dumps(reference_system_json(system), indent=1) + "\n", path)
+    text = json.dumps(reference_system_json(system), indent=1) + "\n"
+    parse_reference_system(JsonObject.parse(path.name, text.encode()))
+    write_text(text, path)
 
 
 @dataclass(frozen=True)

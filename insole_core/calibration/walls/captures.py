@@ -187,12 +187,25 @@ def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
     ]
     groups = [(name, paths) for name, paths in below if paths]
     if not groups:
+        _check_no_boards(folder)
         groups = [(path.name, [path]) for path in sorted(folder.glob("*.png"))]
     if not groups:
         raise InputError(
             "{folder} holds no PNG images; name the folder with the wall captures.", folder=folder
         )
     return groups
+
+
+def _check_no_boards(folder: Path) -> None:
+    paths = sorted(folder.iterdir())
+    picture = next(filter(_is_color, paths), None)
+    if picture is not None and any(path.name.startswith("depth") for path in paths):
+        raise InputError(
+            "{folder} holds colour pictures ({picture}) beside the depth images, as of a board for "
+            "depth to colour; name the folder with the captures of flat, empty walls.",
+            folder=folder,
+            picture=picture.name,
+        )
 
 
 def _is_color(path: Path) -> bool:

@@ -22,6 +22,7 @@ _TANGENT_START = (123.6, 2842.5, 1.1863)
 """The commonly used constants of a Kinect v1."""
 _ROBUST_RAW = 2.0
 _LEAST_DEPTH_RATIO = 1.1
+_LEAST_APART_RAW = 2.0
 _DEPTH_MM = (300.0, 12000.0)
 _CENTRE = (slice(230, 250), slice(310, 330))
 
@@ -180,6 +181,11 @@ def _check(raw: FloatArray, depth_mm: FloatArray, least: int) -> None:
             farthest_mm=depth_mm.max(),
             low_mm=low,
             high_mm=high,
+        )
+    if np.ptp(raw) < _LEAST_APART_RAW:
+        raise CalibrationError(
+            "All captures show a wall at the same distance, though other distances are given; "
+            "capture a wall at each of them."
         )
     if _distinct(depth_mm) < least:
         raise CalibrationError(

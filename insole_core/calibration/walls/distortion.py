@@ -71,6 +71,8 @@ class DistortionCalibration:
         Median standard deviation of the map where it is covered.
     advice
         Possible improvements, in sentences; may be empty.
+    doubt
+        Why these were probably no walls, a sentence; empty when nothing speaks against it.
     """
 
     correction: DisparityCorrection
@@ -79,6 +81,7 @@ class DistortionCalibration:
     covered_share: float
     deviation_raw: float
     advice: tuple[str, ...]
+    doubt: str = ""
 
 
 def calibrate_distortion(
@@ -222,6 +225,7 @@ def _judged(
         covered_share=covered,
         deviation_raw=std,
         advice=_advice(figures, covered),
+        doubt=_doubt(numbers["rms_after_raw"]),
     )
 
 
@@ -240,6 +244,16 @@ def _figures(
     )
 
 
+def _doubt(left_raw: float) -> str:
+    if left_raw <= _GOOD_RAW:
+        return ""
+    return Message(
+        "The walls are still off by {rms_raw:.1f} raw units, which is more than noise, as with "
+        "boards held before a wall; capture flat, empty walls, with the sensor standing still.",
+        rms_raw=left_raw,
+    )
+
+
 def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
     distances = [figure.distance_mm for figure in figures]
     advice: list[str] = []
@@ -254,15 +268,6 @@ def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
         advice.append(
             "All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the "
             "distortion changes."
-        )
-    left_raw = float(np.sqrt(np.mean([figure.rms_after_raw**2 for figure in figures])))
-    if left_raw > _GOOD_RAW:
-        advice.append(
-            Message(
-                "The walls are still off by {rms_raw:.1f} raw units, which is more than noise; "
-                "take care that they are flat and empty, and that the sensor stands still.",
-                rms_raw=left_raw,
-            )
         )
     if covered < 0.95:
         advice.append(

@@ -15,6 +15,7 @@ from insole_core.calibration.boards.intrinsics import (
     with_shift,
 )
 from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX
+from insole_core.calibration.plausibility import find_camera_misfit
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.calibration_sections import camera_section
 from insole_core.messages import Message, joined
@@ -76,6 +77,7 @@ def calibrate_camera_step(
         _sentences(calibration, _WORDS[which]),
         (calibration.rms_px, "px"),
         calibration.advice,
+        find_camera_misfit(calibration.camera, which),
     )
 
 

@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Callable
 from contextlib import nullcontext
 from pathlib import Path
 
 import platformdirs
 
-from insole_core.errors import InputError, UsageError
+from insole_core.errors import CalibrationError, InputError, UsageError
 from insole_core.export.atomic import copy_into, make_output_folder
 from insole_core.export.transaction import Transaction, nothing_foreign
 from insole_core.recording.sensor_folder import (
     CORRECTION_FILE,
     SENSOR_FILE,
+    check_readable,
     read_sensor,
     write_sensor,
 )
 from insole_core.sensing.sensor import Sensor
 
+BEFORE = "before"
+"""Sub-folder of a sensor that holds its files as they were before the last change."""
 _SERIAL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 
 
@@ -69,12 +73,20 @@ class SensorStore:
         UsageError
             When the serial number is not one.
         InputError
-            When its files are damaged, or are those of another sensor.
+            When its files are damaged, or are those of another sensor; says how to go on.
         """
         folder = self.folder_of(serial)
         if not (folder / SENSOR_FILE).exists():
             return None
-        sensor = read_sensor(folder)
+        try:
+            sensor = read_sensor(folder)
+        except InputError as error:
+            raise InputError(
+                "The calibration of sensor {serial} cannot be read; undo its last step under "
+                "Calibrate sensors, or by insole-studio calibrate undo --serial {serial}: {reason}",
+                serial=serial,
+                reason=error.message,
+            ) from error
         if sensor.serial != serial:
             raise InputError(
                 "{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} "
@@ -93,6 +105,8 @@ class SensorStore:
     ) -> Path:
         """Replace the stored files of a sensor atomically; other files in its folder stay.
 
+        How they were before is kept for `undo`.
+
         Parameters
         ----------
         attach
@@ -109,8 +123,11 @@ class SensorStore:
         ------
         UsageError
             When the serial number is not one.
+        CalibrationError
+            When the sensor could not be read again as it is.
         OutputError
-            When the place cannot be written; what was there before is untouched.
+            When the place cannot be written.
+        After any error, what was there before is untouched.
         """
         folder = self.folder_of(sensor.serial)
         make_output_folder(self._folder)
@@ -118,8 +135,71 @@ class SensorStore:
             beside = transaction.folder(folder, nothing_foreign)
             if folder.exists():
                 copy_into(beside, folder)
+            if (folder / SENSOR_FILE).exists():
+                _keep(folder, beside / BEFORE)
             if sensor.correction is None:
                 (beside / CORRECTION_FILE).unlink(missing_ok=True)
             write_sensor(sensor, beside)
+            _check_readable(sensor.serial, beside)
             attach(beside)
         return folder
+
+    def can_undo(self, serial: str) -> bool:
+        """Return whether there is anything to undo for a sensor."""
+        folder = self.folder_of(serial)
+        return any((place / SENSOR_FILE).exists() for place in (folder, folder / BEFORE))
+
+    def undo(self, serial: str) -> bool:
+        """Exchange the files of a sensor for those before its last change; again, to redo it.
+
+        Returns
+        -------
+        bool
+            Whether the sensor is calibrated now; before its first step it was not.
+
+        Raises
+        ------
+        UsageError
+            When nothing is kept for this serial number.
+        OutputError
+            When the place cannot be written.
+        """
+        folder = self.folder_of(serial)
+        if not self.can_undo(serial):
+            raise UsageError(
+                "Nothing is kept of sensor {serial} that could be undone; check the serial number.",
+                serial=serial,
+            )
+        with Transaction() as transaction:
+            beside = transaction.folder(folder, nothing_foreign)
+            copy_into(beside, folder)
+            for path in _files(beside):
+                path.unlink()
+            if (folder / BEFORE).exists():
+                copy_into(beside, folder / BEFORE)
+            _keep(folder, beside / BEFORE)
+            return (beside / SENSOR_FILE).exists()
+
+
+def _keep(folder: Path, before: Path) -> None:
+    """Copy the files of a sensor's folder, without what was before them."""
+    shutil.rmtree(before, ignore_errors=True)
+    before.mkdir()
+    for path in _files(folder):
+        shutil.copy2(path, before)
+
+
+def _files(folder: Path) -> list[Path]:
+    return [path for path in folder.iterdir() if path.is_file()]
+
+
+def _check_readable(serial: str, folder: Path) -> None:
+    try:
+        check_readable(folder)
+    except InputError as error:
+        raise CalibrationError(
+            "Nothing was saved, because sensor {serial} could not be read again with this result; "
+            "check what was given to the step and take it again: {reason}",
+            serial=serial,
+            reason=error.message,
+        ) from error

@@ -20,7 +20,7 @@ from insole_core.calibration.boards.boards_in_depth import read_boards_in_depth
 from insole_core.calibration.boards.intrinsics import find_boards
 from insole_core.calibration.boards.stereo import StereoCalibration, calibrate_stereo
 from insole_core.calibration.depth_sensor import add_tilt
-from insole_core.calibration.plausibility import find_misfit
+from insole_core.calibration.plausibility import find_misfit, find_shift_misfit
 from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
 from insole_core.evaluation.calibration_sections import stereo_section
 from insole_core.evaluation.evaluation_sections import alignment_section
@@ -183,6 +183,7 @@ def shift_color_step(points: Sequence[Correspondence], sensor: Sensor) -> StepRe
         ),
         residual=(worst, "px"),
         advice=("A shift fits one distance; calibrate depth to colour to be right at all.",),
+        doubt=find_shift_misfit(better.color_camera, worst),
     )
 
 

@@ -7,6 +7,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.calibration.boards.board import Board
+from insole_core.calibration.plausibility import (
+    Distances,
+    find_depth_misfit,
+    unusual_distances,
+)
 from insole_core.calibration.walls.captures import WallCapture, check_same_device, read_captures
 from insole_core.calibration.walls.disparity_fit import (
     centre_pairs,
@@ -80,6 +85,7 @@ def calibrate_distortion_step(
         ),
         residual=(figures["rms_after_raw"], "raw"),
         advice=calibration.advice,
+        doubt=calibration.doubt,
     )
 
 
@@ -109,6 +115,7 @@ def calibrate_disparity_step(
     fit = {"linear-inverse": fit_linear_inverse, "tangent": fit_tangent}[model]
     calibration = fit(raw, depth_mm)
     low, high = calibration.range_mm
+    measured = Distances([capture.name for capture in captures], raw, depth_mm)
     return StepResult(
         sensor=replace(sensor, disparity=calibration.model),
         section=disparity_section(calibration),
@@ -122,6 +129,8 @@ def calibrate_disparity_step(
             ),
         ),
         residual=(calibration.rms_mm, "mm"),
+        advice=unusual_distances(measured),
+        doubt=find_depth_misfit(calibration.model, measured),
     )
 
 

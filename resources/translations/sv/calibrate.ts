@@ -148,6 +148,10 @@
             <translation>Sensor</translation>
         </message>
         <message>
+            <source>Sensor {serial} is as it was before the last change.</source>
+            <translation>Sensor {serial} är som den var före den senaste ändringen.</translation>
+        </message>
+        <message>
             <source>Serial number</source>
             <translation>Serienummer</translation>
         </message>
@@ -180,12 +184,20 @@
             <translation>Direktbilden</translation>
         </message>
         <message>
+            <source>The sensor as it was before a result was last saved; again, to redo it</source>
+            <translation>Sensorn som den var innan ett resultat senast sparades; en gång till för att göra om det</translation>
+        </message>
+        <message>
             <source>The sensor is calibrated.</source>
             <translation>Sensorn är kalibrerad.</translation>
         </message>
         <message>
             <source>Turn the board strongly, by 40 to 55°, in turn to the left, to the right, upwards and downwards, 600 to 900 mm away and in all parts of the picture: 12 positions to each side in colour and depth, or 4 to each side in colour and infrared (emitter covered).</source>
             <translation>Vrid brädet kraftigt, 40 till 55°, i tur och ordning åt vänster, åt höger, uppåt och nedåt, 600 till 900 mm bort och i alla delar av bilden: 12 lägen åt varje håll i färg och djup, eller 4 åt varje håll i färg och infrarött (täckt projektor).</translation>
+        </message>
+        <message>
+            <source>Undo the last step</source>
+            <translation>Ångra senaste steget</translation>
         </message>
         <message>
             <source>Waiting for the first picture.</source>

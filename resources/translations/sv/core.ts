@@ -276,6 +276,10 @@
             <translation>Framför tårna</translation>
         </message>
         <message>
+            <source>All captures show a wall at the same distance, though other distances are given; capture a wall at each of them.</source>
+            <translation>Alla bilder visar en vägg på samma avstånd, fast andra avstånd anges; ta en vägg på vart och ett av dem.</translation>
+        </message>
+        <message>
             <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
         </message>
@@ -1356,6 +1360,10 @@
             <translation>Ingenting kan skrivas där, så varken inställningar eller arbete sparas: be den som sköter datorn om rätt att skriva.</translation>
         </message>
         <message>
+            <source>Nothing is kept of sensor {serial} that could be undone; check the serial number.</source>
+            <translation>Det finns inget om sensor {serial} att ångra; kontrollera serienumret.</translation>
+        </message>
+        <message>
             <source>Nothing is known of the material “{material}”: the insole is made at least {least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.</source>
             <translation>Inget är känt om materialet ”{material}”: inlägget görs minst {least_mm:g} mm tjockt, {edge_mm:g} mm vid framkanten; välj ett av {names}.</translation>
         </message>
@@ -1366,6 +1374,10 @@
         <message>
             <source>Nothing of the insole lies in the shoe "{shoe}"; choose the right shoe.</source>
             <translation>Inget av inlägget ligger i skon ”{shoe}”; välj rätt sko.</translation>
+        </message>
+        <message>
+            <source>Nothing was saved, because sensor {serial} could not be read again with this result; check what was given to the step and take it again: {reason}</source>
+            <translation>Inget sparades, eftersom sensor {serial} inte skulle gå att läsa igen med detta resultat; kontrollera vad steget fick och gör om det: {reason}</translation>
         </message>
         <message>
             <source>Nothing was written to {place}: its disk is full, or takes no more from you; free some space and try again.</source>
@@ -2036,6 +2048,10 @@
             <translation>Lådan runt avtrycket har utelämnats: {percent:.0f} % av det som skannades.</translation>
         </message>
         <message>
+            <source>The calibration of sensor {serial} cannot be read; undo its last step under Calibrate sensors, or by insole-studio calibrate undo --serial {serial}: {reason}</source>
+            <translation>Kalibreringen av sensor {serial} kan inte läsas; ångra dess senaste steg under Kalibrera sensorer, eller med insole-studio calibrate undo --serial {serial}: {reason}</translation>
+        </message>
+        <message>
             <source>The cameras are {baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and turned by {turn_deg:.2f}°, from {count} {source}.</source>
             <translation>Kamerorna är {baseline_mm:.1f} mm från varandra ({x:.1f}, {y:.1f}, {z:.1f}) och vridna {turn_deg:.2f}°, enligt {count} {source}.</translation>
         </message>
@@ -2170,6 +2186,10 @@
         <message>
             <source>The distance is known within {error_mm:.1f} mm.</source>
             <translation>Avståndet är känt inom {error_mm:.1f} mm.</translation>
+        </message>
+        <message>
+            <source>The distances differ by {share:+.0%} from what a usual Kinect v1 measures; make sure that they reach from the front of the sensor to the wall.</source>
+            <translation>Avstånden avviker {share:+.0%} från vad en vanlig Kinect v1 mäter; se till att de räcker från sensorns framsida till väggen.</translation>
         </message>
         <message>
             <source>The distances reach from {nearest_mm:g} to {farthest_mm:g} mm; give them in millimetres, between {low_mm:g} and {high_mm:g}.</source>
@@ -2900,8 +2920,8 @@
             <translation>Väggen till randen lutar {angle:.0f}°, och det finns ingen plats för en bredare; sänk randen där.</translation>
         </message>
         <message>
-            <source>The walls are still off by {rms_raw:.1f} raw units, which is more than noise; take care that they are flat and empty, and that the sensor stands still.</source>
-            <translation>Väggarna avviker ännu {rms_raw:.1f} råenheter, vilket är mer än brus; se till att de är plana och tomma, och att sensorn står stilla.</translation>
+            <source>The walls are still off by {rms_raw:.1f} raw units, which is more than noise, as with boards held before a wall; capture flat, empty walls, with the sensor standing still.</source>
+            <translation>Väggarna avviker ännu {rms_raw:.1f} råenheter, vilket är mer än brus, som när bräden hålls framför en vägg; ta plana, tomma väggar, med sensorn stilla.</translation>
         </message>
         <message>
             <source>The walls contradict each other ({walls}); capture a flat, empty wall at several distances.</source>
@@ -3906,6 +3926,22 @@
         <message>
             <source>cutter</source>
             <translation>fräs</translation>
+        </message>
+        <message>
+            <source>cx of the colour camera</source>
+            <translation>färgkamerans cx</translation>
+        </message>
+        <message>
+            <source>cx of the depth camera</source>
+            <translation>djupkamerans cx</translation>
+        </message>
+        <message>
+            <source>cy of the colour camera</source>
+            <translation>färgkamerans cy</translation>
+        </message>
+        <message>
+            <source>cy of the depth camera</source>
+            <translation>djupkamerans cy</translation>
         </message>
         <message>
             <source>damaged in part</source>
@@ -5848,6 +5884,10 @@
             <translation>sensorernas avstånd</translation>
         </message>
         <message>
+            <source>the distances are in another order than the captures ({capture} is about {usual_mm:.0f} mm away, but {given_mm:.0f} mm was given), so give one for each, in the order of their names</source>
+            <translation>avstånden står i en annan ordning än bilderna ({capture} är omkring {usual_mm:.0f} mm bort, men {given_mm:.0f} mm angavs), så ange ett för varje, i namnens ordning</translation>
+        </message>
+        <message>
             <source>the distortion of the depth is corrected by what was measured on sensor {owner}, not on {serial}, so the depth may be wrong by several millimetres; give the session the calibration of its own sensor</source>
             <translation>djupets distorsion rättas med vad som mättes på sensor {owner}, inte på {serial}, så djupet kan vara flera millimeter fel; ge sessionen kalibreringen från dess egen sensor</translation>
         </message>
@@ -5894,6 +5934,14 @@
         <message>
             <source>the key "{twice}" stands twice in one object; keep one.</source>
             <translation>nyckeln ”{twice}” står två gånger i ett objekt; behåll en.</translation>
+        </message>
+        <message>
+            <source>the largest error of a distance</source>
+            <translation>det största felet i ett avstånd</translation>
+        </message>
+        <message>
+            <source>the largest offset that is left</source>
+            <translation>den största förskjutning som återstår</translation>
         </message>
         <message>
             <source>the leg was not scanned</source>
@@ -5944,12 +5992,20 @@
             <translation>patientens namn eller en pseudonym</translation>
         </message>
         <message>
+            <source>the pictures may be those of another camera, cut or scaled, or the board was hardly turned, so take them again</source>
+            <translation>bilderna kan vara en annan kameras, beskurna eller skalade, eller så vreds brädet knappt, så ta dem igen</translation>
+        </message>
+        <message>
             <source>the place of a part in it is no number</source>
             <translation>läget för en del i den är inget tal</translation>
         </message>
         <message>
             <source>the place of an object in it is no number</source>
             <translation>läget för ett föremål i den är inget tal</translation>
+        </message>
+        <message>
+            <source>the points may be assigned to the wrong places, or the cameras were not calibrated yet, so mark the points again</source>
+            <translation>punkterna kan ha förväxlats, eller så är kamerorna inte kalibrerade ännu, så märk ut punkterna igen</translation>
         </message>
         <message>
             <source>the prescriber</source>
@@ -6288,6 +6344,10 @@
             <translation>{capture} har inget mätvärde i mitten; ställ en plan yta där.</translation>
         </message>
         <message>
+            <source>{capture} is about {usual_mm:.0f} mm away, but {given_mm:.0f} mm was given, so measure again from the front of the sensor to the wall, with walls from 500 to 1000 mm</source>
+            <translation>{capture} är omkring {usual_mm:.0f} mm bort, men {given_mm:.0f} mm angavs, så mät igen från sensorns framsida till väggen, med väggar från 500 till 1000 mm</translation>
+        </message>
+        <message>
             <source>{capture} is {width}×{height}, but a depth frame must be 640×480.</source>
             <translation>{capture} är {width}×{height}, men en djupbild måste vara 640×480.</translation>
         </message>
@@ -6566,6 +6626,10 @@
         <message>
             <source>{folder} holds colour of {width}×{height}, which no Kinect v1 sends.</source>
             <translation>{folder} innehåller färg på {width}×{height}, vilket ingen Kinect v1 sänder.</translation>
+        </message>
+        <message>
+            <source>{folder} holds colour pictures ({picture}) beside the depth images, as of a board for depth to colour; name the folder with the captures of flat, empty walls.</source>
+            <translation>{folder} innehåller färgbilder ({picture}) bredvid djupbilderna, som av ett bräde för djup till färg; ange mappen med bilderna av plana, tomma väggar.</translation>
         </message>
         <message>
             <source>{folder} holds more than {most} cases; choose the folders in it one by one.</source>

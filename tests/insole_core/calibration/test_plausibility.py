@@ -7,7 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from insole_core.calibration.plausibility import USUAL_DEPTH, find_misfit
+from insole_core.calibration.plausibility import (
+    USUAL_DEPTH,
+    Distances,
+    Kind,
+    find_camera_misfit,
+    find_depth_misfit,
+    find_misfit,
+    find_shift_misfit,
+    unusual_distances,
+)
+from insole_core.calibration.walls.disparity_fit import fit_linear_inverse, fit_tangent
+from insole_core.errors import CalibrationError
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
@@ -85,6 +96,59 @@ def test_every_number_of_the_cameras_counts() -> None:
         assert "pictures of different positions" in said
         uncorrected = find_misfit(replace(sensor, correction=None), 30.0, USUAL_DEPTH)
         assert "the distortion of the depth was not corrected yet" in uncorrected
+
+
+@pytest.mark.parametrize(
+    ("camera", "kind", "finding"),
+    [
+        (PinholeCamera(640, 480, 525.0, 526.0, 319.5, 239.5), "color", ""),
+        (PinholeCamera(640, 480, 525.0, 480.0, 319.5, 239.5), "color", "the focal length of the c"),
+        (PinholeCamera(640, 480, 585.0, 585.0, 400.0, 239.5), "depth", "cx of the depth camera is"),
+        (PinholeCamera(1280, 1024, 1050, 1050, 640, 100), "color", "cy of the colour camera is 10"),
+    ],
+)
+def test_a_camera_alone(camera: PinholeCamera, kind: Kind, finding: str) -> None:
+    said = find_camera_misfit(camera, kind)
+    assert finding in said
+    assert bool(said) is bool(finding)
+
+
+def test_a_shift_that_fits_nothing() -> None:
+    color = SENSOR.color_camera
+    assert find_shift_misfit(color, 10.0) == ""
+    assert "the largest offset that is left is 40.0 px" in find_shift_misfit(color, 40.0)
+    assert "cx of the colour camera" in find_shift_misfit(replace(color, cx=900.0), 1.0)
+
+
+WALLS_MM = np.array([500.0, 600.0, 700.0, 850.0, 1000.0])
+
+
+@pytest.mark.parametrize("fit", [fit_linear_inverse, fit_tangent])
+@pytest.mark.parametrize(
+    ("given_mm", "finding", "advised"),
+    [
+        (WALLS_MM, "", False),
+        (WALLS_MM - 12, "", False),
+        (WALLS_MM * 0.95, "", True),
+        (WALLS_MM * 1.1, "mm was given, so measure again from the front of the sensor", True),
+        (WALLS_MM[::-1], "in another order than the captures", False),
+        (WALLS_MM[[0, 2, 1, 3, 4]], "in another order than the captures", False),
+        (np.add(WALLS_MM, [0, 0, 60, 0, 0]), "c is about 700 mm away, but 760 mm was given", False),
+    ],
+    ids=["true", "front", "Burrus", "behind", "reversed", "exchanged", "misread"],
+)
+def test_distances_of_walls(fit, given_mm: np.ndarray, finding: str, advised: bool) -> None:
+    raw = USUAL_DEPTH.raw(WALLS_MM)
+    measured = Distances("abcde", raw, given_mm)
+    said = find_depth_misfit(fit(raw, given_mm).model, measured)
+    assert finding in said
+    assert bool(said) is bool(finding)
+    assert bool(unusual_distances(measured)) is advised
+
+
+def test_walls_of_one_distance_give_no_scale() -> None:
+    with pytest.raises(CalibrationError, match="at the same distance"):
+        fit_linear_inverse(np.array([650.0, 650.0]), np.array([600.0, 900.0]))
 
 
 def test_a_depth_that_no_square_explains() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.errors import InputError, OutputError, UsageError
+from insole_core.errors import CalibrationError, InputError, OutputError, UsageError
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
@@ -50,7 +50,63 @@ def test_other_files_stay_and_reports_are_attached(tmp_path: Path) -> None:
     store = SensorStore(tmp_path)
     folder = store.save(SENSOR, lambda beside: (beside / "color.html").write_text("a") and None)
     store.save(replace(SENSOR, correction=None))
-    assert sorted(path.name for path in folder.iterdir()) == ["color.html", "sensor.json"]
+    assert sorted(path.name for path in folder.iterdir()) == ["before", "color.html", "sensor.json"]
+
+
+def test_the_last_step_is_undone_and_done_again(tmp_path: Path) -> None:
+    store = SensorStore(tmp_path)
+    assert not store.can_undo(SENSOR.serial)
+    with pytest.raises(UsageError, match="Nothing is kept of sensor"):
+        store.undo(SENSOR.serial)
+    folder = store.save(SENSOR, lambda beside: (beside / "color.html").write_text("a") and None)
+    (folder / "pictures").mkdir()
+    first = files_of(folder)
+    store.save(replace(SENSOR, correction=None), lambda beside: (beside / "stereo.pdf").touch())
+    second = files_of(folder)
+    for now, before in ((first, second), (second, first)):
+        assert store.undo(SENSOR.serial)
+        assert files_of(folder) == now
+        assert files_of(folder / "before") == before
+        assert (folder / "pictures").is_dir()
+
+
+def test_a_calibration_that_cannot_be_read_has_a_way_back(tmp_path: Path) -> None:
+    store = SensorStore(tmp_path)
+    folder = store.save(SENSOR)
+    text = (folder / "sensor.json").read_text().replace("-0.00307", "0.00307")
+    (folder / "sensor.json").write_text(text)
+    with pytest.raises(InputError, match=r"undo its last step .* calibrate undo --serial A0.*"):
+        store.load(SENSOR.serial)
+    assert not store.undo(SENSOR.serial)  # there was none before
+    assert store.load(SENSOR.serial) is None
+    store.save(SENSOR)
+    assert store.load(SENSOR.serial) is not None
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"disparity": LinearInverseDisparity(-0.009, 0.0031)},
+        {"disparity": LinearInverseDisparity(float("nan"), -0.003)},
+        {"depth_camera": PinholeCamera(640, 480, -585.6, 586.1, 316.0, 247.6)},
+        {"depth2color": np.diag([1.0, 1.0, -1.0, 1.0])},
+        {"correction": DisparityCorrection(np.full((480, 640), np.nan, np.float32))},
+        {"correction": DisparityCorrection(np.zeros((4, 6), np.float32))},
+    ],
+    ids=["reversed", "no number", "focal length", "mirrored", "map", "size of the map"],
+)
+def test_what_could_not_be_read_again_is_not_saved(wrong: dict, tmp_path: Path) -> None:
+    store = SensorStore(tmp_path)
+    folder = store.save(SENSOR)
+    before = files_of(folder)
+    with pytest.raises(CalibrationError, match="Nothing was saved, because sensor A00362A"):
+        store.save(replace(SENSOR, **wrong))
+    assert files_of(folder) == before
+    assert store.load(SENSOR.serial) is not None
+
+
+def files_of(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
 
 
 def test_a_failed_save_leaves_the_old_calibration(tmp_path: Path) -> None:

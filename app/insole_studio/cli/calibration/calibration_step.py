@@ -27,6 +27,10 @@ def add_step_arguments(parser: argparse.ArgumentParser, holds: str) -> None:
     """
     parser.add_argument("folder", type=Path, metavar="FOLDER", help=f"holds {holds}")
     parser.add_argument("--serial", required=True, help="of the sensor, from its label")
+    parser.add_argument(
+        "--insist", action="store_true",
+        help="save a result that does not fit a Kinect all the same; calibrate undo takes it back",
+    )  # fmt: skip
     add_store_argument(parser)
     add_report_argument(parser)
 
@@ -35,7 +39,6 @@ def run_step(
     arguments: argparse.Namespace,
     progress: Progress,
     work: Callable[[Sensor, Progress], StepResult],
-    insist: bool = False,
 ) -> None:
     """Load the sensor, improve its calibration, and save it with its reports.
 
@@ -43,8 +46,6 @@ def run_step(
     ----------
     work
         Fits the step's part of the calibration of the sensor as known so far.
-    insist
-        Save even an implausible result, which a warning points out.
 
     Raises
     ------
@@ -58,7 +59,7 @@ def run_step(
     store = store_of(arguments)
     known = store.load(arguments.serial) or nominal_kinect(arguments.serial)
     result = work(known, progress.part(0, 0.9))
-    if result.doubt and not insist:
+    if result.doubt and not arguments.insist:
         raise CalibrationError(
             f"Nothing was saved: {_clause(result.doubt)}, or add --insist to save it all the same."
         )

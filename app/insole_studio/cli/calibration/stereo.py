@@ -20,11 +20,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "depth_000.png … (raw depth)",
     )
     add_board_arguments(parser)
-    parser.add_argument(
-        "--insist",
-        action="store_true",
-        help="save a result that does not fit a Kinect all the same",
-    )
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -36,5 +31,4 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         arguments,
         progress,
         lambda sensor, part: calibrate_stereo_step(arguments.folder, board, sensor, part),
-        insist=arguments.insist,
     )

@@ -71,6 +71,7 @@ class CalibratePresenter:
         panel.look_chosen.connect(self.show_look)
         panel.calibrate_requested.connect(self.calibrate)
         panel.save_requested.connect(self.save)
+        panel.undo_requested.connect(self.undo)
         jobs.progressed.connect(self._show_progress)
         jobs.ended.connect(self._show_buttons)
         panel.show_serials(store.serials())
@@ -179,6 +180,29 @@ class CalibratePresenter:
 
         self._start(keep, self._saved)
 
+    def undo(self) -> None:
+        """Take the sensor back to before its last step, or redo it after that."""
+        serial = self._serial
+
+        def exchange(_progress: Progress) -> Sensor:
+            self._store.undo(serial)
+            return self._store.load(serial) or nominal_kinect(serial)
+
+        self._start(exchange, self._undone)
+
+    def _undone(self, sensor: Sensor) -> None:
+        self._sensor = sensor
+        self._panel.show_serials(self._store.serials())
+        self._open(self._first_undone())
+        said = tr("Sensor {serial} is as it was before the last change.")
+        self._panel.show_next([said.format(serial=self._serial)])
+
+    def _can_undo(self) -> bool:
+        try:
+            return bool(self._serial) and self._store.can_undo(self._serial)
+        except InsoleError:
+            return False  # no serial number, which was told when it was given
+
     def _start(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
         self._panel.show_error("")
         self._jobs.start(CHANNEL, work, done, self._show_failure)
@@ -267,5 +291,6 @@ class CalibratePresenter:
                 choose=idle and self._sensor is not None,
                 calibrate=idle and usable,
                 save=idle and self._result is not None,
+                undo=idle and self._can_undo(),
             )
         )

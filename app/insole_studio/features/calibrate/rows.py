@@ -40,6 +40,7 @@ class Buttons:
     choose: bool = False
     calibrate: bool = False
     save: bool = False
+    undo: bool = False
 
 
 @dataclass(frozen=True)

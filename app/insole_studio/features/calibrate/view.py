@@ -41,6 +41,7 @@ class CalibrateView(QWidget):
     look_chosen = Signal(int)
     calibrate_requested = Signal()
     save_requested = Signal()
+    undo_requested = Signal()
     live_toggled = Signal(bool)
     automatic_toggled = Signal(bool)
     take_requested = Signal()
@@ -75,6 +76,10 @@ class CalibrateView(QWidget):
         self.print_boards.setToolTip(tr("Boards and marker templates at true size"))
         self.calibrate = _button(tr("Calibrate"), self.calibrate_requested)
         self.save = _button(tr("Save to the device"), self.save_requested)
+        self.undo = _button(tr("Undo the last step"), self.undo_requested)
+        self.undo.setToolTip(
+            tr("The sensor as it was before a result was last saved; again, to redo it")
+        )
         self.looks = QListWidget()
         self.looks.currentRowChanged.connect(self.look_chosen)
         self._picture = PictureView()
@@ -184,6 +189,7 @@ class CalibrateView(QWidget):
         self.choose.setEnabled(buttons.choose)
         self.calibrate.setEnabled(buttons.calibrate)
         self.save.setEnabled(buttons.save)
+        self.undo.setEnabled(buttons.undo)
 
     def board(self) -> BoardSize:
         """Return the board entered in the fields."""
@@ -203,7 +209,7 @@ class CalibrateView(QWidget):
 
     def _layout(self) -> None:
         left, middle, right = QVBoxLayout(), QVBoxLayout(), QVBoxLayout()
-        _stack(left, QLabel(tr("Sensor")), self.serial, self.steps)
+        _stack(left, QLabel(tr("Sensor")), self.serial, self.steps, self.undo)
         _stack(middle, self._title, self._instruction, self._board, self.print_boards)
         _stack(middle, self.choose)
         _stack(middle, self.next_steps, self.error)

@@ -250,8 +250,29 @@ def mixed_devices(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
     return "distortion", joined, []
 
 
-def colour_as_depth(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+def boards_as_walls(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
     return "distortion", sensors.parent / "boards", []
+
+
+def boards_before_a_wall(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
+    """Three walls, before each of which something is held 18 raw units nearer."""
+    write_walls(folder, SimulatedDevice(np.zeros((480, 640))), WALLS[:3], 1)
+    for number, path in enumerate(sorted(folder.glob("*/depth_000.png"))):
+        raw = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+        raw[100:180, 60 + 180 * number : 220 + 180 * number] -= 18
+        cv2.imwrite(str(path), raw)
+    return "distortion", folder, []
+
+
+def reversed_distances(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    distances = sorted((1 / plane[2] for plane in WALLS), reverse=True)
+    return "disparity", sensors.parent / "walls", ["--distances", *map(str, distances)]
+
+
+def too_near(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    """All distances as if measured from behind the sensor."""
+    distances = (1.12 / plane[2] for plane in WALLS)
+    return "disparity", sensors.parent / "walls", ["--distances", *map(str, distances)]
 
 
 def of_another_mode(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
@@ -283,7 +304,10 @@ REFUSED: dict[str, tuple[Callable[[Path, Path], tuple[str, Path, list[str]]], st
     "not flat": (not_flat, "shows no flat wall"),
     "hardly filled": (hardly_filled, "shows no flat wall that fills at least 4%"),
     "mixed devices": (mixed_devices, "of_other was recorded with sensor SIM2, not with SIM1"),
-    "colour as depth": (colour_as_depth, "is no raw depth image"),
+    "boards as walls": (boards_as_walls, "as of a board for depth to colour"),
+    "boards before a wall": (boards_before_a_wall, "as with boards held before a wall"),
+    "reversed distances": (reversed_distances, "in another order than the captures"),
+    "too near": (too_near, "measure again from the front"),
     "another mode": (of_another_mode, "but the colour camera was calibrated at 1280×1024"),
     "metres": (metres, "give them in millimetres"),
 }

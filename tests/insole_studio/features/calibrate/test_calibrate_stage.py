@@ -14,7 +14,7 @@ from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD, write_boards, write_walls
 
 from insole_core.calibration.plausibility import USUAL_DEPTH
-from insole_core.sensing.nominal_kinect import BURRUS
+from insole_core.sensing.nominal_kinect import BURRUS, nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application
@@ -212,6 +212,25 @@ def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
     assert after.disparity != BURRUS
     assert "Depth to colour is saved for sensor SIM1." in stage.view.next_steps.text()
     assert stage.view.error.text() == ""
+
+
+def test_a_calibration_that_cannot_be_read_is_undone_in_the_window(
+    stage: CalibrateStage, settle, tmp_path: Path
+) -> None:
+    store = SensorStore(tmp_path / "sensors")
+    store.save(nominal_kinect("SIM1"))
+    file = store.save(nominal_kinect("SIM1")) / "sensor.json"
+    file.write_text(file.read_text().replace(f"{BURRUS.b}", f"{-BURRUS.b}"))
+    assert not stage.view.undo.isEnabled()
+    give_serial(stage)
+    assert "undo its last step under Calibrate sensors" in stage.view.error.text()
+    assert not stage.view.choose.isEnabled()
+    stage.view.undo.click()
+    settle()
+    assert stage.view.error.text() == ""
+    assert "Sensor SIM1 is as it was before the last change." in stage.view.next_steps.text()
+    assert stage.view.choose.isEnabled()
+    assert store.load("SIM1") is not None
 
 
 def test_a_folder_that_is_not_there(stage: CalibrateStage, chosen: Chosen, settle) -> None:
