@@ -62,6 +62,10 @@ class NotAllowed(RecordsError):  # noqa: N818 - says what happened, as the other
     """The account that is signed in may not do this."""
 
 
+class FirstPassword(NotAllowed):
+    """The password is right, and its owner has to choose another one first."""
+
+
 class Unreachable(RecordsError):  # noqa: N818
     """The database or the folder of the record does not answer at present."""
 

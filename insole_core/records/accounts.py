@@ -17,12 +17,12 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any, Final
 
-from sqlalchemy import Connection, Row, delete, func, insert, select, update
+from sqlalchemy import Connection, Row, delete, func, insert, select, text, update
 
-from insole_core.errors import InputError, NotAllowed, RecordsError
+from insole_core.errors import FirstPassword, InputError, NotAllowed, RecordsError
 from insole_core.records import schema
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author, Proof, Role
+from insole_core.records.author import Author, Proof, Role, system_user
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase
 from insole_core.records.passwords import (
@@ -43,6 +43,8 @@ FIRST_LOCK_S, LONGEST_LOCK_S = 60.0, 3600.0
 _NAME: Final = re.compile(r"[^\W_][\w.@-]{0,59}")
 _LONGEST_FULL_NAME: Final = 200
 _ACCOUNT: Final = "account"
+_TELLS_SYSTEM_USER: Final = 160_000
+"""Version of PostgreSQL that says how a connection was authenticated."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,10 @@ class Account:
         As papers print it.
     failures
         Wrong passwords since the last right one.
+    has_first_password
+        Whether the password is still the one that an administrator has chosen.
+    system_user
+        Of the operating system, who needs no password; empty for nobody.
     """
 
     id: str
@@ -65,6 +71,8 @@ class Account:
     role: Role
     failures: int = 0
     is_disabled: bool = False
+    has_first_password: bool = False
+    system_user: str = ""
 
 
 class Accounts:
@@ -153,7 +161,9 @@ class Accounts:
             self._log(connection, "switched off", "all")
 
     def add(self, name: str, full_name: str, role: Role, password: str) -> Account:
-        """Add an account; its owner changes the password that they are told.
+        """Add an account, whose owner has to change the password that they are told.
+
+        That of a scheduled task stays: there is nobody who would change it.
 
         Raises
         ------
@@ -162,6 +172,7 @@ class Accounts:
         NotAllowed
         """
         values = _new_account(name, full_name, role, password)
+        values["must_change_password"] = role is not Role.BACKUP_SERVICE
         with self._database.writing() as connection:
             self._require_management(connection)
             if _find(connection, values["name"]) is not None:
@@ -174,7 +185,7 @@ class Accounts:
         return _account_of(values)
 
     def change(self, account: Account) -> None:
-        """Give an account another full name or role, or disable it.
+        """Give an account another full name, role or system user, or disable it.
 
         Accounts are disabled and never removed: the record keeps who did what.
 
@@ -187,15 +198,15 @@ class Accounts:
         full_name = _checked_full_name(account.full_name)
         with self._database.writing() as connection:
             self._require_management(connection)
-            connection.execute(
-                update(schema.accounts)
-                .where(schema.accounts.c.id == account.id)
-                .values(
-                    full_name=full_name,
-                    role=str(account.role),
-                    is_disabled=account.is_disabled,
-                    changed_at=utc_now(),
-                )
+            _check_system_user(connection, account)
+            _change(
+                connection,
+                account.id,
+                full_name=full_name,
+                role=str(account.role),
+                is_disabled=account.is_disabled,
+                system_user=account.system_user or None,
+                changed_at=utc_now(),
             )
             if _count_administrators(connection) == 0:
                 raise RecordsError(
@@ -208,10 +219,11 @@ class Accounts:
                 account.id,
                 role=str(account.role),
                 is_disabled=account.is_disabled,
+                has_system_user=bool(account.system_user),
             )
 
     def reset_password(self, account_id: str, password: str) -> None:
-        """Give an account another password, and unlock it.
+        """Give an account another password, which its owner has to change, and unlock it.
 
         Raises
         ------
@@ -219,7 +231,10 @@ class Accounts:
         """
         with self._database.writing() as connection:
             self._require_management(connection)
-            self._set_password(connection, _get(connection, account_id), password)
+            found = _get(connection, account_id)
+            self._set_password(connection, found, password)
+            must_change = Role(found.role) is not Role.BACKUP_SERVICE
+            _change(connection, account_id, must_change_password=must_change)
             self._log(connection, "reset password", account_id)
         self._forgive_here(account_id)
 
@@ -245,8 +260,49 @@ class Accounts:
 
         Raises
         ------
+        FirstPassword
+            When its owner has to choose a password first; not where nothing can be written.
         NotAllowed
             When they are wrong, or the account is locked or disabled.
+        """
+        found, author = self._proven(name, password)
+        if found.must_change_password and not self._database.is_read_only:
+            with self._database.writing() as connection:
+                _forgive(connection, found.id)
+            raise FirstPassword(
+                "The password of {account} was chosen by somebody else; choose your own.",
+                account=found.name,
+            )
+        if not self._database.is_read_only:
+            with suppress(DamagedDatabase):  # from now on it may only be read, by whoever may
+                self._note_success(author, found, password)
+        return author
+
+    def sign_in_system_user(self) -> Author | None:
+        """Return the author whose account belongs to the operating system's user; None for nobody.
+
+        A database's server says who that is (such as by peer authentication), where there is one.
+        """
+        with self._database.reading() as connection:
+            user = system_user() if self._database.is_sqlite else _user_of_server(connection)
+            query = select(schema.accounts).where(
+                schema.accounts.c.system_user == user, ~schema.accounts.c.is_disabled
+            )
+            found = connection.execute(query).one_or_none() if user else None
+        if found is None:
+            return None
+        author = Author(found.name, self._who.station, Role(found.role), Proof.SYSTEM_USER)
+        if not self._database.is_read_only:
+            with self._database.writing() as connection:
+                AuditLog.append(connection, author, "signed in", _ACCOUNT, found.id)
+        return author
+
+    def _proven(self, name: str, password: str) -> tuple[Row[Any], Author]:
+        """Return the account that name and password belong to, and its owner.
+
+        Raises
+        ------
+        NotAllowed
         """
         found = self._count_attempt(_folded(name))
         stored = found.password_hash if found is not None and not found.is_disabled else None
@@ -255,12 +311,8 @@ class Accounts:
                 "The name or the password is wrong; try again, or ask the administrator for "
                 "another password."
             )
-        author = Author(found.name, self._who.station, Role(found.role), Proof.PASSWORD)
-        if not self._database.is_read_only:
-            with suppress(DamagedDatabase):  # from now on it may only be read, by whoever may
-                self._note_success(author, found, password)
         self._forgive_here(found.id)
-        return author
+        return found, Author(found.name, self._who.station, Role(found.role), Proof.PASSWORD)
 
     def _note_success(self, author: Author, found: Row[Any], password: str) -> None:
         with self._database.writing() as connection:
@@ -269,8 +321,8 @@ class Accounts:
                 _store_password(connection, found.id, password)
             AuditLog.append(connection, author, "signed in", _ACCOUNT, found.id)
 
-    def change_password(self, name: str, old: str, new: str) -> None:
-        """Let the owner of an account choose another password.
+    def change_password(self, name: str, old: str, new: str) -> Author:
+        """Let the owner of an account choose another password, and sign them in.
 
         Raises
         ------
@@ -279,13 +331,18 @@ class Accounts:
         InputError
             When the new one will not do.
         """
-        author = self.sign_in(name, old)
+        proven, author = self._proven(name, old)
+        with self._database.writing() as connection:
+            _forgive(connection, proven.id)
         with self._database.writing() as connection:
             found = _find(connection, author.name)
             if found is None or found.is_disabled:
                 raise NotAllowed("This account was disabled meanwhile; ask the administrator.")
             self._set_password(connection, found, new)
+            _change(connection, found.id, must_change_password=False)
+            AuditLog.append(connection, author, "signed in", _ACCOUNT, found.id)
             AuditLog.append(connection, author, "changed password", _ACCOUNT, found.id)
+        return author
 
     def _count_attempt(self, name: str) -> Row[Any] | None:
         """Count one more failure, which a right password takes back; return the account.
@@ -411,6 +468,7 @@ def _new_account(name: str, full_name: str, role: Role, password: str) -> dict[s
         "password_hash": hash_password(password),
         "failures": 0,
         "is_disabled": False,
+        "must_change_password": False,
         "changed_at": utc_now(),
     }
 
@@ -432,12 +490,55 @@ def _folded(name: str) -> str:
 
 def _account(row: Row[Any]) -> Account:
     return Account(
-        row.id, row.name, row.full_name, Role(row.role), row.failures, bool(row.is_disabled)
+        row.id,
+        row.name,
+        row.full_name,
+        Role(row.role),
+        row.failures,
+        row.is_disabled,
+        row.must_change_password,
+        row.system_user or "",
     )
 
 
 def _account_of(values: dict[str, Any]) -> Account:
-    return Account(values["id"], values["name"], values["full_name"], Role(values["role"]))
+    return Account(
+        values["id"],
+        values["name"],
+        values["full_name"],
+        Role(values["role"]),
+        has_first_password=values["must_change_password"],
+    )
+
+
+def _check_system_user(connection: Connection, account: Account) -> None:
+    """Refuse a user of the system who has another account: which one would be a guess."""
+    query = select(schema.accounts.c.name).where(
+        schema.accounts.c.system_user == account.system_user, schema.accounts.c.id != account.id
+    )
+    other = connection.execute(query).scalar() if account.system_user else None
+    if other is not None:
+        raise InputError(
+            "The user {user} of the system has the account {account} already; choose one of both.",
+            user=account.system_user,
+            account=other,
+        )
+
+
+def _user_of_server(connection: Connection) -> str:
+    """Return whom PostgreSQL knows by the system that both run on; empty for nobody.
+
+    A password of the database is that of the clinic, and says nothing about a person.
+    """
+    version = int(
+        connection.execute(select(func.current_setting("server_version_num"))).scalar_one()
+    )
+    if version < _TELLS_SYSTEM_USER:
+        return ""
+    method, _, user = str(connection.execute(text("SELECT system_user")).scalar() or "").partition(
+        ":"
+    )
+    return user if method in ("peer", "gss", "sspi") else ""
 
 
 def _find(connection: Connection, name: str, *, for_update: bool = False) -> Row[Any] | None:

@@ -9,7 +9,7 @@ from sqlalchemy import Connection, func, inspect, select
 from insole_core.errors import RecordsError
 from insole_core.records.database import MIGRATION_LOCK, SCHEMA_COLUMN, SCHEMA_TABLE, Database
 
-SCHEMA: Final = "0002"
+SCHEMA: Final = "0003"
 """The newest revision in `migrations/versions`; revisions are numbered."""
 
 

@@ -260,6 +260,9 @@ accounts = Table(
     Column("locked_until", Text),
     Column("is_disabled", Boolean, nullable=False, server_default=text("false")),
     Column("changed_at", Text, nullable=False),
+    Column("must_change_password", Boolean, nullable=False, server_default=text("false")),
+    Column("system_user", Text),
+    Index("ix_accounts_system_user", "system_user", unique=True),
 )
 
 merges = Table(

@@ -145,15 +145,28 @@ class ClinicRecord(QObject):
         password: str,
         done: Callable[[Author], None],
         failed: Callable[[Exception], None],
+        *,
+        own: str = "",
     ) -> None:
-        """Check name and password in a job; `take_author` then makes them the author."""
+        """Check name and password in a job; `take_author` then makes them the author.
+
+        Parameters
+        ----------
+        own
+            Password that takes the place of a first one; empty for none.
+        """
         records = self._records
         if records is None:
             failed(_not_open())
             return
-        self.jobs.start(
-            SIGN_IN, lambda _progress: records.accounts.sign_in(name, password), done, failed
-        )
+        accounts = records.accounts
+
+        def sign_in(_progress: Progress) -> Author:
+            if own:
+                return accounts.change_password(name, password, own)
+            return accounts.sign_in(name, password)
+
+        self.jobs.start(SIGN_IN, sign_in, done, failed)
 
     def take_author(self, author: Author) -> None:
         """Let all changes from now on be those of somebody who has signed in."""

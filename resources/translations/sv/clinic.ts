@@ -736,8 +736,16 @@
             <translation>Vem som såg, ändrade och exporterade vad</translation>
         </message>
         <message>
+            <source>Your own password</source>
+            <translation>Ditt eget lösenord</translation>
+        </message>
+        <message>
             <source>disabled</source>
             <translation>spärrat</translation>
+        </message>
+        <message>
+            <source>first password</source>
+            <translation>första lösenordet</translation>
         </message>
         <message>
             <source>never</source>

@@ -2532,6 +2532,10 @@
             <translation>Lösenordet är bland de första som provas: ett namn, eller tangenter i rad; ta till exempel fyra ord.</translation>
         </message>
         <message>
+            <source>The password of {account} was chosen by somebody else; choose your own.</source>
+            <translation>Lösenordet för {account} har valts av någon annan; välj ditt eget.</translation>
+        </message>
+        <message>
             <source>The password repeats few characters; take four words, for example.</source>
             <translation>Lösenordet upprepar få tecken; ta till exempel fyra ord.</translation>
         </message>
@@ -2890,6 +2894,10 @@
         <message>
             <source>The two surfaces lie over each other on {area_mm2:.0f} mm² only, which is too little to compare; let them be fitted, or pick points on both.</source>
             <translation>De två ytorna ligger över varandra på bara {area_mm2:.0f} mm², vilket är för lite för att jämföra; låt dem passas, eller välj punkter på båda.</translation>
+        </message>
+        <message>
+            <source>The user {user} of the system has the account {account} already; choose one of both.</source>
+            <translation>Systemets användare {user} har redan kontot {account}; välj ett av dem.</translation>
         </message>
         <message>
             <source>The view {view} cannot be used: {reason}; record it again.</source>

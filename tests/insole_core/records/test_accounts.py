@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from argon2 import PasswordHasher
 from sqlalchemy import select
-from stations import proven
+from stations import FIRST, add_member, proven
 
-from insole_core.errors import InputError, NotAllowed, RecordsError
+from insole_core.errors import FirstPassword, InputError, NotAllowed, RecordsError
 from insole_core.messages import Message
 from insole_core.records import passwords, schema
 from insole_core.records.accounts import (
@@ -22,7 +22,7 @@ from insole_core.records.accounts import (
     Accounts,
 )
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Author, Proof, Role, system_user
 from insole_core.records.database import Database
 from insole_core.records.passwords import check_password, hash_password, is_password
 from insole_core.records.rights import RIGHTS, Right, require
@@ -67,7 +67,7 @@ def administered(database: Database, clocks: Clocks) -> Accounts:
 
 @pytest.fixture
 def anna(administered: Accounts) -> Account:
-    return administered.add("Anna", "Anna Åkesson", Role.ORTHOPEDIST, BETTER)
+    return add_member(administered, "Anna", "Anna Åkesson", Role.ORTHOPEDIST, BETTER)
 
 
 def actions(database: Database) -> list[str]:
@@ -354,13 +354,55 @@ def test_passwords_are_changed_by_their_owner(administered: Accounts, anna: Acco
     assert administered.sign_in("anna", new).name == "anna"
 
 
+def test_a_first_password_lets_nobody_in_until_its_owner_has_chosen_another_one(
+    database: Database, administered: Accounts
+) -> None:
+    eva = administered.add("eva", "Eva Ek", Role.TECHNICIAN, FIRST)
+    assert eva.has_first_password
+    for _ in range(FREE_FAILURES + 1):  # it is right, so it locks nobody out
+        with pytest.raises(FirstPassword, match="eva was chosen by somebody else"):
+            administered.sign_in("eva", FIRST)
+    with pytest.raises(InputError, match="had before"):
+        administered.change_password("eva", FIRST, FIRST)
+    assert "signed in" not in actions(database)
+    assert administered.change_password("eva", FIRST, BETTER) == proven("eva", Role.TECHNICIAN)
+    assert administered.sign_in("eva", BETTER).name == "eva"
+    assert not administered.all()[1].has_first_password
+
+
+def test_a_scheduled_task_keeps_the_password_it_was_given(administered: Accounts) -> None:
+    night = administered.add("night", "Backups", Role.BACKUP_SERVICE, FIRST)
+    assert administered.sign_in("night", FIRST).role is Role.BACKUP_SERVICE
+    administered.reset_password(night.id, GOOD)
+    assert administered.sign_in("night", GOOD).role is Role.BACKUP_SERVICE
+
+
+def test_an_account_of_a_user_of_the_system_needs_no_password(
+    database: Database, administered: Accounts, anna: Account, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LOGNAME", "somebody")
+    assert administered.sign_in_system_user() is None
+    administered.change(replace(anna, system_user=system_user()))
+    author = administered.sign_in_system_user()
+    assert author == replace(proven("anna"), proof=Proof.SYSTEM_USER)
+    with database.reading() as connection:
+        require(connection, author, Right.SEE)
+    assert '"signed_in_by":"system user"' in AuditLog(database, CHEF).lines()[0].details
+    (chef,) = (account for account in administered.all() if account.name == "chef")
+    with pytest.raises(InputError, match="has the account anna already"):
+        administered.change(replace(chef, system_user=system_user()))
+    administered.change(replace(anna, system_user=system_user(), is_disabled=True))
+    assert administered.sign_in_system_user() is None
+
+
 def test_passwords_are_reset_by_an_administrator(
     database: Database, administered: Accounts, anna: Account, clocks: Clocks
 ) -> None:
     with pytest.raises(NotAllowed, match="may not manage accounts"):
         accounts_of(database, clocks, proven("anna")).reset_password(anna.id, GOOD)
     administered.reset_password(anna.id, GOOD)
-    assert administered.sign_in("anna", GOOD).name == "anna"
+    with pytest.raises(FirstPassword):
+        administered.sign_in("anna", GOOD)
     with pytest.raises(RecordsError, match="no such account"):
         administered.reset_password("?", GOOD)
 
@@ -427,8 +469,8 @@ def test_the_audit_log_tells_what_happened_and_no_password(
     administered.unlock(anna.id)
     administered.change_password("anna", BETTER, GOOD)
     assert actions(database) == [
-        "switched on", "added", "locked", "refused", "refused", "unlocked", "signed in",
-        "changed password",
+        "switched on", "added", "signed in", "changed password",
+        "locked", "refused", "refused", "unlocked", "signed in", "changed password",
     ]  # fmt: skip
     lines = AuditLog(database, CHEF).lines()
     assert not any(text in str(vars(line)) for line in lines for text in (GOOD, BETTER))

@@ -6,16 +6,17 @@ import argparse
 import io
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from argon2 import PasswordHasher
-from stations import proven
+from stations import FIRST, add_member, proven
 
 from insole_core.records import passwords
 from insole_core.records.accounts import FREE_FAILURES
 from insole_core.records.audit import SIGNED_IN_BY
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Author, Role, system_user
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
@@ -63,7 +64,7 @@ def records(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Records
     root = opened.for_author(proven("administrator"))
     for role in Role:
         if role is not Role.ADMINISTRATOR:
-            root.accounts.add(role.replace(" ", "-"), "Eva Ek", role, PASSWORD)
+            add_member(root.accounts, role.replace(" ", "-"), "Eva Ek", role, PASSWORD)
     yield root
     opened.close()
 
@@ -144,8 +145,36 @@ def test_the_log_says_how_somebody_has_signed_in(
 ) -> None:
     assert signed_in("orthopedist", "show", monkeypatch) == 0
     lines = records.audit.lines(author="orthopedist")
-    assert {line.action for line in lines} == {"signed in", "seen"}
+    assert {line.action for line in lines} == {"signed in", "changed password", "seen"}
     assert all(f'"{SIGNED_IN_BY}":"password"' in line.details for line in lines)
+
+
+def test_a_first_password_is_changed_on_the_command_line(
+    records: Records, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    records.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, FIRST)
+    tom = [*command("list"), "--account", "tom"]
+    for typed, code in (
+        ([FIRST], 2),
+        ([FIRST, PASSWORD, "another"], 2),
+        ([FIRST, FIRST, FIRST], 1),
+        ([FIRST, PASSWORD, PASSWORD], 0),
+        ([PASSWORD], 0),
+    ):
+        monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*typed, ""])))
+        assert run(tom) == code
+        assert ("Anna" in capsys.readouterr().out) is (code == 0)
+
+
+def test_an_account_of_a_user_of_the_system_needs_no_password(
+    records: Records, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for account in records.accounts.all():
+        if account.name == "backup-service":
+            records.accounts.change(replace(account, system_user=system_user()))
+    assert run(command("verify")) == 0
+    assert run(command("list")) == 1
+    assert "backup-service (backup service) may not see patients" in capsys.readouterr().err
 
 
 def test_a_password_is_read_from_a_private_file_or_a_descriptor(

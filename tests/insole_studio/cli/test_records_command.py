@@ -8,7 +8,7 @@ import json
 from datetime import date
 
 import pytest
-from stations import proven
+from stations import add_member, proven
 
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, Patient
@@ -167,7 +167,7 @@ def test_where_the_clinic_has_accounts_a_command_signs_in_and_keeps_to_the_role(
     database = records.context.database
     Accounts(database, records.who).switch_on("eva", "Eva Lund", password)
     eva = Accounts(database, proven("eva", Role.ADMINISTRATOR))
-    eva.add("olle", "Olle Ek", Role.ORTHOPEDIST, password)
+    add_member(eva, "olle", "Olle Ek", Role.ORTHOPEDIST, password)
     records.close()
     command = ["records", "show", "A-1", "--record", str(record)]
     assert run(command) == 1

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import argparse
 import logging
+import sys
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import NotAllowed, RecordsError, UsageError
+from insole_core.errors import FirstPassword, NotAllowed, RecordsError, UsageError
 from insole_studio.cli.argument_parser import whole
-from insole_studio.cli.records.secrets import password_of
+from insole_studio.cli.records.secrets import new_password, password_of
 
 if TYPE_CHECKING:
     from insole_core.records.author import Author
@@ -140,13 +141,22 @@ def sign_in(records: Records, arguments: argparse.Namespace) -> Author:
     NotAllowed
         When the password is wrong, or nobody signs in to a record with accounts.
     """
-    if not records.accounts.are_on:
-        if arguments.account is not None:
+    accounts, account = records.accounts, arguments.account
+    if not accounts.are_on:
+        if account is not None:
             raise NotAllowed("The record has no accounts; leave out --account.")
         return records.who
-    if arguments.account is None:
-        raise NotAllowed(
-            "The record has accounts, and you are not signed in; name yours with --account NAME, "
-            "and its password is asked for."
-        )
-    return records.accounts.sign_in(arguments.account, password_of(arguments))
+    if account is None:
+        author = accounts.sign_in_system_user()
+        if author is None:
+            raise NotAllowed(
+                "The record has accounts, and you are not signed in; name yours with --account "
+                "NAME, and its password is asked for."
+            )
+        return author
+    password = password_of(arguments)
+    try:
+        return accounts.sign_in(account, password)
+    except FirstPassword as error:
+        print(error, file=sys.stderr)
+    return accounts.change_password(account, password, new_password())

@@ -57,6 +57,20 @@ def password_of(arguments: argparse.Namespace) -> str:
     return ask(f"Password of {arguments.account}: ", arguments.password_file)
 
 
+def new_password(what: str = "Your own password") -> str:
+    """Return a new password, which is asked for twice.
+
+    Raises
+    ------
+    UsageError
+        When both differ, or nobody can be asked.
+    """
+    password = ask(f"{what}: ", None)
+    if ask("The same again: ", None) != password:
+        raise UsageError("The two passwords differ; begin again.")
+    return password
+
+
 def ask(prompt: str, file: Path | None) -> str:
     """Return a secret from a file, from whoever sits at the terminal, or from standard input.
 

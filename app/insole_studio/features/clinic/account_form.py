@@ -12,7 +12,11 @@ from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QFormLayout, QLineEdi
 from insole_core.errors import InputError
 from insole_core.records.author import Role
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.clinic.password_fields import PasswordFields, secret_line
+from insole_studio.features.clinic.password_fields import (
+    PasswordFields,
+    password_hint,
+    secret_line,
+)
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
@@ -164,8 +168,3 @@ class OwnPassword(AccountForm):
 def roles() -> list[tuple[str, str]]:
     """Return key and name of each role."""
     return [(str(role), translate_core_message(role)) for role in Role]
-
-
-def password_hint() -> str:
-    """Say what a password has to be."""
-    return tr("At least 12 characters, such as four words; capitals and signs are not asked for.")

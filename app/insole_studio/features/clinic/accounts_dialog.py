@@ -24,9 +24,8 @@ from insole_studio.features.clinic.account_form import (
     ChangedAccount,
     NewAccount,
     ResetPassword,
-    password_hint,
 )
-from insole_studio.features.clinic.password_fields import PasswordFields
+from insole_studio.features.clinic.password_fields import PasswordFields, password_hint
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_labels import mark_labels
@@ -249,6 +248,8 @@ def _row(account: Account) -> TableRow:
     state = ""
     if account.is_disabled:
         state = tr("disabled")
+    elif account.has_first_password:
+        state = tr("first password")
     elif account.failures:
         state = tr("wrong passwords: {count}").format(count=account.failures)
     cells = (account.name, account.full_name, translate_core_message(account.role), state)

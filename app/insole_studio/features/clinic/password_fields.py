@@ -18,6 +18,11 @@ def secret_line() -> QLineEdit:
     return line
 
 
+def password_hint() -> str:
+    """Say what a password has to be."""
+    return tr("At least 12 characters, such as four words; capitals and signs are not asked for.")
+
+
 class PasswordFields:
     """The lines, to be added to a form."""
 

@@ -6,9 +6,14 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
+from insole_core.errors import FirstPassword, InputError, NotAllowed
 from insole_core.records.author import Author
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.clinic.password_fields import secret_line
+from insole_studio.features.clinic.password_fields import (
+    PasswordFields,
+    password_hint,
+    secret_line,
+)
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr
 from insole_studio.widgets.form_labels import mark_labels
@@ -28,7 +33,8 @@ class SignInDialog(RecordDialog):
     is_lock
         Whether the window is locked: then the dialog stays until somebody has signed in.
 
-    A record that may only be read says why, and offers the restoring, which asks for the
+    Whoever signs in with a password that somebody else has chosen chooses their own first. A record
+    that may only be read says why, and offers the restoring, which asks for the
     passphrase of a backup and for no account.
     """
 
@@ -51,7 +57,14 @@ class SignInDialog(RecordDialog):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(tr("Account"), self.name)
         form.addRow(tr("Password"), self.password)
+        self.own = PasswordFields()
+        self.own.first.setToolTip(password_hint())
+        self.own.add_to(form, tr("Your own password"))
         mark_labels(form)
+        self._form = form
+        for line in (self.name, self.password):  # which are another account's then
+            line.textEdited.connect(lambda _text: self._ask_for_own(asked=False))
+        self._ask_for_own(asked=False)
         self.problem = MessageLabel("warning")
         self.content.addWidget(self.problem)
         self.content.addLayout(form)
@@ -83,8 +96,20 @@ class SignInDialog(RecordDialog):
         """Tell why it was refused, and wait for another password."""
         super().refuse(error)
         self._show_problem()
-        self.password.clear()
-        self.password.setFocus()
+        if isinstance(error, FirstPassword):
+            self._ask_for_own(asked=True)
+        elif isinstance(error, NotAllowed):
+            self._ask_for_own(asked=False)
+            self.password.clear()
+            self.password.setFocus()
+
+    def _ask_for_own(self, *, asked: bool) -> None:
+        """Ask for a password of one's own, after the first one was right."""
+        for line in (self.own.first, self.own.again):
+            self._form.setRowVisible(line, asked)
+        self.own.clear()
+        if asked:
+            self.own.first.setFocus()
 
     def _show_problem(self) -> None:
         """Say why nothing can be changed, which may have turned out only now."""
@@ -104,6 +129,11 @@ class SignInDialog(RecordDialog):
         if not self.name.text().strip():
             self.name.setFocus()
             return
+        try:
+            own = self.own.read()
+        except InputError as error:
+            self.refuse(error)
+            return
         self.setEnabled(False)
         self.say(tr("Signing in…"))
         self.clinic.sign_in(
@@ -111,6 +141,7 @@ class SignInDialog(RecordDialog):
             self.password.text(),
             self.while_open(self._take),
             self.while_open(self.refuse),
+            own=own,
         )
 
     def _take(self, author: Author) -> None:

@@ -12,10 +12,9 @@ from administering import OTHER_PASSWORD, PASSWORD, Dialog, shown
 from argon2 import PasswordHasher
 from postgres_server import binaries, running_server
 from pytestqt.qtbot import QtBot
-from stations import proven
+from stations import add_member, proven
 
 from insole_core.records import passwords
-from insole_core.records.accounts import Accounts
 from insole_core.records.author import Role
 from insole_core.records.place import DATABASE_FILE
 from insole_core.records.records import Records
@@ -51,8 +50,7 @@ def with_accounts(clinic: Application, records: Records, qtbot: QtBot) -> Applic
     """The same with accounts: an administrator, and Eva who treats patients; nobody signed in."""
     records.accounts.switch_on("admin", "Rut Root", PASSWORD)
     root = proven("admin", Role.ADMINISTRATOR)
-    accounts: Accounts = records.for_author(root).accounts
-    accounts.add("eva", "Eva Ek", Role.ORTHOPEDIST, OTHER_PASSWORD)
+    add_member(records.for_author(root).accounts, "eva", "Eva Ek", Role.ORTHOPEDIST, OTHER_PASSWORD)
     record = clinic.services.clinic
     qtbot.waitUntil(lambda: record.state is RecordState.SIGNED_OUT, timeout=10_000)
     return clinic

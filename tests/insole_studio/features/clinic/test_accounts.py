@@ -11,8 +11,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
-from stations import proven
+from stations import FIRST, proven
 
+from insole_core.errors import FirstPassword
 from insole_core.records.author import Role
 from insole_core.records.person import Person
 from insole_core.records.records import Records
@@ -80,6 +81,33 @@ def test_a_wrong_password_is_told_and_so_is_the_lock_after_too_many(
     sign_in(dialog, "eva", OTHER_PASSWORD)
     qtbot.waitUntil(lambda: "Too many wrong passwords" in dialog.message.text())
     assert with_accounts.services.clinic.state is RecordState.SIGNED_OUT
+
+
+def test_whoever_has_a_first_password_chooses_their_own(
+    with_accounts: Application, records: Records, qtbot: QtBot
+) -> None:
+    root = records.for_author(proven("admin"))
+    root.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, FIRST)
+    dialog = shown(with_accounts, SignInDialog)
+    assert not dialog.own.first.isVisible()
+    sign_in(dialog, "tom", FIRST)
+    qtbot.waitUntil(dialog.own.first.isVisible, timeout=9000)
+    assert "chosen by somebody else" in dialog.message.text()
+    type_into(dialog.name, "eva")  # whose password it is not
+    assert not dialog.own.first.isVisible()
+    sign_in(dialog, "tom", FIRST)
+    qtbot.waitUntil(lambda: dialog.isEnabled() and dialog.own.first.isVisible(), timeout=9000)
+    for again, told in ((PASSWORD, "not the same"), (FIRST, "had before")):
+        type_into(dialog.own.first, FIRST)
+        type_into(dialog.own.again, again)
+        dialog.sign_in.click()
+        qtbot.waitUntil(lambda told=told: told in dialog.message.text(), timeout=9000)
+    assert with_accounts.services.clinic.state is RecordState.SIGNED_OUT
+    for line in (dialog.own.first, dialog.own.again):
+        type_into(line, "yet other long words")
+    dialog.sign_in.click()
+    qtbot.waitUntil(lambda: with_accounts.services.clinic.is_open, timeout=9000)
+    assert records.accounts.sign_in("tom", "yet other long words").role is Role.TECHNICIAN
 
 
 def test_the_status_line_says_who_has_signed_in(with_accounts: Application, qtbot: QtBot) -> None:
@@ -216,7 +244,9 @@ def test_an_administrator_adds_changes_and_unlocks_accounts(
     QTest.keyClick(dialog.minutes, Qt.Key.Key_Return)
     rest()
     assert with_accounts.features.clinic.lock.lock_minutes == 3
-    assert records.accounts.sign_in("tom", "yet other long words").role is Role.TECHNICIAN
+    assert dialog.table.rows[2].cells[3] == "first password"
+    with pytest.raises(FirstPassword):
+        records.accounts.sign_in("tom", "yet other long words")
 
 
 def test_what_a_role_may_not_do_is_refused_in_words(

@@ -9,7 +9,7 @@ from datetime import date
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in
 from pytestqt.qtbot import QtBot
-from stations import proven
+from stations import add_member, proven
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
@@ -82,7 +82,7 @@ def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
     opened: Application, records: Records, eva: Records, qtbot: QtBot
 ) -> None:
     root = records.for_author(proven("admin", Role.ADMINISTRATOR))
-    root.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
+    add_member(root.accounts, "tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
     thicken(opened, 4.5)
     opened.window.actions_by_key["lock"].trigger()
     take_over(opened, qtbot, "tom", "yet other long words")
@@ -114,7 +114,7 @@ def test_an_administrator_sees_no_case_that_waits_for_a_decision_and_nothing_of_
     visit_id = opened.case.kept.visit.id
     tom = records.for_author(proven("tom", Role.TECHNICIAN, "capture room"))
     root = records.for_author(proven("admin", Role.ADMINISTRATOR))
-    root.accounts.add("tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
+    add_member(root.accounts, "tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
     theirs = tom.visits.open_case(visit_id)
     (foot,) = theirs.record.feet
     changed = foot.with_design(replace(foot.design, thickness_mm=6.0))
