@@ -10,6 +10,7 @@ import json
 from dataclasses import dataclass
 from threading import Lock
 from typing import Any, Final
+from uuid import UUID, uuid5
 from weakref import WeakKeyDictionary
 
 from sqlalchemy import Connection, Row, Select, insert, or_, select, update
@@ -62,7 +63,14 @@ class Prescriptions:
         self._context = context
         self._meshes = _StoredMeshes(context.contents)
 
-    def save(self, visit_id: str, foot: FootRecord, base: Base | None, reason: str = "") -> Base:
+    def save(
+        self,
+        visit_id: str,
+        foot: FootRecord,
+        base: Base | None,
+        reason: str = "",
+        editing: str = "",
+    ) -> Base:
         """Store the prescription of a foot.
 
         Parameters
@@ -73,6 +81,9 @@ class Prescriptions:
             one.
         reason
             With one, the version is kept as it is now, and the next change begins another one.
+        editing
+            UUID of the editing, by which it knows what it has stored though the answer was lost,
+            and goes on with it. Whoever gives one must not store older work after newer one.
 
         Returns
         -------
@@ -91,13 +102,17 @@ class Prescriptions:
         content = self._content(foot)
         with self._context.writing_visit(Right.WRITE, visit_id) as (connection, _):
             newest = _newest(connection, visit_id, foot.side)
+            next_id = _next_id(editing, foot.side, base)
+            if newest is not None and editing and _is_unanswered(newest, base, next_id):
+                base = Base(newest.id, newest.revision, is_mine=True)
+                next_id = _next_id(editing, foot.side, base)
             _check_base(newest, base, foot)
             if newest is not None and base is not None and not reason and content.equals(newest):
                 return base
             if newest is not None and base is not None and self._continues(newest, base):
                 written = self._update(connection, newest, content)
             else:
-                written = self._insert(connection, visit_id, newest, content)
+                written = self._insert(connection, visit_id, newest, content, next_id)
             if reason:
                 _close(connection, written.version_id, reason)
                 written = Base(written.version_id, written.revision)
@@ -273,14 +288,19 @@ class Prescriptions:
         return Base(newest.id, revision, is_mine=True)
 
     def _insert(
-        self, connection: Connection, visit_id: str, newest: Row[Any] | None, content: _Content
+        self,
+        connection: Connection,
+        visit_id: str,
+        newest: Row[Any] | None,
+        content: _Content,
+        version_id: str = "",
     ) -> Base:
         if newest is not None and not newest.is_closed:
             _close(connection, newest.id, newest.reason)
         content.refer(connection)
         now = utc_now()
         values = {
-            "id": new_id(),
+            "id": version_id or new_id(),
             "visit_id": visit_id,
             "side": str(content.side),
             "number": 1 if newest is None else newest.number + 1,
@@ -379,6 +399,20 @@ def _newest(connection: Connection, visit_id: str, side: Side) -> Row[Any] | Non
         .limit(1)
     )
     return connection.execute(query).one_or_none()
+
+
+def _next_id(editing: str, side: Side, base: Base | None) -> str:
+    """Return the key of the version that an editing begins after another one."""
+    if not editing:
+        return new_id()
+    return str(uuid5(UUID(editing), f"{side} {'' if base is None else base.version_id}"))
+
+
+def _is_unanswered(newest: Row[Any], base: Base | None, next_id: str) -> bool:
+    """Return whether the newest version was stored by the same editing, without an answer."""
+    if base is not None and base.is_mine and newest.id == base.version_id:
+        return bool(newest.revision > base.revision)
+    return bool(newest.id == next_id)
 
 
 def _check_base(newest: Row[Any] | None, base: Base | None, foot: FootRecord) -> None:

@@ -34,10 +34,11 @@ from insole_studio.app.software_rendering import can_draw, prepare_software_rend
 from insole_studio.app.status_bar import StatusBar
 from insole_studio.app.theme import apply_theme
 from insole_studio.app.window_feature import WindowFeature
-from insole_studio.document.autosave import Autosave, find_recovered
+from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.hand_over import HandOver
+from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import RecordKeeper
 from insole_studio.document.record_location import RecordLocation
 from insole_studio.document.record_maintenance import RecordMaintenance
@@ -157,11 +158,11 @@ def build_application(
         paths.records_folder, settings.record_database, settings.record_contents
     )
     clinic = ClinicRecord(location, Jobs(window), window)
-    autosave = Autosave(case, jobs, paths.autosave_folder)
+    autosave = Autosave(case, Jobs(window), paths.autosave_folder)
     services = AppServices(
         case=case,
         clinic=clinic,
-        keeper=RecordKeeper(case, clinic, autosave.set_aside, window),
+        keeper=RecordKeeper(case, clinic, autosave, window),
         jobs=jobs,
         window=window,
         messages=UserMessages(window, LastFolders(settings)),

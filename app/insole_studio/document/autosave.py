@@ -1,91 +1,44 @@
-"""An autosaved copy of the open case, and its recovery after a crash.
+"""An autosaved copy of the open case: the journal of what is saved nowhere else yet.
 
-Every running window holds a lock file beside its copy. A copy whose lock is free was left by a
-program that crashed: it is offered at the next start, by a window that holds its lock from then on.
+Every running window holds the lock of its journal. One whose lock is free was left by a program
+that ended unasked: it is taken up at the next start, by a window that holds its lock from then on.
 """
 
 from __future__ import annotations
 
-import json
 import logging
-import os
 import threading
-import uuid
-from collections.abc import Iterable
-from contextlib import ExitStack
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
-from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
-from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
-from insole_core.errors import InsoleError
-from insole_core.export.atomic import make_private_folder, replacing_file, write_text
-from insole_core.forgiving_json import Complain, rename_unreadable
-from insole_core.json_object import JsonObject
-from insole_core.messages import Message
+from insole_core.cases.stored_mesh import pack_mesh
+from insole_core.errors import InsoleError, OutputError
+from insole_core.export.atomic import make_private_folder, replacing_file
+from insole_core.export.file_lock import FileLock
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.progress import Cancelled, Progress
-from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case import Case
+from insole_studio.document.journal import (
+    Origin,
+    journal_lock,
+    new_journal,
+    remove_files,
+    write_journal,
+)
 from insole_studio.document.unkept_visit import UnkeptVisit
 from insole_studio.jobs import Jobs
 
 log = logging.getLogger(__name__)
 
 CHANNEL = "autosave"
-DELAY_MS = 800
-
-
-@dataclass(frozen=True, eq=False)
-class Recovered:
-    """A case left behind by a crashed program, which no other window is offered meanwhile.
-
-    Parameters
-    ----------
-    path
-        The file it was opened from; None for a case never saved.
-    copies
-        The files to remove once the case is safe.
-    lock
-        Keeps other windows from the copies until it is released.
-    digest
-        SHA-256 of that file when it was last read or written; empty where that is unknown.
-    visit
-        The visit of the clinic's record that it is; None for a case of a file.
-    """
-
-    record: CaseRecord
-    path: Path | None
-    copies: tuple[Path, ...]
-    lock: QLockFile
-    digest: str = ""
-    visit: UnkeptVisit | None = None
-
-    def discard(self) -> None:
-        """Remove the copies."""
-        _remove(self.copies)
-        self.release()
-
-    def release(self) -> None:
-        """Leave the copies, if they are still there, to the next window that starts."""
-        self.lock.unlock()
-
-
-@dataclass(frozen=True)
-class _Origin:
-    """The file of the case, as kept beside the copy; empty for a case never saved."""
-
-    path: str = ""
-    digest: str = ""
-    visit: UnkeptVisit | None = None
-
-    def to_json(self) -> dict[str, object]:
-        """Return it as values for `json.dumps`."""
-        content: dict[str, object] = {"path": self.path, "digest": self.digest}
-        if self.visit is not None:
-            content["visit"] = self.visit.to_json()
-        return content
+DELAY_MS, RETRY_MS = 800, 3000
 
 
 @dataclass(frozen=True)
@@ -94,26 +47,55 @@ class _Snapshot:
 
     number: int
     record: CaseRecord
-    origin: _Origin
+    origin: Origin
+
+
+class _PackedSurfaces:
+    """Surfaces as they are stored: packing one takes most of the time that a journal takes."""
+
+    def __init__(self) -> None:
+        self._known: WeakKeyDictionary[TriangleMesh, bytes] = WeakKeyDictionary()
+        self._lock = threading.Lock()
+
+    def of(self, record: CaseRecord) -> Mapping[Side, bytes]:
+        """Return the surfaces of a case, each of them packed once; from any thread."""
+        return {foot.side: self._packed(foot.foot.mesh) for foot in record.feet}
+
+    def _packed(self, mesh: TriangleMesh) -> bytes:
+        with self._lock:
+            known = self._known.get(mesh)
+        if known is not None:
+            return known
+        packed = pack_mesh(mesh)
+        with self._lock:
+            self._known[mesh] = packed
+        return packed
 
 
 class _CopyOnDisk:
-    """The copy of the case, written by the window and by jobs.
+    """The journal of one window, written by the window and by jobs.
 
     A job that is cancelled while it writes goes on to its end. Its copy then takes the place of
     an older one only: never of a newer one, and never of one that was removed meanwhile.
     """
 
-    def __init__(self, stem: Path) -> None:
-        self._stem = stem
+    def __init__(self, path: Path, surfaces: _PackedSurfaces) -> None:
+        self._path = path
+        self._surfaces = surfaces
         self._latest = 0
         self._number_on_disk = 0
+        self._on_disk: CaseRecord | None = None
         self._places = threading.Lock()  # held only while files take their places
 
     def next_number(self) -> int:
         """Return the number of a snapshot taken now; called in the thread of the window."""
         self._latest += 1
         return self._latest
+
+    def holds(self, record: CaseRecord) -> bool:
+        """Return whether a case is on the disk as it is."""
+        on_disk = self._on_disk
+        return on_disk is not None and on_disk.holds_the_same(record)
 
     def write(self, snapshot: _Snapshot) -> None:
         """Write a snapshot, from any thread.
@@ -125,26 +107,34 @@ class _CopyOnDisk:
         Cancelled
             When a later one was written or removed meanwhile.
         """
-        record_copy, origin_copy = _copies(self._stem)
-        with ExitStack() as until_in_place, replacing_file(record_copy) as beside:
-            write_case(snapshot.record, beside)
-            until_in_place.enter_context(self._places)
-            if snapshot.number < self._number_on_disk:
-                raise Cancelled
-            write_text(json.dumps(snapshot.origin.to_json()), origin_copy)
-            self._number_on_disk = snapshot.number
+        packed = self._surfaces.of(snapshot.record)
+        with ExitStack() as until_in_place:
+            with replacing_file(self._path) as beside:
+                write_journal(snapshot.record, snapshot.origin, beside, packed)
+                until_in_place.enter_context(self._places)
+                if snapshot.number < self._number_on_disk:
+                    raise Cancelled
+            self._number_on_disk, self._on_disk = snapshot.number, snapshot.record
 
     def remove(self) -> None:
-        """Remove the copy, also one that is still being written."""
+        """Remove the journal, also one that is still being written."""
         with self._places:
-            self._number_on_disk = self.next_number()
-            _remove(_copies(self._stem))
+            self._number_on_disk, self._on_disk = self.next_number(), None
+            remove_files(self._path)
 
 
 class Autosave(QObject):
-    """Writes the case to disk in the background, a moment after each change."""
+    """Writes the case to disk in the background, a moment after each change.
+
+    Parameters
+    ----------
+    jobs
+        Of the autosave alone, so that no long computation keeps it waiting; `close` ends them.
+    """
 
     failed = Signal(object)
+    kept_changed = Signal()
+    """Emitted when `is_kept` may have changed."""
 
     def __init__(self, case: Case, jobs: Jobs, folder: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -156,18 +146,22 @@ class Autosave(QObject):
         except OSError as error:  # told at the first attempt to write there
             log.warning("%s cannot be made: %s", folder, error)
         self._wanted = True
-        self._has_failed = False
-        stem = folder / uuid.uuid4().hex
-        self._copy = _CopyOnDisk(stem)
-        self._lock = _lock(stem)
-        self._lock.tryLock(0)
+        self.trouble = ""
+        """Why the case cannot be written; empty while it can."""
+        self._surfaces = _PackedSurfaces()
+        path, self._lock = _locked_journal(folder)
+        self._copy = _CopyOnDisk(path, self._surfaces)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
-        self._timer.setInterval(DELAY_MS)
         self._timer.timeout.connect(self._write_beside)
-        case.changed.connect(self._timer.start)
-        case.opened.connect(self._timer.start)
-        case.saved_changed.connect(self._forget_if_saved)
+        case.changed.connect(self._write_soon)
+        case.opened.connect(self._write_soon)
+        case.saved_changed.connect(self._note_saved)
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether the disk holds the case as it is now."""
+        return self._copy.holds(self._case.record)
 
     def write_now(self) -> None:
         """Write at once, in the calling thread.
@@ -181,6 +175,29 @@ class Autosave(QObject):
         self._jobs.cancel(CHANNEL)
         if self._case.has_unsaved_changes:
             self._copy.write(self._snapshot())
+            self._note_success(None)
+
+    def ahead(self) -> Callable[[], None]:
+        """Return a function, for another thread, that writes the case as it is now.
+
+        Whoever stores the case elsewhere calls it before, so that a journal that was left is never
+        older than what was stored. It does nothing if the disk holds the case already. A disk that
+        takes nothing is told as always; it must not keep the case from being stored.
+        """
+        is_unsaved = self._case.has_unsaved_changes
+        snapshot = self._snapshot()
+
+        def write() -> None:
+            if not is_unsaved or self._copy.holds(snapshot.record):
+                return
+            try:
+                self._copy.write(snapshot)
+            except Cancelled:  # a later one is there
+                return
+            except OutputError as error:
+                log.warning("the journal cannot be written: %s", error)
+
+        return write
 
     def set_aside(self) -> None:
         """Leave the case on the disk as it is, for this or another window to take up later.
@@ -190,7 +207,7 @@ class Autosave(QObject):
         OutputError
             When it cannot be written.
         """
-        copy = _CopyOnDisk(self._folder / uuid.uuid4().hex)
+        copy = _CopyOnDisk(new_journal(self._folder), self._surfaces)
         copy.write(_Snapshot(copy.next_number(), self._case.record, self._origin()))
 
     def keep_now(self) -> None:
@@ -209,145 +226,79 @@ class Autosave(QObject):
         self._wanted = False
 
     def close(self) -> None:
-        """Stop, after the jobs have ended; unsaved work stays on the disk unless discarded."""
+        """Stop; unsaved work stays on the disk unless discarded."""
         # A field that loses focus while the window closes still changes the case.
-        self._case.changed.disconnect(self._timer.start)
-        self._case.opened.disconnect(self._timer.start)
+        self._case.changed.disconnect(self._write_soon)
+        self._case.opened.disconnect(self._write_soon)
+        self._case.saved_changed.disconnect(self._note_saved)
+        self._jobs.close()
         if self._wanted and self._case.has_unsaved_changes:
             self.keep_now()
         else:
             self._copy.remove()
         self._timer.stop()
-        self._lock.unlock()
+        self._lock.release()
+
+    def _write_soon(self) -> None:
+        """Write in a moment, however many changes follow one another."""
+        if not self._timer.isActive():
+            self._timer.start(DELAY_MS)
+        self.kept_changed.emit()
 
     def _write_beside(self) -> None:
-        if not self._case.has_unsaved_changes:
+        """Write in a job; one that is under way looks at its end whether it has to go on."""
+        if not self._case.has_unsaved_changes or self._jobs.is_running(CHANNEL):
             return
         snapshot = self._snapshot()
 
         def write(_progress: Progress) -> None:
-            self._copy.write(snapshot)
+            with suppress(Cancelled):  # the answer sees whether a later one is on the disk
+                self._copy.write(snapshot)
 
         self._jobs.start(CHANNEL, write, self._note_success, self._note_failure)
 
     def _note_success(self, _nothing: None) -> None:
-        self._has_failed = False
+        self.trouble = ""
+        if not self.is_kept:
+            self._write_soon()
+        self.kept_changed.emit()
 
     def _note_failure(self, error: Exception) -> None:
-        """Tell of the first of several failures in a row; every change tries again."""
-        if not self._has_failed:
+        """Tell of the first of several failures in a row, and try again."""
+        has_failed, self.trouble = bool(self.trouble), str(error)
+        self._timer.start(RETRY_MS)
+        if not has_failed:
             self.failed.emit(str(error))
-        self._has_failed = True
+        self.kept_changed.emit()
 
     def _snapshot(self) -> _Snapshot:
         return _Snapshot(self._copy.next_number(), self._case.record, self._origin())
 
-    def _origin(self) -> _Origin:
+    def _origin(self) -> Origin:
         case = self._case
         if case.kept is not None:
-            return _Origin(visit=UnkeptVisit.of(case.kept, case.saved_record, case.record))
+            return Origin(visit=UnkeptVisit.of(case.kept, case.saved_record, case.record))
         is_ours = case.path is not None and not case.is_read_only
-        return _Origin(str(case.path), case.digest) if is_ours else _Origin()
+        return Origin(str(case.path), case.digest) if is_ours else Origin()
 
-    def _forget_if_saved(self) -> None:
-        if not self._case.has_unsaved_changes:
-            self._timer.stop()
-            self._jobs.cancel(CHANNEL)
-            self._copy.remove()
+    def _note_saved(self) -> None:
+        """Remove the journal of a case that is saved; otherwise write what it is based on now."""
+        if self._case.has_unsaved_changes:
+            self._write_soon()
+            return
+        self._timer.stop()
+        self._jobs.cancel(CHANNEL)
+        self._copy.remove()
 
 
-def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recovered]:
-    """Return the cases left by programs that no longer run, newest first, each of them held.
-
-    Parameters
-    ----------
-    complain
-        Called with a sentence for the user on each copy that is damaged, and is kept aside.
-    """
-    found = []
-    for copy in _copies_in(folder):
-        stem = copy.with_suffix("")
-        lock = _lock(stem)
-        if _is_held_elsewhere(lock):
-            continue
+def _locked_journal(folder: Path) -> tuple[Path, FileLock]:
+    """Return the path of a new journal, with its lock taken where the folder takes any."""
+    while True:
+        path = new_journal(folder)
+        lock = journal_lock(path)
         try:
-            found.append(_recover(stem, lock))
-        except InsoleError as error:
-            lock.unlock()
-            log.warning("%s cannot be recovered: %s", copy, error)
-            complain(
-                Message(
-                    "The copy {path} of unsaved work is damaged; it is kept as {kept}.",
-                    path=copy,
-                    kept=rename_unreadable(copy),
-                )
-            )
-    return found
-
-
-def _copies_in(folder: Path) -> list[Path]:
-    """Return the copies in a folder, newest first; none where it cannot be looked into."""
-    try:
-        copies = [(copy.stat().st_mtime, copy) for copy in folder.glob("*.insole")]
-    except OSError as error:
-        log.warning("%s cannot be looked into: %s", folder, error)
-        return []
-    return [copy for _time, copy in sorted(copies, reverse=True)]
-
-
-def _is_held_elsewhere(lock: QLockFile) -> bool:
-    """Take a lock if it is free; return whether a running program has it.
-
-    It does not count as held if the folder takes no lock at all.
-    """
-    return not lock.tryLock(0) and lock.error() is QLockFile.LockError.LockFailedError
-
-
-def _recover(stem: Path, lock: QLockFile) -> Recovered:
-    record_copy, origin_copy = _copies(stem)
-    record = read_case(record_copy)
-    origin = _read_origin(origin_copy)
-    path = Path(origin.path) if origin.path else None
-    copies = record_copy, origin_copy
-    return Recovered(record, path, copies, lock, origin.digest, origin.visit)
-
-
-def _read_origin(path: Path) -> _Origin:
-    """Read where a copy comes from; the copy is intact, so a loss of this must not hide it."""
-    try:
-        stored = JsonObject.read(path)
-        place, digest = (stored.text(key, empty=True) for key in ("path", "digest"))
-        if stored.has("visit"):
-            return _Origin(visit=UnkeptVisit.from_json(stored.object("visit")))
-    except InsoleError as error:
-        log.warning("the file of a recovered case is not known: %s", error)
-        return _Origin()
-    return _Origin(place, digest) if _is_case_file(place) else _Origin()
-
-
-def _is_case_file(text: str) -> bool:
-    """Return whether a text is the absolute path of a case file."""
-    try:
-        os.fsencode(text)
-    except UnicodeEncodeError:
-        return False
-    path = Path(text)
-    return path.is_absolute() and path.suffix.lower() == CASE_SUFFIX and "\0" not in text
-
-
-def _copies(stem: Path) -> tuple[Path, Path]:
-    return stem.with_suffix(".insole"), stem.with_suffix(".json")
-
-
-def _remove(copies: Iterable[Path]) -> None:
-    for copy in copies:
-        try:
-            copy.unlink(missing_ok=True)
-        except OSError as error:
-            log.warning("%s cannot be removed: %s", copy, error)
-
-
-def _lock(stem: Path) -> QLockFile:
-    lock = QLockFile(str(stem.with_suffix(".lock")))
-    lock.setStaleLockTime(0)  # a lock is stale only if its process has ended
-    return lock
+            if lock.acquire():  # unless another window sweeps it at this moment
+                return path, lock
+        except OutputError as error:
+            log.warning("the journal is not locked: %s", error)
+            return path, lock

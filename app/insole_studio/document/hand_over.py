@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError, Unreachable
-from insole_studio.document.autosave import Recovered, find_recovered
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
+from insole_studio.document.journal import Recovered, find_recovered
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
@@ -120,7 +120,9 @@ def _keep(records: Records, journal: Recovered) -> KeptChange:
 
     visit = journal.visit
     assert visit is not None
-    change = CaseChange(visit.visit_id, visit.before, journal.record, visit.bases)
+    change = CaseChange(
+        visit.visit_id, visit.before, journal.record, visit.bases, visit.editing, visit.sent
+    )
     kept = keep_case(records, change)
     for conflict in kept.conflicts.values():
         theirs = records.prescriptions.read(conflict.theirs.id)

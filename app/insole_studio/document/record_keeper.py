@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import Conflict, InsoleError, Unreachable
 from insole_core.workflows.foot_landmarks import with_landmarks
+from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.document.kept_visit import KeptVisit
@@ -75,20 +76,20 @@ class RecordKeeper(QObject):
         self,
         case: Case,
         clinic: ClinicRecord,
-        set_aside: Callable[[], None],
+        autosave: Autosave,
         parent: QObject | None = None,
     ) -> None:
         """Begin to keep what is opened.
 
         Parameters
         ----------
-        set_aside
-            Leaves the journal of the open case on the disk, for when the database is back.
+        autosave
+            Writes the journal of the open case.
         """
         super().__init__(parent)
         self._case = case
         self._clinic = clinic
-        self._set_aside = set_aside
+        self._autosave = autosave
         self._is_saving = False
         self._conflict: Conflict | None = None
         self._patient_conflict: PatientConflict | None = None
@@ -152,8 +153,10 @@ class RecordKeeper(QObject):
         OutputError
             When the journal cannot be written.
         """
-        if self.is_keeping and self._case.has_unsaved_changes:
-            self._set_aside()
+        kept = self._case.kept
+        if kept is not None and self._case.has_unsaved_changes:
+            self._autosave.set_aside()
+            self._case.kept = kept.begun_anew()  # should it stay open, both are stored
 
     def keep_version(self, reason: str) -> None:
         """Keep the feet as they are as a version of their own, for a reason."""
@@ -254,22 +257,30 @@ class RecordKeeper(QObject):
             return
         self._timer.stop()
         self._is_saving = True
-        record, reason, self._reason = self._case.record, self._reason, ""
+        record, reason = self._case.record, self._reason
         before = self._case.saved_record
+        keep_journal = self._autosave.ahead()
+        self._case.kept = kept.sending(record.patient)
 
         def keep(records: Records) -> KeptChange:
             from insole_core.workflows.records.keep_case import keep_case
 
+            keep_journal()
             return keep_case(records, _change(kept, before, record, all_feet=bool(reason)), reason)
 
         self._clinic.write(
             keep,
-            lambda change: self._note_saved(kept.visit.id, before, record, change),
+            lambda change: self._note_saved(kept.visit.id, before, record, change, reason),
             self._fail,
         )
 
     def _note_saved(
-        self, visit_id: str, before: CaseRecord, record: CaseRecord, change: KeptChange
+        self,
+        visit_id: str,
+        before: CaseRecord,
+        record: CaseRecord,
+        change: KeptChange,
+        reason: str,
     ) -> None:
         self._is_saving = False
         kept = self._case.kept
@@ -280,7 +291,10 @@ class RecordKeeper(QObject):
             person=change.person or kept.person,
             visit=change.visit or kept.visit,
             bases={**kept.bases, **change.bases},
+            sent=kept.sent if change.trouble is not None else (),
         )
+        if change.trouble is None and self._reason == reason:
+            self._reason = ""
         is_whole = change.trouble is None and not change.conflicts
         saved = record if is_whole else before
         if change.collided:
@@ -326,7 +340,7 @@ class RecordKeeper(QObject):
         if self._then is None:
             return
         try:
-            self._set_aside()
+            self.set_aside()
         except InsoleError as error:
             self._then = None
             self.failed.emit(error)
@@ -359,4 +373,4 @@ def _change(
 
     changed = (f for f in record.feet if all_feet or f is not before.of_side(f.side))
     bases = {foot.side: kept.bases.get(foot.side) for foot in changed}
-    return CaseChange(kept.visit.id, before.patient, record, bases)
+    return CaseChange(kept.visit.id, before.patient, record, bases, kept.editing, kept.sent)

@@ -26,24 +26,30 @@ class UnkeptVisit:
         The patient's fields as they were stored last.
     bases
         For each foot that has changed, the version it is based on; None for a new foot.
+    editing, sent
+        As in `KeptVisit`.
     """
 
     visit_id: str
     before: Patient
     bases: Mapping[Side, Base | None]
+    editing: str = ""
+    sent: tuple[Patient, ...] = ()
 
     @classmethod
     def of(cls, kept: KeptVisit, before: CaseRecord, now: CaseRecord) -> UnkeptVisit:
         """Return what has changed between two states of a visit."""
         changed = (foot.side for foot in now.feet if foot is not before.of_side(foot.side))
         bases = {side: kept.bases.get(side) for side in changed}
-        return cls(kept.visit.id, before.patient, bases)
+        return cls(kept.visit.id, before.patient, bases, kept.editing, kept.sent)
 
     def to_json(self) -> dict[str, Any]:
         """Return it as values for `json.dumps`."""
         return {
             "id": self.visit_id,
-            "before": {key: getattr(self.before, key) for key in _FIELDS},
+            "before": _fields_of(self.before),
+            "sent": [_fields_of(patient) for patient in self.sent],
+            "editing": self.editing,
             "bases": {
                 str(side): None
                 if base is None
@@ -61,11 +67,21 @@ class UnkeptVisit:
         InputError
             When it is none.
         """
-        before = stored.object("before")
-        patient = Patient(**{key: before.text(key, empty=True) for key in _FIELDS})
+        before = _patient(stored.object("before"))
         kept = stored.object("bases")
         bases = {side: _base(kept, side) for side in Side if kept.has(str(side))}
-        return cls(stored.text("id"), patient, bases)
+        if not stored.has("editing"):  # of a program of before 2026-11-26
+            return cls(stored.text("id"), before, bases)
+        sent = tuple(_patient(patient) for patient in stored.objects("sent"))
+        return cls(stored.text("id"), before, bases, stored.text("editing", empty=True), sent)
+
+
+def _fields_of(patient: Patient) -> dict[str, str]:
+    return {key: getattr(patient, key) for key in _FIELDS}
+
+
+def _patient(stored: JsonObject) -> Patient:
+    return Patient(**{key: stored.text(key, empty=True) for key in _FIELDS})
 
 
 def _base(bases: JsonObject, side: Side) -> Base | None:

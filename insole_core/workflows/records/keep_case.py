@@ -37,12 +37,18 @@ class CaseChange:
         The case as it is.
     bases
         For each foot that has changed, the version it is based on; None for a new foot.
+    editing
+        UUID of the editing, as for `Prescriptions.save`; empty for none.
+    sent
+        The patient's fields as this editing has sent them since `before`, without an answer.
     """
 
     visit_id: str
     before: Patient
     now: CaseRecord
     bases: Mapping[Side, Base | None]
+    editing: str = ""
+    sent: tuple[Patient, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,13 +100,16 @@ def keep_case(records: Records, change: CaseChange, reason: str = "") -> KeptCha
         visit = records.visits.get(change.visit_id)
         person = records.persons.get(visit.person_id)
         stored, now = patient_of(person, visit), change.now.patient
-        theirs, collided = merge_fields(change.before, now, stored, FIELDS)
+        before = _as_stored_here(change, stored)
+        theirs, collided = merge_fields(before, now, stored, FIELDS)
         person = _keep_person(records, person, theirs)
         for side, base in change.bases.items():
             foot = change.now.of_side(side)
             assert foot is not None
             try:
-                bases[side] = records.prescriptions.save(visit.id, foot, base, reason)
+                bases[side] = records.prescriptions.save(
+                    visit.id, foot, base, reason, change.editing
+                )
             except Conflict as conflict:
                 newest = records.prescriptions.read(conflict.theirs.id)
                 if _are_equal(newest, foot):  # ours, whose acknowledgement was lost
@@ -111,6 +120,16 @@ def keep_case(records: Records, change: CaseChange, reason: str = "") -> KeptCha
     except RecordsError as error:
         return KeptChange(person, visit, bases, conflicts, collided, theirs, error)
     return KeptChange(person, visit, bases, conflicts, collided, theirs)
+
+
+def _as_stored_here(change: CaseChange, stored: Patient) -> Patient:
+    """Return the fields as this editing has stored them last, though its answer was lost."""
+    own = {
+        name: getattr(stored, name)
+        for name in FIELDS
+        if any(getattr(stored, name) == getattr(sent, name) for sent in change.sent)
+    }
+    return replace(change.before, **own)
 
 
 def _are_equal(stored: FootRecord, foot: FootRecord) -> bool:

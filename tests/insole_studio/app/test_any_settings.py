@@ -25,7 +25,7 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.app.bootstrap import run_application
 from insole_studio.app.main_window import MainWindow
-from insole_studio.document.autosave import find_recovered
+from insole_studio.document.journal import find_recovered
 from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.user_paths import UserPaths

@@ -20,8 +20,9 @@ from insole_core.progress import Progress
 from insole_studio.app.bootstrap import Application, build_application, run_application
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.scripted import ScriptedWindow
-from insole_studio.document.autosave import Autosave, find_recovered
+from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
+from insole_studio.document.journal import find_recovered
 from insole_studio.jobs import Jobs
 from insole_studio.services.questions import Answer
 from insole_studio.settings import load_settings

@@ -1,16 +1,20 @@
 from __future__ import annotations
 
+import itertools
+import os
 import shutil
 import signal
 import subprocess
 import sys
 import textwrap
 import threading
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from PySide6.QtCore import QLockFile, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -21,8 +25,9 @@ from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.document import autosave as autosave_module
-from insole_studio.document.autosave import Autosave, find_recovered
+from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
+from insole_studio.document.journal import DAMAGED_DAYS, find_recovered, write_journal
 from insole_studio.jobs import Jobs
 from insole_studio.user_paths import UserPaths
 
@@ -109,13 +114,13 @@ class SlowDisk:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.has_started = threading.Event()
         self.goes_on = threading.Event()
-        monkeypatch.setattr(autosave_module, "write_case", self.write)
+        monkeypatch.setattr(autosave_module, "write_journal", self.write)
 
-    def write(self, record: CaseRecord, path: Path) -> str:
+    def write(self, *given: Any) -> None:
         if threading.current_thread() is not threading.main_thread():
             self.has_started.set()
             assert self.goes_on.wait(timeout=30)
-        return write_case(record, path)
+        write_journal(*given)
 
 
 @pytest.fixture
@@ -156,9 +161,93 @@ def test_a_late_job_does_not_bring_back_the_copy_of_a_saved_case(
     autosave.close()
 
 
-def test_a_damaged_copy_is_not_offered(tmp_path: Path) -> None:
+def test_a_start_leaves_what_another_window_is_writing_to_it(
+    jobs: Jobs, slow_disk: SlowDisk, qtbot: QtBot, tmp_path: Path
+) -> None:
+    case = Case()
+    autosave = Autosave(case, jobs, tmp_path)
+    case.apply(Patient(name="Anna"), "Edit")
+    qtbot.waitUntil(slow_disk.has_started.is_set, timeout=60_000)
+    assert find_recovered(tmp_path, pytest.fail) == []
+    slow_disk.goes_on.set()
+    qtbot.waitUntil(lambda: autosave.is_kept, timeout=60_000)
+    (copy,) = tmp_path.glob("*.insole")
+    assert read_case(copy).patient.name == "Anna"
+    assert not list(tmp_path.glob("*.broken-*"))
+    autosave.forget()
+    autosave.close()
+
+
+def test_changes_that_follow_one_another_are_written_meanwhile(
+    jobs: Jobs, qtbot: QtBot, tmp_path: Path
+) -> None:
+    case, names = Case(), itertools.count()
+    autosave = Autosave(case, jobs, tmp_path)
+    typing = QTimer()
+    typing.timeout.connect(lambda: case.apply(Patient(name=f"{next(names)}"), "Edit"))
+    typing.start(50)
+    qtbot.waitUntil(lambda: bool(list(tmp_path.glob("[!.]*.insole"))), timeout=60_000)
+    typing.stop()
+    qtbot.waitUntil(lambda: autosave.is_kept, timeout=60_000)
+    autosave.forget()
+    autosave.close()
+
+
+def test_a_journal_tells_by_itself_which_file_it_belongs_to(jobs: Jobs, tmp_path: Path) -> None:
+    """Two files would not take their places at one moment."""
+    case, path = Case(), tmp_path / "anna.insole"
+    case.open(CaseRecord(), path, digest="0" * 64)
+    autosave = Autosave(case, jobs, tmp_path / "autosave")
+    case.apply(Patient(name="Anna"), "Edit")
+    autosave.set_aside()
+    (left,) = (tmp_path / "autosave").glob("*.insole")
+    moved = shutil.copy(left, tmp_path / "moved.insole")
+    assert read_case(Path(moved)).patient.name == "Anna"
+    (recovered,) = find_recovered(tmp_path)
+    assert (recovered.path, recovered.digest) == (path, "0" * 64)
+    autosave.forget()
+    autosave.close()
+
+
+def test_a_lock_that_was_left_by_a_program_of_the_same_number_is_free(tmp_path: Path) -> None:
+    """As in a container, where the program has the same number at every start."""
+    write_case(CaseRecord(Patient("Anna")), tmp_path / "abc.insole")
+    left = QLockFile(str(tmp_path / "other.lock"))
+    assert left.tryLock(0)
+    shutil.copy(tmp_path / "other.lock", tmp_path / "abc.lock")
+    left.unlock()
+    (recovered,) = find_recovered(tmp_path)
+    assert recovered.record.patient.name == "Anna"
+    recovered.discard()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_damaged_copy_is_told_and_ends(tmp_path: Path) -> None:
     (tmp_path / "abc.insole").write_bytes(b"cut off")
-    assert find_recovered(tmp_path) == []
+    told: list[Message] = []
+    assert find_recovered(tmp_path, told.append) == []
+    (kept,) = tmp_path.iterdir()
+    assert str(told[0]) == (
+        f"The copy {tmp_path / 'abc.insole'} of unsaved work is damaged; it is kept as {kept} for "
+        "30 days."
+    )
+    assert find_recovered(tmp_path, pytest.fail) == []
+    long_ago = time.time() - (DAMAGED_DAYS + 1) * 86_400
+    os.utime(kept, (long_ago, long_ago))
+    find_recovered(tmp_path, told.append)
+    assert "is removed now" in told[1]
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_copy_that_was_taken_for_damaged_but_is_whole_is_offered(tmp_path: Path) -> None:
+    """Programs of before renamed what another window was writing."""
+    taken = tmp_path / ".insole-studio-4711-0123456789ab.insole.broken-1"
+    write_case(CaseRecord(Patient("Anna")), tmp_path / "a.insole")
+    (tmp_path / "a.insole").rename(taken)
+    (recovered,) = find_recovered(tmp_path, pytest.fail)
+    assert recovered.record.patient.name == "Anna"
+    assert not taken.exists()
+    recovered.release()
 
 
 @pytest.mark.slow

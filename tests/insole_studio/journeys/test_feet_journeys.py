@@ -25,7 +25,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_studio.app.bootstrap import Application
-from insole_studio.document.autosave import find_recovered
+from insole_studio.document.journal import find_recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.services.questions import SameSide

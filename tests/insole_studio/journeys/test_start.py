@@ -24,7 +24,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application, build_application
-from insole_studio.document.autosave import find_recovered
+from insole_studio.document.journal import find_recovered
 from insole_studio.services.questions import Answer
 
 KILLED = """

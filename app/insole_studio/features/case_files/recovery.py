@@ -9,9 +9,10 @@ from PySide6.QtCore import QDateTime
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
-from insole_studio.document.autosave import Autosave, Recovered
+from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.document.case_name import case_name
+from insole_studio.document.journal import Recovered
 from insole_studio.features.case_files.case_guard import CaseGuard
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices

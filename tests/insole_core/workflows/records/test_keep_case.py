@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
 from insole_core.records.open import open_records
-from insole_core.records.person import Person
+from insole_core.records.person import Person, new_id
 from insole_core.records.place import RecordsPlace
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
@@ -80,10 +81,10 @@ def test_a_connection_lost_midway_loses_nothing_that_was_stored(
 ) -> None:
     save = records.prescriptions.save
 
-    def save_left(visit_id: str, foot: FootRecord, base: Base | None, reason: str = "") -> Base:
+    def save_left(visit_id: str, foot: FootRecord, *given: Any) -> Base:
         if foot.side is Side.RIGHT:
             raise Unreachable("The database does not answer.")
-        return save(visit_id, foot, base, reason)
+        return save(visit_id, foot, *given)
 
     monkeypatch.setattr(records.prescriptions, "save", save_left)
     kept = keep_case(records, change_of(visit, case))
@@ -110,6 +111,42 @@ def test_a_lost_acknowledgement_is_no_conflict_and_somebody_elses_change_is(
     kept = keep_case(records, change_of(visit, changed))
     assert set(kept.conflicts) == {Side.LEFT}
     assert set(kept.bases) == {Side.RIGHT}
+
+
+def test_work_goes_on_over_what_was_stored_without_an_answer(
+    records: Records, visit: Visit, case: CaseRecord
+) -> None:
+    """Whether it began the version or continued it; a field, too."""
+    editing, left = new_id(), case.of_side(Side.LEFT)
+    assert left is not None
+    bases: dict[Side, Base | None] = {Side.LEFT: None}
+    sent: tuple[Patient, ...] = ()
+    for thickness_mm in (4.0, 5.0, 6.0, 7.0):
+        now = case.with_foot(thicker(left, thickness_mm))
+        now = replace(now, patient=replace(now.patient, name=f"Anna {thickness_mm}"))
+        change = CaseChange(visit.id, case.patient, now, bases, editing, sent)
+        kept = keep_case(records, change)
+        assert (kept.conflicts, kept.collided) == ({}, ())
+        sent = (*sent, now.patient)
+        if thickness_mm == 5.0:  # the only answer that arrives
+            bases, sent = {Side.LEFT: kept.bases[Side.LEFT]}, ()
+            case = replace(case, patient=now.patient)
+    (version,) = records.prescriptions.versions(visit.id, Side.LEFT)
+    assert records.prescriptions.read(version.id).design.thickness_mm == 7.0
+    assert records.persons.get(visit.person_id).name == "Anna 7.0"
+
+
+def test_what_somebody_else_made_of_work_without_an_answer_is_a_conflict(
+    records: Records, visit: Visit, case: CaseRecord
+) -> None:
+    left = case.of_side(Side.LEFT)
+    assert left is not None
+    mine = CaseChange(visit.id, case.patient, case, {Side.LEFT: None}, new_id())
+    keep_case(records, mine)
+    theirs = records.visits.open_case(visit.id)
+    records.prescriptions.save(visit.id, thicker(left, 6.0), theirs.bases[Side.LEFT])
+    kept = keep_case(records, replace(mine, now=case.with_foot(thicker(left, 5.0))))
+    assert set(kept.conflicts) == {Side.LEFT}
 
 
 def change_elsewhere(records: Records, visit: Visit, name: str, findings: str) -> None:

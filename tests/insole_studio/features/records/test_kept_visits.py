@@ -21,7 +21,7 @@ from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import record_keeper
-from insole_studio.document.autosave import find_recovered
+from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
 from insole_studio.features.records.conflict_dialog import Choice, ConflictDialog
 from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
