@@ -42,8 +42,8 @@ KILLED = """
     if case:
         app.case.open(read_case(Path(case[0])), Path(case[0]))
     app.case.apply(Patient(name=name), "Edit")
-    app.jobs.ended.connect(
-        lambda channel: os.kill(os.getpid(), signal.SIGKILL) if channel == "autosave" else None
+    app.autosave.kept_changed.connect(
+        lambda: os.kill(os.getpid(), signal.SIGKILL) if app.autosave.is_kept else None
     )
     qt_application().exec()
 """
