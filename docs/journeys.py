@@ -31,8 +31,8 @@ from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.resources import resource_path
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.scripted import ScriptedWindow, wait_for
-from insole_studio.document.journal import find_recovered
 from insole_studio.document.case_lock import take_lock
+from insole_studio.document.journal import find_recovered
 from insole_studio.services.questions import Questions
 from insole_studio.settings import Language, Settings, Theme, save_settings
 from insole_studio.texts import tr
