@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from insole_core.export.csv_text import csv_text
 from insole_core.foot.foot import Foot
 from insole_core.foot.measures import DEFINITIONS, NOT_MARKED
 from insole_core.geometry.side import Side
@@ -72,14 +71,7 @@ def table_csv(rows: Iterable[MeasureRow]) -> str:
 
     The last column says what an angle above 0 is called.
     """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(HEADS)
-    for row in rows:
-        numbers = (row.left, row.right, row.difference, row.percent)
-        positive = DEFINITIONS[row.key].positive
-        writer.writerow((row.key, row.unit, *(_number(number) for number in numbers), positive))
-    return text.getvalue()
+    return csv_text([HEADS, *map(_cells, rows)])
 
 
 def unlike_sizes(left: Foot, right: Foot) -> str:
@@ -93,6 +85,11 @@ def unlike_sizes(left: Foot, right: Foot) -> str:
         left_mm=left.length_mm,
         right_mm=right.length_mm,
     )
+
+
+def _cells(row: MeasureRow) -> tuple[str, ...]:
+    numbers = (row.left, row.right, row.difference, row.percent)
+    return (row.key, row.unit, *map(_number, numbers), DEFINITIONS[row.key].positive)
 
 
 def _number(value: float | None) -> str:

@@ -115,6 +115,18 @@ def test_a_formula_in_a_reason_is_only_text_in_the_report(record, tmp_path):
     assert row[3].startswith("'=cmd() is no date")
 
 
+def test_a_formula_in_a_name_is_only_text_wherever_a_table_is_written(record, tmp_path, capsys):
+    table, report = tmp_path / "persons.csv", tmp_path / "report.csv"
+    table.write_text('Name,Born\n"Ek;=cmd()",1980-03-03\n＝cmd(),1980-03-04\n', encoding="utf-8")
+    place = ["--record", str(record)]
+    assert run(["records", "import", str(table), *place, "--dry-run"]) == 0
+    assert run(["records", "import", str(table), *place, "--report", str(report)]) == 0
+    assert run(["records", "list", *place]) == 0
+    for text in (report.read_text(encoding="utf-8"), capsys.readouterr().out):
+        assert '"Ek;=cmd()"' in text
+        assert "'＝cmd()" in text
+
+
 def test_a_folder_of_cases_is_imported(record, tmp_path, capsys):
     cases = tmp_path / "cases"
     cases.mkdir()

@@ -65,17 +65,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Import, or tell what an import would do."""
     from insole_core.export.atomic import write_text
-    from insole_core.records.import_report import report_csv
+    from insole_core.export.csv_text import csv_text
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.WRITE) as records:
         is_folder = arguments.source.is_dir()
         headings, rows, counts = (_cases if is_folder else _persons)(records, arguments, progress)
     if arguments.report is not None:
-        write_text(report_csv(headings, rows), arguments.report)
-    for row in rows:
-        if arguments.dry_run or row[1] != "new":
-            print(*row, sep="\t")
+        write_text(csv_text([headings, *rows]), arguments.report)
+    told = [row for row in rows if arguments.dry_run or row[1] != "new"]
+    print(csv_text(told, delimiter="\t"), end="")
     head = "Dry run" if arguments.dry_run else "Done"
     progress.step(1.0, "{head}: {counts}", head=head, counts=counts)
 

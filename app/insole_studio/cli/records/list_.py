@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import csv
 import json
 import sys
 from collections.abc import Mapping, Sequence
@@ -42,6 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Print a line for each."""
+    from insole_core.export.csv_text import csv_text
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.SEE) as records:
@@ -50,10 +50,8 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
         json.dump(rows, sys.stdout, indent=1, ensure_ascii=False)
         print()
         return
-    writer = csv.writer(sys.stdout, delimiter="\t", lineterminator="\n")
-    if rows:
-        writer.writerow(rows[0])
-    writer.writerows(row.values() for row in rows)
+    lines = [tuple(rows[0]), *(row.values() for row in rows)] if rows else []
+    print(csv_text(lines, delimiter="\t"), end="")
 
 
 def _rows(records: Records, arguments: argparse.Namespace) -> Sequence[Row]:

@@ -12,9 +12,10 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.errors import InsoleError
 from insole_core.export.atomic import write_text
+from insole_core.export.csv_text import csv_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
-from insole_core.records.import_report import count_added, count_outcomes, report_csv
+from insole_core.records.import_report import count_added, count_outcomes
 from insole_core.records.person_columns import ColumnMapping, asks_date_order, propose_mapping
 from insole_core.records.person_import import (
     ImportLine,
@@ -235,7 +236,7 @@ class RecordTransfer(QObject):
             return
         rows = [(row.place, str(row.outcome), row.name, row.reason) for row in dialog.rows]
         try:
-            write_text(report_csv(("place", "outcome", "name", "reason"), rows), path)
+            write_text(csv_text([("place", "outcome", "name", "reason"), *rows]), path)
         except InsoleError as error:
             self._messages.show_error(error, over=dialog)
 
