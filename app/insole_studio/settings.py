@@ -119,5 +119,5 @@ def save_settings(settings: Settings, path: Path) -> None:
     make_output_folder(path.parent)
     own = asdict(settings)
     everything = entries_of_others(path, own) | own
-    with replacing_file(path) as beside:
+    with replacing_file(path.resolve()) as beside:  # whoever keeps them elsewhere has made a link
         beside.write_text(json.dumps(everything, indent=1), encoding="utf-8")

@@ -13,19 +13,28 @@ import json
 import logging
 import os
 import shutil
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from itertools import count
 from pathlib import Path
-from typing import Any, Self
-
-import platformdirs
+from typing import Any, Self, TypeVar
 
 from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
 from insole_core.export.sync import sync
-from insole_core.export.temporary import is_left, make_file, release, remove, temporary_name
+from insole_core.export.temporary import (
+    NOTE_SUFFIX,
+    is_left,
+    make_file,
+    release,
+    remove,
+    state_folder_of_user,
+    sweep_noted,
+    temporary_name,
+)
 
 log = logging.getLogger(__name__)
+_T = TypeVar("_T")
 
 SUFFIX = ".journal"
 """Of a journal whose moves may be made in part."""
@@ -182,7 +191,7 @@ class Journal:
     def _write(self) -> None:
         """Write the journal where every start looks, if this user has such a place."""
         text = json.dumps([asdict(move) for move in self._moves], default=str)
-        folder = journals_folder_of_user()
+        folder = state_folder_of_user()
         try:
             folder.mkdir(mode=PRIVATE_FOLDER, parents=True, exist_ok=True)
             unfinished = make_file(folder, folder)
@@ -213,24 +222,39 @@ class Journal:
             raise interruption from error
 
 
-def journals_folder_of_user() -> Path:
-    """Return the folder for the journals of this user."""
-    return platformdirs.user_state_path("insole-studio", appauthor=False)
-
-
-def settle_interrupted(folder: Path) -> None:
-    """Settle the journals in a folder that were left by processes that no longer run.
+def settle_interrupted(folder: Path) -> frozenset[Path]:
+    """Settle the journals that processes left which no longer run, and remove what else they left.
 
     A journal stays while the disk of one of its results is absent.
+
+    Returns
+    -------
+    frozenset of Path
+        The unfinished results that journals still need, also those of living processes.
     """
-    for left in _paths_in(folder):
-        try:
-            if is_left(left.name) and left.suffix in (SUFFIX, MADE_SUFFIX):
-                _settle(left)
-            elif is_left(left.name):
-                left.unlink()  # written by half: no move was made
-        except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
-            log.warning("%s cannot be settled: %s", left, error)
+    found = [left for left in _paths_in(folder) if is_left(left.name)]
+    for left in found:
+        if left.suffix != NOTE_SUFFIX:
+            _try(_settle, left)
+    needed = frozenset(
+        move.beside
+        for journal in _paths_in(folder)
+        if journal.suffix == SUFFIX
+        for move in _try(_moves_of, journal) or ()
+    )
+    for left in found:
+        if left.suffix == NOTE_SUFFIX:
+            _try(partial(sweep_noted, needed=needed), left)
+    return needed
+
+
+def _try(step: Callable[[Path], _T], left: Path) -> _T | None:
+    """Take a step with what was left; None, and a line in the log, if that is impossible."""
+    try:
+        return step(left)
+    except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
+        log.warning("%s cannot be settled: %s", left, error)
+        return None
 
 
 def _paths_in(folder: Path) -> list[Path]:
@@ -243,11 +267,18 @@ def _paths_in(folder: Path) -> list[Path]:
         return []
 
 
+def _moves_of(journal: Path) -> list[Move]:
+    return [Move.from_json(move) for move in json.loads(journal.read_text(encoding="utf-8"))]
+
+
 def _settle(left: Path) -> None:
+    if left.suffix not in (SUFFIX, MADE_SUFFIX):
+        left.unlink()  # written by half: no move was made
+        return
     journal = left.with_name(temporary_name(left, left.suffix))
     try:
         left.replace(journal)  # of several processes that try, one succeeds
-        moves = [Move.from_json(move) for move in json.loads(journal.read_text(encoding="utf-8"))]
+        moves = _moves_of(journal)
         if all(move.path.parent.is_dir() for move in moves):
             _settle_moves(moves, journal)
     finally:

@@ -1,28 +1,38 @@
 """Names of unfinished results beside their destination, and what ended programs left of them.
 
-A name holds the number of the process that writes, so that another one recognises what was left by
-a process that was killed.
+A name says which process writes, so that another one recognises what was left by a process that
+was killed. While it exists, a note in the user's state folder says where, for the next start.
 """
 
 from __future__ import annotations
 
-import ctypes
+import logging
 import os
 import re
 import secrets
 import shutil
-import sys
 import time
 from contextlib import suppress
 from pathlib import Path
 
+import platformdirs
+
 from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
+from insole_core.export.processes import runs, started, this_computer
+
+log = logging.getLogger(__name__)
 
 GRACE_S = 3600.0
-"""Age from which left files are removed: on a shared disk, a process of another computer may still
-write, whose number means nothing here."""
+"""Age from which left files are removed of which only another computer knows whether their process
+still runs."""
+NOTE_SUFFIX = ".place"
+"""Of a note that says where something unfinished is."""
 _STEM = ".insole-studio-"
-_NAME = re.compile(re.escape(_STEM) + r"(\d+)-[0-9a-f]{12}(?:\..*)?", re.DOTALL)
+_NAME = re.compile(
+    rf"(?P<base>{re.escape(_STEM)}(?P<process>\d+)-"
+    r"(?:(?P<computer>[0-9a-f]{8})-(?P<start>[0-9a-f]+)-)?[0-9a-f]{12})(?:\..*)?",
+    re.DOTALL,
+)
 _IN_USE: dict[str, Path] = {}
 """What each temporary name of this process stands for. Another one of the same number ran before,
 as in a container."""
@@ -36,7 +46,9 @@ def temporary_name(named: Path, suffix: str = "") -> str:
     named
         What the user calls it.
     """
-    name = f"{_STEM}{os.getpid()}-{secrets.token_hex(6)}{suffix}"
+    process = os.getpid()
+    made_by = f"{process}-{this_computer()}-{started(process)}"
+    name = f"{_STEM}{made_by}-{secrets.token_hex(6)}{suffix}"
     _IN_USE[name] = named
     return name
 
@@ -44,6 +56,8 @@ def temporary_name(named: Path, suffix: str = "") -> str:
 def release(path: Path) -> None:
     """Forget a name that is no longer in use."""
     _IN_USE.pop(path.name, None)
+    if not os.path.lexists(path):
+        _forget(path)
 
 
 def is_unfinished(path: Path) -> bool:
@@ -64,6 +78,7 @@ def replaced_name() -> str:
 def make_file(folder: Path, named: Path) -> Path:
     """Make an empty file with a temporary name and the suffix of `named`, for its owner only."""
     path = folder / temporary_name(named, named.suffix)
+    _note(path)
     try:
         os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, PRIVATE_FILE))
     except OSError:
@@ -75,6 +90,7 @@ def make_file(folder: Path, named: Path) -> Path:
 def make_folder(folder: Path, named: Path) -> Path:
     """Make an empty folder with a temporary name, for its owner only."""
     path = folder / temporary_name(named)
+    _note(path)
     try:
         path.mkdir(mode=PRIVATE_FOLDER)
     except OSError:
@@ -97,40 +113,91 @@ def is_temporary(name: str) -> bool:
 
 
 def is_left(name: str) -> bool:
-    """Return whether a name is that of a process of this product that no longer runs."""
+    """Return whether a name is that of a process of this product that no longer runs here."""
     match = _NAME.fullmatch(name)
-    if match is None or name in _IN_USE:
+    if match is None or any(used.startswith(match["base"]) for used in tuple(_IN_USE)):
         return False
-    process = int(match[1])
-    return process == os.getpid() or not _runs(process)
+    process = int(match["process"])
+    if process == os.getpid():  # not in use: an earlier process had this number, or it was released
+        return True
+    return not runs(process, match["start"] if _is_of_this_computer(match) else "0")
 
 
-def sweep(folder: Path) -> None:
-    """Remove the unfinished results in a folder that killed programs left some time ago."""
+def sweep(folder: Path, needed: frozenset[Path] = frozenset()) -> None:
+    """Remove the unfinished results in a folder that killed programs left.
+
+    Parameters
+    ----------
+    needed
+        What a journal still moves.
+    """
     with suppress(OSError):  # another user's, or another process sweeps as well
         for path in [path for path in folder.iterdir() if is_left(path.name)]:
-            if time.time() - path.lstat().st_mtime > GRACE_S:
+            if path not in needed and _is_dead(path):
                 remove(path)
 
 
-def _runs(process: int) -> bool:
-    if sys.platform == "win32":
-        return _runs_on_windows(process)
+def sweep_noted(note: Path, needed: frozenset[Path]) -> None:
+    """Remove what a killed program noted as unfinished, and the note.
+
+    Raises
+    ------
+    OSError
+        When one of them cannot be removed: the next start tries again.
+    """
+    path = Path(os.fsdecode(note.read_bytes()))
+    if _note_in(note.parent, path) != note:
+        note.unlink()  # damaged: nothing that it names is touched
+    elif path.parent.is_dir() and path not in needed and _is_dead(path):
+        remove(path)
+        note.unlink()
+
+
+def state_folder_of_user() -> Path:
+    """Return the folder of this user for what the next start must know."""
+    return platformdirs.user_state_path("insole-studio", appauthor=False)
+
+
+def _is_dead(path: Path) -> bool:
+    """Return whether a left path is known to be of a dead process, or has not changed for long."""
     try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except (PermissionError, OverflowError):
+        status = path.lstat()
+    except FileNotFoundError:
         return True
-    return True
+    match = _NAME.fullmatch(path.name)
+    is_ours = not hasattr(os, "getuid") or status.st_uid == os.getuid()
+    if is_ours and match is not None and _is_of_this_computer(match):
+        return True
+    return time.time() - status.st_mtime > GRACE_S
 
 
-def _runs_on_windows(process: int) -> bool:
-    kernel = ctypes.windll.kernel32  # type: ignore[attr-defined, unused-ignore]
-    handle = kernel.OpenProcess(0x1000, False, process)  # PROCESS_QUERY_LIMITED_INFORMATION
-    if not handle:
-        return bool(kernel.GetLastError() == 5)  # ERROR_ACCESS_DENIED: it is another user's
-    code = ctypes.c_ulong()
-    kernel.GetExitCodeProcess(handle, ctypes.byref(code))
-    kernel.CloseHandle(handle)
-    return code.value == 259  # STILL_ACTIVE
+def _is_of_this_computer(match: re.Match[str]) -> bool:
+    return match["computer"] == this_computer()
+
+
+def _note(path: Path) -> None:
+    """Note where something unfinished will be; without a note it is swept where it lies."""
+    note = _note_of(path)
+    if note is None or note.parent == path.parent:
+        return
+    try:
+        note.parent.mkdir(mode=PRIVATE_FOLDER, parents=True, exist_ok=True)
+        note.write_bytes(os.fsencode(path.absolute()))
+    except OSError as error:
+        log.info("There is no note of %s: %s", path, error)
+
+
+def _forget(path: Path) -> None:
+    note = _note_of(path)
+    if note is not None:
+        with suppress(OSError):  # the next start removes a note of nothing
+            note.unlink(missing_ok=True)
+
+
+def _note_of(path: Path) -> Path | None:
+    return _note_in(state_folder_of_user(), path)
+
+
+def _note_in(folder: Path, path: Path) -> Path | None:
+    match = _NAME.fullmatch(path.name)
+    return None if match is None else folder / f"{match['base']}{NOTE_SUFFIX}"

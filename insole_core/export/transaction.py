@@ -20,7 +20,6 @@ from insole_core.export.file_mode import take_mode
 from insole_core.export.journal import (
     Journal,
     Move,
-    journals_folder_of_user,
     settle_interrupted,
 )
 from insole_core.export.sync import sync_tree
@@ -32,6 +31,7 @@ from insole_core.export.temporary import (
     release,
     remove,
     replaced_name,
+    state_folder_of_user,
     sweep,
 )
 from insole_core.export.write_errors import FULL, describe, output_errors
@@ -122,7 +122,7 @@ class Transaction:
         return self._open(path, find_foreign)
 
     def _open(self, named: Path, find_foreign: FindForeign | None) -> Path:
-        path = Path(os.path.realpath(named))  # what a link leads to is replaced, not the link
+        path = Path(os.path.realpath(named))
         if any(_is_same(path, other.path) for other in self._outputs):
             raise UsageError(
                 "{path} is named for two results; give each of them a name of its own.", path=named
@@ -135,8 +135,7 @@ class Transaction:
             make = make_file if find_foreign is None else make_folder
             beside = make(path.parent, named)
         self._outputs.append(_Output(named, path, beside, find_foreign))
-        settle_interrupted(journals_folder_of_user())  # before what a journal needs is swept
-        sweep(path.parent)
+        sweep(path.parent, settle_interrupted(state_folder_of_user()))
         return beside
 
     def __enter__(self) -> Self:
@@ -234,8 +233,10 @@ def check_file(path: Path) -> None:
     Raises
     ------
     OutputError
-        Also where writing to the file would fail although renaming another over it might succeed.
+        Also where writing to the file would fail although renaming another over it might succeed,
+        and where the place is a link: what it leads to may be anybody's.
     """
+    _check_no_link(path)
     real = Path(os.path.realpath(path))
     with output_errors(path):
         _check_parent(real)
@@ -254,8 +255,9 @@ def check_folder(path: Path, find_foreign: FindForeign) -> None:
     ------
     OutputError
         When it holds other files than an earlier output, when somebody works in it, or when the
-        place takes no folder.
+        place takes no folder or is a link.
     """
+    _check_no_link(path)
     real = Path(os.path.realpath(path))
     with output_errors(path):
         _check_parent(real)
@@ -273,6 +275,17 @@ def check_folder(path: Path, find_foreign: FindForeign) -> None:
             "choose a new or an empty folder.",
             path=path,
             name=foreign,
+        )
+
+
+def _check_no_link(path: Path) -> None:
+    """Check that a place is itself, and not the name of another; links on the way to it may be."""
+    if path.is_symlink():
+        raise OutputError(
+            "{path} is a link to {target}, which is not replaced through it; give the result "
+            "another name, or name {target} itself.",
+            path=path,
+            target=Path(os.path.realpath(path)),
         )
 
 

@@ -11,6 +11,7 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_core.errors import OutputError
+from insole_core.export.atomic import replacing_file
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_studio.app.bootstrap import (
@@ -130,8 +131,9 @@ class ScriptedWindow:
     def screenshot(self, path: Path) -> None:
         """Save an image of the whole window as PNG."""
         self.settle()
-        if not grab_window(self.app).save(str(path)):
-            raise OutputError("{path} cannot be written; choose another place.", path=path)
+        with replacing_file(path) as beside:
+            if not grab_window(self.app).save(str(beside)):
+                raise OutputError("{path} cannot be written; choose another place.", path=path)
 
     def settle(self) -> None:
         """Wait until all jobs are done and their results shown."""

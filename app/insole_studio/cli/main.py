@@ -13,7 +13,8 @@ import traceback
 from pathlib import Path
 
 from insole_core.errors import InsoleError, UsageError
-from insole_core.export.journal import journals_folder_of_user, settle_interrupted
+from insole_core.export.journal import settle_interrupted
+from insole_core.export.temporary import state_folder_of_user
 from insole_core.progress import Progress
 from insole_studio.cli import (
     calibrate,
@@ -91,7 +92,7 @@ def run(arguments: list[str]) -> int:
 def _run(arguments: list[str], stop: StopRequest) -> None:
     parsed = command_parser().parse_args(arguments)
     check_paths(parsed)
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
 
     def print_progress(fraction: float, text: str) -> None:
         if fraction < 1:  # the last step tells what has been written

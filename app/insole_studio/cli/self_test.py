@@ -14,6 +14,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
+from insole_core.export.transaction import check_file
 from insole_core.export.write_errors import output_errors
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
@@ -50,7 +51,9 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
         files = [sys.stdout]
         if arguments.report is not None:
             with output_errors(arguments.report):
-                report = arguments.report.open("w", encoding="utf-8")
+                check_file(arguments.report)
+                arguments.report.unlink(missing_ok=True)  # another name of the file keeps it
+                report = arguments.report.open("x", encoding="utf-8")
             files.append(held.enter_context(report))
         folder = arguments.out
         if folder is None:

@@ -139,7 +139,7 @@ def restore(
 def _restore_file(
     place: RecordsPlace, manifest: Manifest, fill: _Fill, *, replace_existing: bool
 ) -> RestoreReport:
-    path = place.database_file
+    path = place.database_file.resolve()
     make_output_folder(path.parent)
     if path.exists() and path.stat().st_size > 0 and not replace_existing:
         _check_empty(place, manifest)

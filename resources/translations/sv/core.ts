@@ -7168,6 +7168,10 @@
             <translation>{path} innehåller {count} skanningar ({names} …), men en fot eller båda väntas; öppna den som avses.</translation>
         </message>
         <message>
+            <source>{path} is a link to {target}, which is not replaced through it; give the result another name, or name {target} itself.</source>
+            <translation>{path} är en länk till {target}, som inte ersätts genom den; ge resultatet ett annat namn, eller ange {target} själv.</translation>
+        </message>
+        <message>
             <source>{path} is a mesh, which does not say which foot it is; add --side.</source>
             <translation>{path} är en ytmodell, som inte säger vilken fot det är; ange --side.</translation>
         </message>

@@ -17,7 +17,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from insole_core.export.journal import journals_folder_of_user, settle_interrupted
+from insole_core.export.journal import settle_interrupted
+from insole_core.export.temporary import state_folder_of_user
 from insole_core.export.transaction import Transaction, nothing_foreign
 
 STEPS = ("replace", "rename", "link", "unlink", "rmdir", "fsync")
@@ -85,8 +86,8 @@ def main(place: Path) -> None:
         prepare(place)
         status = killed_after(steps, lambda: write(place))
         left = contents(place)
-        killed_after(steps % 7, lambda: settle_interrupted(journals_folder_of_user()))
-        settle_interrupted(journals_folder_of_user())
+        killed_after(steps % 7, lambda: settle_interrupted(state_folder_of_user()))
+        settle_interrupted(state_folder_of_user())
         print(json.dumps([status, left, contents(place)]))
         if status == 0:
             return

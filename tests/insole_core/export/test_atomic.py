@@ -19,6 +19,7 @@ from insole_core.export.atomic import (
     replacing_file,
     replacing_folder,
     write_private,
+    write_text,
 )
 from insole_core.export.transaction import nothing_foreign
 from insole_core.export.write_errors import describe
@@ -273,3 +274,60 @@ def test_private_folder_and_file(tmp_path: Path, umask: int) -> None:
     parts = [tmp_path / "a", tmp_path / "a" / "b", tmp_path / "a" / "b" / "depth.png"]
     assert [mode_of(part) for part in parts] == [0o700, 0o700, 0o600]
     assert mode_of(tmp_path) == 0o755
+
+
+def link_to(target: Path, link: Path) -> Path:
+    link.symlink_to(target)
+    return link
+
+
+LINKS = {
+    "a file": lambda home: link_to(home / "diary.txt", home / "link"),
+    "nothing": lambda home: link_to(home / "nothing", home / "link"),
+    "itself": lambda home: link_to(home / "link", home / "link"),
+    "an empty folder": lambda home: link_to(home / "empty", home / "link"),
+    "a link": lambda home: link_to(link_to(home / "diary.txt", home / "first"), home / "link"),
+    "a device": lambda home: link_to(Path(os.devnull), home / "link"),
+}
+
+
+@pytest.fixture
+def home(tmp_path: Path) -> Path:
+    (tmp_path / "diary.txt").write_text("mine")
+    (tmp_path / "empty").mkdir()
+    return tmp_path
+
+
+@pytest.mark.parametrize("replacing", [replacing_file, replacing_own_folder])
+@pytest.mark.parametrize("kind", LINKS)
+def test_a_link_is_no_place_for_a_result(home: Path, replacing: Callable, kind: str) -> None:
+    link = LINKS[kind](home)
+    before = sorted(home.rglob("*"))
+    with pytest.raises(OutputError, match=r"link is a link to .*name .* itself"), replacing(link):
+        pytest.fail("nothing may be computed for a place that is not taken")
+    assert sorted(home.rglob("*")) == before
+    assert link.is_symlink()
+    assert (home / "diary.txt").read_text() == "mine"
+
+
+@pytest.mark.parametrize("replacing", [replacing_file, replacing_own_folder])
+def test_a_link_that_takes_the_place_meanwhile_is_not_followed(
+    home: Path, replacing: Callable
+) -> None:
+    with pytest.raises(OutputError, match="is a link to"), replacing(home / "result"):
+        (home / "result").symlink_to(home / "diary.txt")
+    assert (home / "diary.txt").read_text() == "mine"
+    assert (home / "result").is_symlink()
+    assert len(list(home.iterdir())) == 3
+
+
+def test_links_on_the_way_to_a_place_are_followed(home: Path) -> None:
+    write_text("new", link_to(home / "empty", home / "share") / "insole.stl")
+    assert (home / "empty" / "insole.stl").read_text() == "new"
+
+
+def test_another_name_of_what_is_replaced_keeps_what_it_was(home: Path) -> None:
+    os.link(home / "diary.txt", home / "insole.stl")
+    write_text("new", home / "insole.stl")
+    assert (home / "insole.stl").read_text() == "new"
+    assert (home / "diary.txt").read_text() == "mine"

@@ -22,7 +22,9 @@ import pytest
 from insole_core.errors import InputError, OutputError, UsageError
 from insole_core.export import journal, temporary
 from insole_core.export.atomic import copy_into, replacing_file, replacing_folder, write_text
-from insole_core.export.journal import journals_folder_of_user, settle_interrupted
+from insole_core.export.journal import settle_interrupted
+from insole_core.export.processes import started, this_computer
+from insole_core.export.temporary import state_folder_of_user
 from insole_core.export.transaction import Transaction, nothing_foreign
 
 OLD = {
@@ -42,7 +44,7 @@ NEW = {
 def state_folder(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The user's folder of journals."""
     folder = tmp_path_factory.mktemp("state") / "insole-studio"
-    monkeypatch.setattr(journal.platformdirs, "user_state_path", lambda *_a, **_k: folder)
+    monkeypatch.setattr(temporary.platformdirs, "user_state_path", lambda *_a, **_k: folder)
     return folder
 
 
@@ -124,7 +126,7 @@ def test_failure_of_any_rename_leaves_all_as_it_was(
             if count() < number:
                 break
     assert failures >= 4
-    assert list(journals_folder_of_user().iterdir()) == []
+    assert list(state_folder_of_user().iterdir()) == []
 
 
 def test_the_place_that_refused_is_named(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -156,7 +158,7 @@ def test_what_cannot_be_taken_back_is_settled_by_the_next_start(
         with pytest.raises(OutputError):
             killed_transaction.write(place)
     assert not (place / "session").exists()
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     assert killed_transaction.contents(place) == NEW
 
 
@@ -178,20 +180,20 @@ def not_begun(place: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_a_journal_waits_for_a_disk_that_is_not_there(not_begun: Path) -> None:
     place = not_begun
     away = (place / "other disk").rename(place.parent / "away")
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     assert visible(killed_transaction.contents(place)) == {
         n: t for n, t in OLD.items() if "disk" not in n
     }
     away.rename(place / "other disk")
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     assert killed_transaction.contents(place) == NEW
 
 
 def test_what_took_a_place_after_the_kill_is_kept(not_begun: Path) -> None:
     (not_begun / "checks.json").write_text("newer")
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     assert visible(killed_transaction.contents(not_begun)) == {**OLD, "checks.json": "newer"}
-    assert list(journals_folder_of_user().iterdir()) == []
+    assert list(state_folder_of_user().iterdir()) == []
 
 
 @pytest.mark.parametrize("interruption", [KeyboardInterrupt, SystemExit])
@@ -207,9 +209,9 @@ def test_taking_back_is_completed_before_an_interruption_ends_the_work(
                 killed_transaction.write(place)
         ended += told.type is interruption
         assert visible(killed_transaction.contents(place)) == OLD
-        settle_interrupted(journals_folder_of_user())
+        settle_interrupted(state_folder_of_user())
         assert visible(killed_transaction.contents(place)) in (OLD, NEW)
-        assert list(journals_folder_of_user().iterdir()) == []
+        assert list(state_folder_of_user().iterdir()) == []
         if count() < number:
             break
     assert ended >= 8
@@ -257,7 +259,7 @@ def test_work_that_is_interrupted_again_and_again_is_settled_by_the_next_start(
         with pytest.raises(KeyboardInterrupt):
             killed_transaction.write(place)
     assert visible(killed_transaction.contents(place)) not in (OLD, NEW)
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     assert killed_transaction.contents(place) == NEW
 
 
@@ -337,7 +339,7 @@ def test_a_folder_that_came_meanwhile_stays_beside_the_one_it_replaced(
         "session/notes.txt": "newer",
         "session (2)/manifest.json": "old",
     }
-    assert list(journals_folder_of_user().iterdir()) == []
+    assert list(state_folder_of_user().iterdir()) == []
 
 
 def test_what_was_written_over_a_result_is_not_taken_back_with_it(
@@ -375,9 +377,9 @@ def test_what_was_replaced_and_resists_does_not_fail_the_results(
     assert visible(left) == NEW
     assert sum("-old-" in name for name in left) == 2
     (place / "checks.json").unlink()  # by its user, who knows it as done
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     assert killed_transaction.contents(place) == {n: t for n, t in NEW.items() if n[0] != "c"}
-    assert list(journals_folder_of_user().iterdir()) == []
+    assert list(state_folder_of_user().iterdir()) == []
 
 
 def test_a_journal_that_cannot_be_removed_does_not_fail_the_results(
@@ -388,9 +390,9 @@ def test_a_journal_that_cannot_be_removed_does_not_fail_the_results(
         patch.setattr(os, "unlink", refusing(os.unlink, is_journal))
         killed_transaction.write(place)
     assert killed_transaction.contents(place) == NEW
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     assert killed_transaction.contents(place) == NEW
-    assert list(journals_folder_of_user().iterdir()) == []
+    assert list(state_folder_of_user().iterdir()) == []
 
 
 def test_the_first_error_is_told_and_all_is_cleaned_up_that_can_be(
@@ -475,7 +477,7 @@ def test_journals_that_may_not_be_looked_for_stop_nothing(
         raise PermissionError(errno.EACCES, "Permission denied", str(path))
 
     monkeypatch.setattr(Path, "iterdir", refuse)
-    settle_interrupted(journals_folder_of_user())
+    settle_interrupted(state_folder_of_user())
     write_text("new", place / "insole.stl")
     assert (place / "insole.stl").read_text() == "new"
 
@@ -511,8 +513,9 @@ def test_what_a_journal_needs_is_not_swept(half_done: Path) -> None:
 
 
 def test_moves_whose_result_somebody_else_swept_are_taken_back(half_done: Path) -> None:
-    temporary.sweep(half_done)
-    settle_interrupted(journals_folder_of_user())
+    for left in half_done.glob(f".insole-studio-{os.getpid()}-*"):
+        left.unlink()
+    settle_interrupted(state_folder_of_user())
     assert (half_done / "insole.stl").read_text() == "old"
     assert (half_done / "sheet.pdf").read_text() == "old"
 
@@ -558,13 +561,6 @@ def test_two_results_of_one_place_are_refused(place: Path, spelling: str) -> Non
     assert killed_transaction.contents(place).keys() == before.keys()
 
 
-def test_a_link_stays_one(place: Path) -> None:
-    link = linked(place / "insole.stl", os.symlink)
-    write_text("new", link)
-    assert link.is_symlink()
-    assert (place / "insole.stl").read_text() == "new"
-
-
 @pytest.mark.parametrize("name", [".", "..", "{folder}"])
 def test_the_folder_that_one_works_in_is_not_replaced(
     tmp_path: Path, name: str, monkeypatch: pytest.MonkeyPatch
@@ -608,7 +604,13 @@ def replace_while_somebody_writes(folder: Path) -> None:
 DEAD = 2**22 - 1  # no process: the largest number of Linux, beyond that of macOS
 
 
+def name_of(process: int, start: str = "0") -> str:
+    """Return a name that a process of this computer would have given to something unfinished."""
+    return f".insole-studio-{process}-{this_computer()}-{start}-0123456789ab"
+
+
 def left_file(folder: Path, process: int, age_s: float) -> Path:
+    """Leave a file as another computer would, or a version of before that named none."""
     path = folder / f".insole-studio-{process}-0123456789ab.stl"
     path.write_text("half")
     os.utime(path, (time.time() - age_s, time.time() - age_s))
@@ -631,6 +633,93 @@ def test_what_killed_programs_left_is_swept_where_one_writes(
     left = left_file(tmp_path, process, age_s)
     write_text("new", tmp_path / "insole.stl")
     assert left.exists() == stays
+
+
+@pytest.mark.parametrize("kind", ["file", "folder"])
+@pytest.mark.parametrize(
+    ("name", "stays"),
+    [
+        (name_of(DEAD), False),
+        (name_of(os.getpid(), "1"), False),
+        (name_of(os.getppid(), "1"), False),  # which has got the number of one that ended
+        (name_of(os.getppid(), started(os.getppid())), True),
+        (name_of(os.getppid()), True),
+        (name_of(DEAD).replace(this_computer(), "01234567"), True),
+    ],
+    ids=["dead", "own number", "number of another", "living", "maybe living", "elsewhere"],
+)
+def test_what_is_known_to_be_of_a_dead_process_goes_at_once(
+    tmp_path: Path, name: str, stays: bool, kind: str
+) -> None:
+    left = tmp_path / f"{name}.insole"
+    if kind == "file":
+        left.write_text("half")
+    else:
+        (left / "views").mkdir(parents=True)
+    write_text("new", tmp_path / "insole.stl")
+    assert left.exists() == stays
+
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from insole_core.export.atomic import replacing_file, replacing_folder, scratch_folder
+replacing = {"file": replacing_file, "folder": replacing_folder, "parts": scratch_folder}
+with replacing[sys.argv[1]](Path(sys.argv[2])) as beside:
+    assert beside.exists()
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL")
+@pytest.mark.parametrize("kind", ["file", "folder", "parts"])
+def test_the_next_start_removes_what_a_killed_run_left_wherever_it_wrote(
+    tmp_path: Path, kind: str
+) -> None:
+    (tmp_path / "exports").mkdir()
+    environment = {**os.environ, "XDG_STATE_HOME": str(tmp_path)}
+    call = [sys.executable, "-c", KILLED, kind, str(tmp_path / "exports" / "result")]
+    assert subprocess.run(call, check=False, env=environment).returncode == -signal.SIGKILL
+    assert len(list((tmp_path / "exports").iterdir())) == 1
+    settle_interrupted(tmp_path / "insole-studio")
+    assert list((tmp_path / "exports").iterdir()) == []
+    assert list((tmp_path / "insole-studio").iterdir()) == []
+
+
+def test_a_note_names_nothing_but_what_it_was_made_for(tmp_path: Path, state_folder: Path) -> None:
+    state_folder.mkdir()
+    note = state_folder / f"{name_of(DEAD)}.place"
+    for named in (tmp_path / "diary.txt", tmp_path / f"{name_of(DEAD, '1')}.stl"):
+        named.write_text("mine")
+        note.write_bytes(os.fsencode(named))
+        settle_interrupted(state_folder)
+        assert named.exists()
+        assert not note.exists()
+
+
+def test_a_note_waits_for_its_disk(tmp_path: Path, state_folder: Path) -> None:
+    state_folder.mkdir()
+    note = state_folder / f"{name_of(DEAD)}.place"
+    note.write_bytes(os.fsencode(tmp_path / "stick" / name_of(DEAD)))
+    settle_interrupted(state_folder)
+    assert note.exists()
+    (tmp_path / "stick" / name_of(DEAD)).mkdir(parents=True)
+    settle_interrupted(state_folder)
+    assert list((tmp_path / "stick").iterdir()) == list(state_folder.iterdir()) == []
+
+
+@pytest.mark.parametrize("holder", [DEAD, os.getppid()], ids=["waits for a disk", "being settled"])
+def test_what_a_journal_moves_is_not_swept_before(
+    tmp_path: Path, state_folder: Path, holder: int
+) -> None:
+    left = tmp_path / f"{name_of(DEAD)}.stl"
+    left.write_text("new")
+    move = {"path": str(tmp_path / "absent" / "x.stl"), "old": "o", "replaces": False}
+    state_folder.mkdir()
+    journal_of_it = state_folder / f"{name_of(holder)}.journal"
+    journal_of_it.write_text(json.dumps([{"beside": str(left), **move}]))
+    write_text("", tmp_path / "other.txt")
+    assert left.exists()
 
 
 def test_a_folder_that_was_left_is_swept(tmp_path: Path) -> None:

@@ -143,6 +143,46 @@ def test_a_result_that_is_an_input_is_refused(
     assert contents(inputs) == before
 
 
+THROUGH_A_LINK = {
+    "report": "measure f.ply --side right --report {link}.json",
+    "table": "measure f.ply --side right --report m.json --csv {link}.csv",
+    "page": "calibrate reference --report {link}.html",
+    "mesh": "reconstruct s --out {link}.ply",
+    "solid": "design f.ply --side right --out {link}.stl",
+    "paper": "design f.ply --side right --out i.stl --job-sheet {link}.pdf",
+    "order": "order create f.ply --side right --out {link}",
+    "order as zip": "order create f.ply --side right --out {link}.zip",
+    "session": "simulate {link} --seed 1",
+    "capture": "capture --emulate s.zip --out {link}",
+    "capture as zip": "capture --emulate s.zip --out {link}.zip",
+    "sensor": "calibrate session s --out {link}",
+    "steps": "self-test --report {link}.txt",
+}
+
+
+@pytest.mark.parametrize("target", ["a file", "a folder", "nothing"])
+@pytest.mark.parametrize("kind", THROUGH_A_LINK)
+def test_no_result_goes_through_a_link(
+    kind: str,
+    target: str,
+    inputs: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(inputs)
+    (inputs / "a file").write_text("mine")
+    (inputs / "a folder").mkdir()
+    words = [word.format(link="out") for word in THROUGH_A_LINK[kind].split()]
+    link = next(Path(word) for word in words if word.startswith("out"))
+    link.symlink_to(target)
+    before = contents(inputs)
+    assert run(words) == 1
+    assert f"{link} is a link to {inputs / target}" in last_line(capsys)
+    assert contents(inputs) == before
+    assert link.is_symlink()
+    assert list((inputs / "a folder").iterdir()) == []
+
+
 SAME_TWICE = [
     "reconstruct s --out x.ply --report x.ply",
     "design f.ply --side right --out i.stl --job-sheet a.pdf --prescription-paper a.pdf",

@@ -146,8 +146,9 @@ class OpenActions:
 
         def opened(state: FileState) -> None:
             self._guard.hold(state.lock)
-            self._case.open(state.record, path, digest=state.digest)
-            self._recent.remember(path)
+            real = path.resolve()  # what was opened is saved, and not what a link leads to by then
+            self._case.open(state.record, real, digest=state.digest)
+            self._recent.remember(real)
 
         def failed(error: Exception) -> None:
             if isinstance(error, CaseInUseError):
