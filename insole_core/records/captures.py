@@ -46,6 +46,8 @@ class Captures:
     ) -> Capture:
         """Store a session or a scan with a visit; the capture room has done its work for it.
 
+        What the visit has already is not stored again.
+
         Parameters
         ----------
         kind
@@ -80,10 +82,13 @@ class Captures:
             author=self._context.author.name,
         )
         with self._context.writing_visit(Right.CAPTURE, visit_id) as (connection, _):
+            _end_work(connection, visit_id)
+            same = _with_content(connection, visit_id, sha256)
+            if same is not None:
+                return same
             refer_to(connection, sha256, size, kind)
             number = _count(connection, visit_id) + 1
             connection.execute(insert(captures).values(_values(capture) | {"number": number}))
-            _end_work(connection, visit_id)
             self._context.log(
                 connection, "added", "capture", capture.id, visit=visit_id, sha256=sha256
             )
@@ -138,6 +143,15 @@ class Captures:
             with given_errors(path, MOST_BYTES):
                 pack_session(path, packed)
             return put_file(store, packed)
+
+
+def _with_content(connection: Connection, visit_id: str, sha256: str) -> Capture | None:
+    """Return the capture of a visit that has this content."""
+    query = select(captures).where(
+        captures.c.visit_id == visit_id, captures.c.content_sha256 == sha256
+    )
+    row = connection.execute(query.order_by(captures.c.number)).first()
+    return None if row is None else _capture(row)
 
 
 def _count(connection: Connection, visit_id: str) -> int:

@@ -45,6 +45,17 @@ def order(records: Records, visit: Visit, foot_record: FootRecord, tmp_path: Pat
     )
 
 
+def test_the_same_capture_is_stored_once(records: Records, visit: Visit, tmp_path: Path) -> None:
+    scan = tmp_path / "left.stl"
+    scan.write_bytes(b"solid")
+    first = records.captures.add(visit.id, MESH, scan)
+    scan.rename(tmp_path / "again.stl")
+    assert records.captures.add(visit.id, MESH, tmp_path / "again.stl") == first
+    assert records.captures.of_visit(visit.id) == [first]
+    other = records.visits.add(Visit(visit.person_id, TOMORROW))
+    assert records.captures.add(other.id, MESH, tmp_path / "again.stl").visit_id == other.id
+
+
 def test_an_order_closes_what_it_orders(
     records: Records, visit: Visit, order: Order, foot_record: FootRecord
 ) -> None:

@@ -40,6 +40,8 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         self._services = services
         self._source = source
         self._waiting: list[Path] = []
+        self._names: dict[str, str] = {}
+        """Of the visits that were listed since the stage was opened."""
 
     def make_stage(self) -> CaptureStage:
         """Create the stage with the last assignment of views, and start the sensors."""
@@ -58,6 +60,7 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         """Collect the captured sessions until the stage is closed."""
         stage.kept.connect(self._keep)
         stage.closed.connect(self.hand_on)
+        self._names.clear()
         self._services.clinic.changed.connect(self._list_work)
         self._list_work()
 
@@ -84,14 +87,21 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         if self.stage is None:
             return
         kept = self._services.case.kept
+        open_here = self._services.keeper.visit_id
         visits = [("", tr("Nobody of the work list"))]
         if kept is not None:
+            self._names[kept.visit.id] = kept.person.name
             visits.append((kept.visit.id, tr("{name} (open here)").format(name=kept.person.name)))
-        for visit in waiting:
-            if visit.id != self._services.keeper.visit_id:
-                born = "" if visit.birth_date is None else f", {visit.birth_date.isoformat()}"
-                visits.append((visit.id, f"{visit.person_name}{born}"))
-        self.stage.view.show_visits(visits, self._services.keeper.visit_id)
+        others = [visit for visit in waiting if visit.id != open_here]
+        for visit in others:
+            born = "" if visit.birth_date is None else f", {visit.birth_date.isoformat()}"
+            self._names[visit.id] = f"{visit.person_name}{born}"
+            visits.append((visit.id, self._names[visit.id]))
+        chosen = self.stage.view.visit_id
+        if chosen not in dict(visits):  # captured once: the other foot is of the same patient
+            visits.append((chosen, self._names[chosen]))
+        only = others[0].id if len(others) == 1 else ""
+        self.stage.view.show_visits(visits, open_here or only)
 
     def hand_on(self) -> None:
         """Pass on the next waiting session, if any."""

@@ -1,4 +1,4 @@
-"""The card of one sensor: depth image above, colour image below, and its controls."""
+"""The card of one sensor: depth image, colour image below or beside it, and its controls."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QApplication,
+    QBoxLayout,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -29,6 +30,7 @@ from insole_studio.view_names import view_text
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.picture_view import PictureView
 
+_LEAST_PX, _SMALL_PX = (160, 120), (144, 108)
 MIME = "application/x-insole-studio-sensor"
 VIEWS = (*dict.fromkeys(USUAL_VIEWS + VIEWS_OF_BOTH), *(f"view_{n}" for n in range(4, 9)))
 
@@ -51,6 +53,9 @@ class SensorCard(QFrame):
         self.setAcceptDrops(True)
         self._title = _Grip(serial)
         self._depth, self._color = PictureView(), PictureView()
+        self._pictures = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._pictures.addWidget(self._depth, 1)
+        self._pictures.addWidget(self._color, 1)
         self._facts, self._hints = QLabel(), QLabel()
         self._facts.setWordWrap(True)  # its length decides no width: the buttons of all cards fit
         self._facts.setObjectName("quiet")
@@ -85,6 +90,13 @@ class SensorCard(QFrame):
         if color is not None:
             self._color.show_picture(color)
 
+    def lay_pictures(self, beside: bool) -> None:
+        """Lay the colour picture beside the depth, or below it; the card grows no wider."""
+        direction = QBoxLayout.Direction
+        self._pictures.setDirection(direction.LeftToRight if beside else direction.TopToBottom)
+        for picture in (self._depth, self._color):
+            picture.setMinimumSize(*(_SMALL_PX if beside else _LEAST_PX))
+
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Accept other cards."""
         if event.mimeData().hasFormat(MIME):
@@ -104,8 +116,7 @@ class SensorCard(QFrame):
         head.addWidget(self._title, 1)
         head.addWidget(self._view)
         layout.addLayout(head)
-        layout.addWidget(self._depth, 1)
-        layout.addWidget(self._color, 1)
+        layout.addLayout(self._pictures, 1)
         layout.addWidget(self._facts)
         layout.addWidget(self._hints)
         layout.addLayout(self._buttons())

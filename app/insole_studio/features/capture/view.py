@@ -30,6 +30,7 @@ from insole_studio.features.capture.rows import (
 )
 from insole_studio.features.capture.sensor_card import SensorCard
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.card_grid import CardGrid
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
@@ -65,15 +66,13 @@ class CaptureView(QWidget):
         self._cards: dict[str, SensorCard] = {}
         self._empty = EmptyPage()
         self._empty.chosen.connect(self.find_requested)
-        self._card_row = QHBoxLayout()
-        self._card_row.setSpacing(8)
-        cards = QWidget()
-        cards.setLayout(self._card_row)
+        self._grid = CardGrid()
+        self._grid.wrapped.connect(self._lay_cards)
         self._legend = Legend()
         self._legend.show_coloring(depth_coloring())
         self._pages = QStackedWidget()
         self._pages.addWidget(self._empty)
-        self._pages.addWidget(cards)
+        self._pages.addWidget(self._grid)
         self._make_options()
         self._make_buttons()
         self._make_offer()
@@ -83,6 +82,8 @@ class CaptureView(QWidget):
         self._visits = ComboBox([])
         self._visits.setAccessibleName(tr("Whose feet are captured"))
         self._visits.setToolTip(tr("Patients whose feet wait to be captured"))
+        self._visits.edited.connect(self._decide)
+        self._decided = False
         self._visits.hide()
         layout.addWidget(self._offer)
         layout.addWidget(self._visits)
@@ -97,21 +98,27 @@ class CaptureView(QWidget):
         """The visit of the work list that is captured for; empty for none."""
         return self._visits.currentData() or ""
 
-    def show_visits(self, visits: Sequence[tuple[str, str]], open_visit: str) -> None:
-        """Show the work list; the chosen visit stays chosen, at first it is the open one.
+    def show_visits(self, visits: Sequence[tuple[str, str]], proposed: str) -> None:
+        """Show the work list; the chosen visit stays chosen.
 
         Parameters
         ----------
         visits
             Id and name of each; the first one is nobody.
+        proposed
+            The visit to choose as long as nobody has decided for whom to capture.
         """
         ids = [visit_id for visit_id, _name in visits]
-        before = self.visit_id if self._visits.count() else open_visit
+        before = self.visit_id if self._decided else self.visit_id or proposed
         self._visits.clear()
         for visit_id, name in visits:
             self._visits.addItem(name, visit_id)
         self._visits.show_value(before if before in ids else "")
         self._visits.setVisible(len(visits) > 1)
+
+    def _decide(self, _visit_id: str = "") -> None:
+        """Propose no other patient from now on: the next foot may be of the same one."""
+        self._decided = True
 
     def show_sensors(self, rows: Sequence[SensorRow]) -> None:
         """Show a card per sensor, in this order."""
@@ -119,10 +126,10 @@ class CaptureView(QWidget):
             card = self._cards.pop(serial)
             card.hide()
             card.deleteLater()
-        for place, row in enumerate(rows):
+        for row in rows:
             card = self._cards.get(row.serial) or self._new_card(row.serial)
-            self._card_row.insertWidget(place, card, 1)
             card.show_row(row)
+        self._grid.show_cards([self._cards[row.serial] for row in rows])
         self._pages.setCurrentIndex(1)
         self._legend.show()
 
@@ -192,8 +199,14 @@ class CaptureView(QWidget):
         self._warning.setText(translate_core_message(sentence))
         self._warning.setVisible(bool(sentence))
 
+    def _lay_cards(self, wrapped: bool) -> None:
+        """Save height where there are several rows of cards."""
+        for card in self._cards.values():
+            card.lay_pictures(beside=wrapped)
+
     def _new_card(self, serial: str) -> SensorCard:
         card = SensorCard(serial, self._tilt_step_deg)
+        card.lay_pictures(beside=self._grid.is_wrapped)
         card.view_chosen.connect(self.view_chosen)
         card.dropped.connect(self.views_swapped)
         card.tilt_requested.connect(self.tilt_requested)
@@ -334,6 +347,7 @@ class CaptureView(QWidget):
     def _order(self, signal: Any) -> None:
         """Hide the last message and emit a signal, which may cause another one."""
         self._enter_texts()  # F5 leaves the focus where something is being typed
+        self._decide()
         self.show_sentence("")
         signal.emit()
 

@@ -74,8 +74,12 @@ class VisitCaptures(QObject):
         feet = self._case.record.feet
         here = {foot.source.sha256 for foot in feet}
         is_first, before = self._stored is None, self._stored or set()
-        new = [c for c in captures if c.source_sha256 not in before | here]
-        self._stored = before | {capture.source_sha256 for capture in captures}
+        known = before | here
+        new = [c for c in captures if not known & {c.source_sha256, c.content_sha256}]
+        # A copy that was opened from the record is known by its content.
+        self._stored = before | {
+            digest for c in captures for digest in (c.source_sha256, c.content_sha256)
+        }
         # Those that were there before are offered only where no foot was made yet.
         if new and not (is_first and feet):
             self._offer(new[0])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
@@ -71,6 +72,38 @@ def test_a_capture_of_another_station_is_offered_within_two_seconds(
     assert sha256_of(fetched[0], MOST_BYTES) == sha256_of(small_session, MOST_BYTES)
 
 
+def test_the_foot_of_a_capture_stores_it_only_once(
+    opened: Application,
+    other_station: Records,
+    visit: Visit,
+    small_session: Path,
+    make_foot: Callable[[Side], Foot],
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    """The capture room stores a folder, and the desk opens a copy of it, which is an archive."""
+    captures = opened.features.records.captures
+    qtbot.waitUntil(lambda: captures._stored is not None, timeout=10_000)
+    with zipfile.ZipFile(small_session) as archive:
+        archive.extractall(tmp_path / "session")
+    stored = other_station.captures.add(visit.id, "session", tmp_path / "session")
+    notices = opened.services.notices
+    qtbot.waitUntil(lambda: bool(notices.notices), timeout=60_000)
+    copy = other_station.captures.copy_to(stored, tmp_path)
+    source = ScanSource("session", str(copy), sha256_of(copy, MOST_BYTES))
+    opened.case.open_foot(make_foot(Side.LEFT), source)
+    scan = tmp_path / "right.stl"
+    scan.write_bytes(b"solid foot")
+    opened.case.open_foot(
+        make_foot(Side.RIGHT), ScanSource("mesh", str(scan), sha256_of(scan, MOST_BYTES))
+    )  # what is stored after it tells that it was not
+    qtbot.waitUntil(
+        lambda: "right.stl" in [c.file_name for c in other_station.captures.of_visit(visit.id)],
+        timeout=60_000,
+    )
+    assert [c.kind for c in other_station.captures.of_visit(visit.id)] == ["mesh", "session"]
+
+
 def test_the_capture_room_stores_a_session_with_a_visit_of_its_work_list(
     clinic: Application,
     records: Records,
@@ -89,12 +122,16 @@ def test_the_capture_room_stores_a_session_with_a_visit_of_its_work_list(
         "Nobody of the work list",
         "Anna Berg",
     ]
-    visits.show_value(wanted.id)
+    assert stage.view.visit_id == wanted.id  # the only one
     stage.kept.emit(small_session)
     qtbot.waitUntil(lambda: len(records.captures.of_visit(wanted.id)) == 1, timeout=10_000)
     assert records.visits.get(wanted.id).capture_state is CaptureState.DONE
     (capture,) = records.captures.of_visit(wanted.id)
     assert capture.facts.sensor_serials
+    bo = records.persons.add(Person("Bo Ek"))
+    records.visits.add(Visit(bo.id, date.today(), capture_state=CaptureState.WANTED))
+    qtbot.waitUntil(lambda: visits.findText("Bo Ek") > 0, timeout=10_000)
+    assert stage.view.visit_id == wanted.id  # the other foot is of the same patient
     stage.close()
     assert clinic.features.foot.stage is None
 
