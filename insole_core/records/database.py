@@ -18,7 +18,7 @@ from sqlalchemy.pool import QueuePool
 
 from insole_core.errors import RecordsError
 from insole_core.messages import Message
-from insole_core.records.database_errors import DamagedDatabase, away, described
+from insole_core.records.database_errors import DamagedDatabase, busy, described
 from insole_core.records.place import RecordsPlace
 
 BUSY_S: Final = 10.0
@@ -159,7 +159,7 @@ class Database:
         except DBAPIError as error:
             raise self._noted(described(self.place, error)) from error
         except PoolTimeoutError as error:
-            raise away(self.place, "all connections are in use") from error
+            raise busy(self.place) from error
 
     def _noted(self, error: RecordsError) -> RecordsError:
         """Write nothing more to a database that turns out to be damaged."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sqlite3
 from typing import Final
 
@@ -32,12 +33,37 @@ _AWAY: Final = (
     "{place} does not answer ({reason}); check the network, the address and that the database is "
     "running."
 )
+_NO_FILE: Final = (
+    "{place} cannot be opened or read ({reason}); check that its disk or share is connected, and "
+    "that you may read and write there."
+)
 _NO_RIGHT: Final = "{place} may not be changed by you; ask for the right to write to it."
 _REFUSED: Final = (
     "{place} refused what was to be written ({reason}); nothing was changed. Please report this."
 )
 _NO_LOGIN: Final = (
-    "{place} refuses the user or the password of its address; check the address of the database."
+    "{place} answers, and refuses the user or the password ({reason}); check the user in the "
+    "address of the database, and type its password again or correct PostgreSQL's password file."
+)
+_NO_PASSWORD: Final = (
+    "{place} answers, and asks for a password; type it, or write it into PostgreSQL's password "
+    "file."
+)
+_NO_DATABASE: Final = (
+    "{place} answers, and has no such database ({reason}); check the name in the address, or let "
+    "whoever looks after the server make it."
+)
+_NO_TRUST: Final = (
+    "{place} answers, but not so that it can be trusted ({reason}); ask whoever looks after the "
+    "server for its certificate."
+)
+_NO_HOST: Final = (
+    "{place} names a computer that nobody knows here ({reason}); check the address of the "
+    "database, and that this computer is in the network."
+)
+_TURNED_AWAY: Final = (
+    "{place} answers, and does not let this computer in ({reason}); ask whoever looks after the "
+    "server."
 )
 
 _OF_SQLITE: Final[dict[int, tuple[type[RecordsError], str]]] = {
@@ -48,8 +74,8 @@ _OF_SQLITE: Final[dict[int, tuple[type[RecordsError], str]]] = {
     sqlite3.SQLITE_FULL: (FullDatabase, _FULL),
     sqlite3.SQLITE_READONLY: (RecordsError, _NO_RIGHT),
     sqlite3.SQLITE_PERM: (RecordsError, _NO_RIGHT),
-    sqlite3.SQLITE_CANTOPEN: (Unreachable, _AWAY),
-    sqlite3.SQLITE_IOERR: (Unreachable, _AWAY),
+    sqlite3.SQLITE_CANTOPEN: (Unreachable, _NO_FILE),
+    sqlite3.SQLITE_IOERR: (Unreachable, _NO_FILE),
 }
 _NOT_WRITTEN: Final = (sqlite3.SQLITE_IOERR_WRITE, sqlite3.SQLITE_IOERR_TRUNCATE)
 """What SQLite says of a full disk where that is not told as such: a quota, a share."""
@@ -62,14 +88,26 @@ _OF_POSTGRESQL: Final[dict[str, tuple[type[RecordsError], str]]] = {
     "40P01": (Unreachable, _BUSY),  # deadlock
     "42501": (RecordsError, _NO_RIGHT),
     "25006": (RecordsError, _NO_RIGHT),  # a standby server
-    "28000": (RecordsError, _NO_LOGIN),
-    "28P01": (RecordsError, _NO_LOGIN),
     "XX001": (DamagedDatabase, _DAMAGED),
     "XX002": (DamagedDatabase, _DAMAGED),
     "58030": (Unreachable, _AWAY),  # the server cannot read or write its disk
 }
 _AWAY_CLASSES: Final = ("08", "57")
 """Classes of codes for a connection that is lost, and a server that is stopped."""
+_OF_SERVER: Final = re.compile(r"^\S+:  ")
+"""How what a server says begins, after its word for FATAL in any language: it is there."""
+_OF_CONNECTING: Final = (
+    (re.compile(r"the database system is|terminating connection"), _AWAY),
+    (re.compile(r"too many (?:clients|connections)|remaining connection slots"), _BUSY),
+    (re.compile(r"no password supplied"), _NO_PASSWORD),
+    (re.compile(r'^\S+:  database ".*" does not exist'), _NO_DATABASE),
+    (re.compile(r'authentication failed|^\S+:  role ".*"'), _NO_LOGIN),
+    (_OF_SERVER, _TURNED_AWAY),
+    (re.compile(r"\bSSL\b|certificate"), _NO_TRUST),
+    (re.compile(r"could not translate host name|resolve host|Name or service"), _NO_HOST),
+)
+"""While it connects, PostgreSQL's library tells no codes, so its words have to do. Work that waits
+for the record is tried again after each of these."""
 
 
 def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
@@ -81,14 +119,15 @@ def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
         As SQLAlchemy reports it; the values of its statement are patients' data and are not told.
     """
     kind, sentence = _kind_of(place, error)
-    if sentence in (_AWAY, _REFUSED):
-        return kind(sentence, place=place.name, reason=_first_line(str(error.orig)))
+    if "{reason}" in sentence:
+        reason = _OF_SERVER.sub("", _first_line(str(error.orig)))
+        return kind(sentence, place=place.name, reason=reason)
     return kind(sentence, place=place.name)
 
 
-def away(place: RecordsPlace, reason: str) -> Unreachable:
-    """Return the sentence for a database that does not answer."""
-    return Unreachable(_AWAY, place=place.name, reason=_first_line(reason))
+def busy(place: RecordsPlace) -> Unreachable:
+    """Return the sentence for a database whose connections are all in use."""
+    return Unreachable(_BUSY, place=place.name)
 
 
 def _kind_of(place: RecordsPlace, error: DBAPIError) -> tuple[type[RecordsError], str]:
@@ -101,9 +140,15 @@ def _kind_of(place: RecordsPlace, error: DBAPIError) -> tuple[type[RecordsError]
     state = getattr(original, "sqlstate", None) or ""
     if state in _OF_POSTGRESQL:
         return _OF_POSTGRESQL[state]
-    if error.connection_invalidated or not state or state[:2] in _AWAY_CLASSES:
+    if not state:
+        return Unreachable, _sentence_of_connecting(_first_line(str(original)))
+    if error.connection_invalidated or state[:2] in _AWAY_CLASSES:
         return Unreachable, _AWAY
     return RecordsError, _REFUSED
+
+
+def _sentence_of_connecting(text: str) -> str:
+    return next((said for words, said in _OF_CONNECTING if words.search(text)), _AWAY)
 
 
 def _first_line(text: str) -> str:

@@ -7452,6 +7452,30 @@
             <translation>{picture}: {corners} hörn av ChArUco-brädet med {columns}×{rows} rutor syns, men {least} behövs; visa mer av brädet, och kontrollera dess storlek och förteckning.</translation>
         </message>
         <message>
+            <source>{place} answers, and asks for a password; type it, or write it into PostgreSQL's password file.</source>
+            <translation>{place} svarar och frågar efter ett lösenord; skriv det, eller lägg det i PostgreSQL:s lösenordsfil.</translation>
+        </message>
+        <message>
+            <source>{place} answers, and does not let this computer in ({reason}); ask whoever looks after the server.</source>
+            <translation>{place} svarar men släpper inte in den här datorn ({reason}); fråga den som sköter servern.</translation>
+        </message>
+        <message>
+            <source>{place} answers, and has no such database ({reason}); check the name in the address, or let whoever looks after the server make it.</source>
+            <translation>{place} svarar men har ingen sådan databas ({reason}); kontrollera namnet i adressen, eller låt den som sköter servern skapa den.</translation>
+        </message>
+        <message>
+            <source>{place} answers, and refuses the user or the password ({reason}); check the user in the address of the database, and type its password again or correct PostgreSQL's password file.</source>
+            <translation>{place} svarar men avvisar användaren eller lösenordet ({reason}); kontrollera användaren i databasens adress och skriv lösenordet igen eller rätta PostgreSQL:s lösenordsfil.</translation>
+        </message>
+        <message>
+            <source>{place} answers, but not so that it can be trusted ({reason}); ask whoever looks after the server for its certificate.</source>
+            <translation>{place} svarar, men inte så att det går att lita på ({reason}); fråga den som sköter servern om dess certifikat.</translation>
+        </message>
+        <message>
+            <source>{place} cannot be opened or read ({reason}); check that its disk or share is connected, and that you may read and write there.</source>
+            <translation>{place} kan inte öppnas eller läsas ({reason}); kontrollera att dess disk eller delade mapp är ansluten och att du får läsa och skriva där.</translation>
+        </message>
+        <message>
             <source>{place} comes from an older Insole Studio and cannot be brought up to date, since it may only be read; ask for the right to write to it.</source>
             <translation>{place} kommer från ett äldre Insole Studio och kan inte uppdateras, eftersom den bara får läsas; be om rätten att skriva till den.</translation>
         </message>
@@ -7492,12 +7516,12 @@
             <translation>Du får inte ändra {place}; be om rätten att skriva till den.</translation>
         </message>
         <message>
-            <source>{place} refused what was to be written ({reason}); nothing was changed. Please report this.</source>
-            <translation>{place} vägrade ta emot det som skulle skrivas ({reason}); inget ändrades. Rapportera gärna detta.</translation>
+            <source>{place} names a computer that nobody knows here ({reason}); check the address of the database, and that this computer is in the network.</source>
+            <translation>{place} är namnet på en dator som ingen känner till här ({reason}); kontrollera databasens adress och att den här datorn är i nätverket.</translation>
         </message>
         <message>
-            <source>{place} refuses the user or the password of its address; check the address of the database.</source>
-            <translation>{place} godtar inte användaren eller lösenordet i sin adress; kontrollera databasens adress.</translation>
+            <source>{place} refused what was to be written ({reason}); nothing was changed. Please report this.</source>
+            <translation>{place} vägrade ta emot det som skulle skrivas ({reason}); inget ändrades. Rapportera gärna detta.</translation>
         </message>
         <message>
             <source>{place} takes no changes, as a server that stands by for another one; check the address of the database, or ask whoever looks after it.</source>

@@ -383,6 +383,38 @@ def test_a_server_that_goes_away_is_told_and_comes_back(tmp_path: Path) -> None:
         records.close()
 
 
+@pytest.mark.skipif(binaries() is None, reason="PostgreSQL is not installed")
+def test_what_a_server_answers_is_not_told_as_trouble_of_the_network(tmp_path: Path) -> None:
+    with running_server() as server:
+        server.execute("CREATE USER clinic PASSWORD 'right'")
+        rules = Path(server.data) / "pg_hba.conf"
+        asks = "local records,nothing clinic scram-sha-256\n"
+        rules.write_text(f"local postgres {server.user} trust\n{asks}", "utf-8")
+        server.execute("SELECT pg_reload_conf()")
+        for password, database, told in (
+            ("", "records", "asks for a password; type it"),
+            ("wrong", "records", "refuses the user or the password"),
+            ("right", "nothing", "has no such database"),
+            ("right", "other", "does not let this computer in"),
+        ):
+            url = f"postgresql://clinic@/{database}?host={server.folder}"
+            place = RecordsPlace.of_url(url, tmp_path).with_password(password)
+            with pytest.raises(Unreachable, match=f"answers, and {told}") as refused:
+                open_records(place, ANNA)
+            assert "network" not in str(refused.value)
+        server.execute("ALTER USER clinic CONNECTION LIMIT 0")
+        server.execute("CREATE DATABASE records OWNER clinic")
+        url = f"postgresql://clinic@/records?host={server.folder}"
+        with pytest.raises(Unreachable, match="wait until that has finished"):
+            open_records(RecordsPlace.of_url(url, tmp_path).with_password("right"), ANNA)
+
+
+def test_a_computer_that_nobody_knows_is_told(tmp_path: Path) -> None:
+    url = "postgresql://clinic@nowhere.invalid/records?sslrootcert=/nowhere.pem"
+    with pytest.raises(Unreachable, match="names a computer that nobody knows here"):
+        open_records(RecordsPlace.of_url(url, tmp_path), ANNA)
+
+
 def test_a_database_that_does_not_exist_is_told(postgres: PostgresServer, tmp_path: Path) -> None:
     place = RecordsPlace.of_url(postgres.url("nothing"), tmp_path)
     with pytest.raises(Unreachable, match='"nothing" does not exist'):
