@@ -15,6 +15,8 @@ from insole_core.export.write_errors import output_errors
 log = logging.getLogger(__name__)
 
 APPLICATION = "insole-studio"
+SETTINGS_GROUP = "settings"
+"""Name of the folder of the settings in a backup."""
 _TRIED_BYTES = 65536
 
 
@@ -63,7 +65,7 @@ class UserPaths:
     @property
     def backed_up_folders(self) -> dict[str, Path]:
         """What belongs to a backup besides the record, by name."""
-        return {"settings": self.settings_folder, "sensors": self.sensors_folder}
+        return {SETTINGS_GROUP: self.settings_folder, "sensors": self.sensors_folder}
 
     def make_private(self) -> None:
         """Close the folders to other users; an earlier version left them open."""

@@ -7,9 +7,9 @@ removed is a row without a name, as of anybody who was erased.
 from __future__ import annotations
 
 from datetime import date
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from sqlalchemy import Connection, exists, func, or_, select
+from sqlalchemy import Connection, and_, exists, func, or_, select
 
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.records.retention import ErasureReason, erase_in
@@ -20,13 +20,21 @@ if TYPE_CHECKING:
     from insole_core.records.context import RecordsContext
 
 
+_HAS_VISITS: Final = exists().where(visits.c.person_id == persons.c.id)
+_IS_REAL: Final = and_(
+    persons.c.pseudonym != SAMPLE_PSEUDONYM, or_(~persons.c.is_erased, _HAS_VISITS)
+)
+
+
 def has_patients(connection: Connection) -> bool:
     """Return whether the record holds anything of a real patient."""
-    has_visits = exists().where(visits.c.person_id == persons.c.id)
-    real = select(persons.c.id).where(
-        persons.c.pseudonym != SAMPLE_PSEUDONYM, or_(~persons.c.is_erased, has_visits)
-    )
-    return connection.execute(real.limit(1)).first() is not None
+    return connection.execute(select(persons.c.id).where(_IS_REAL).limit(1)).first() is not None
+
+
+def count_patients(connection: Connection) -> int:
+    """Return of how many real patients the record holds anything."""
+    query = select(func.count()).select_from(persons).where(_IS_REAL)
+    return int(connection.execute(query).scalar_one())
 
 
 def holds_only_sample(connection: Connection) -> bool:

@@ -15,6 +15,7 @@ import pyrage
 import pytest
 from found_once import SharedResults, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
+from postgres_server import PostgresServer, binaries, running_server
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -318,3 +319,20 @@ def rest(qtbot: QtBot, clinic: Application) -> Callable[[], None]:
         qtbot.waitUntil(is_at_rest, timeout=30_000)
 
     return wait
+
+
+@pytest.fixture(scope="session")
+def postgres() -> Iterator[PostgresServer]:
+    """A server for the whole session."""
+    if binaries() is None:
+        pytest.skip("PostgreSQL is not installed")
+    with running_server() as server:
+        yield server
+
+
+@pytest.fixture
+def postgres_url(postgres: PostgresServer) -> Iterator[str]:
+    """The address of an empty database of this test alone."""
+    postgres.execute("CREATE DATABASE records")
+    yield postgres.url("records")
+    postgres.execute("DROP DATABASE records WITH (FORCE)")

@@ -17,8 +17,9 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InsoleError, RecordsError
 from insole_core.messages import Message, Translate, joined
 from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
@@ -29,12 +30,19 @@ from insole_studio.acquisition.examined_sensors import (
     has_udev_rule,
 )
 from insole_studio.app.graphics import LEAST_OPENGL, Graphics
+from insole_studio.document.record_location import RecordLocation, location_of_window
+from insole_studio.features.clinic.backup_reminder import is_overdue
 from insole_studio.settings import load_settings, peek_settings
 from insole_studio.user_paths import UserPaths
 
+if TYPE_CHECKING:
+    from insole_core.records.backup.backup_key import BackupKey
+    from insole_core.records.place_check import PlaceReport
+
 LEAST_FREE_GB = 2.0
 OLD_CALIBRATION_DAYS = 365
-RECORD_FILE = "records.sqlite3"
+RECORD = Message("Record")
+_DAY_S = 86_400
 FindSensors = Callable[[], tuple[ExaminedSensor, ...]]
 
 
@@ -56,17 +64,25 @@ class Diagnosis:
 
 
 class Doctor:
-    """Examines the computer; `graphics` was asked in the window's thread, the rest in any."""
+    """Examines the computer; `graphics` was asked in the window's thread, the rest in any.
+
+    Parameters
+    ----------
+    location
+        Of the record; by default the one that the settings of the window name.
+    """
 
     def __init__(
         self,
         paths: UserPaths,
         graphics: Graphics | None,
         find_sensors: FindSensors = examine_sensors,
+        location: RecordLocation | None = None,
     ) -> None:
         self._paths = paths
         self._graphics = graphics
         self._find_sensors = find_sensors
+        self._location = location
 
     def examine(self) -> list[Diagnosis]:
         """Examine everything; what cannot be examined is told, and does not end it."""
@@ -80,7 +96,7 @@ class Doctor:
             (Message("Folders"), self._folders),
             (Message("Disk"), self._disk),
             (Message("Settings"), self._settings),
-            (Message("Record"), self._record),
+            (RECORD, self._record),
         ):
             try:
                 found += [Diagnosis(topic, state, advice) for state, advice in examination()]
@@ -234,19 +250,76 @@ class Doctor:
         return complaints
 
     def _record(self) -> Iterator[tuple[str, str]]:
-        if peek_settings(self._paths.settings_file).record_database:
-            yield Message("on a server; Clinic ▸ Verify the record examines it"), ""
-            return
-        path = self._paths.records_folder / RECORD_FILE
-        if not path.exists():
+        from insole_core.records.place_check import look_at_place
+
+        location = self._location or location_of_window(self._paths)
+        place = location.place()
+        if not location.is_shared and not place.database_file.exists():
             yield Message("none yet"), ""
             return
-        address = f"{path.absolute().as_uri()}?mode=ro"
-        with closing(sqlite3.connect(address, uri=True)) as connection:
-            told = str(connection.execute("PRAGMA quick_check(1)").fetchone()[0])
-        state = Message("{size:.1f} MB on this computer", size=path.stat().st_size / 1e6)
-        advice = Message("The database is damaged: restore the newest backup.")
-        yield state, "" if told == "ok" else advice
+        if not location.is_shared:
+            yield _examined_file(place.database_file)
+        try:
+            report = look_at_place(place)
+        except RecordsError as error:
+            yield Message("cannot be opened"), error.message
+            return
+        if location.is_shared:
+            yield Message("on the server {place}, which answers", place=place.name), ""
+        if report.patients is None:
+            yield Message("none yet"), ""
+        else:
+            yield self._last_backup(report)
+
+    def _last_backup(self, report: PlaceReport) -> tuple[str, str]:
+        """Tell the age of the last good backup: by its folder where this station has one."""
+        settings = peek_settings(self._paths.settings_file)
+        made_at = report.last_good_backup
+        if settings.backup_folder and report.backup_key is not None:
+            try:
+                made_at = _newest_good(Path(settings.backup_folder), report.backup_key)
+            except InsoleError as error:
+                return Message("the backups cannot be looked at"), error.message
+        if made_at is None:
+            return (
+                Message("no good backup"),
+                Message("Back the record up: what is in it is lost if its disk fails.")
+                if report.patients
+                else "",
+            )
+        now = datetime.now(UTC)
+        state = Message(
+            "last good backup {days:.1f} days old", days=(now - made_at).total_seconds() / _DAY_S
+        )
+        advice = Message(
+            "Make a backup, and see why none was made: what was entered since is in no other place."
+        )
+        return state, advice if is_overdue(made_at, settings.backup_day, now) else ""
+
+
+def _examined_file(path: Path) -> tuple[str, str]:
+    address = f"{path.absolute().as_uri()}?mode=ro"
+    with closing(sqlite3.connect(address, uri=True)) as connection:
+        told = str(connection.execute("PRAGMA quick_check(1)").fetchone()[0])
+    state = Message("{size:.1f} MB on this computer", size=path.stat().st_size / 1e6)
+    advice = Message("The database is damaged: restore the newest backup.")
+    return state, "" if told == "ok" else advice
+
+
+def _newest_good(folder: Path, key: BackupKey) -> datetime | None:
+    """Return when the newest backup of a folder was made that can be restored.
+
+    Raises
+    ------
+    InputError
+        When the folder is not there, as on a disk that is not connected.
+    """
+    from insole_core.records.backup.backup_folder import BackupFolder
+
+    backups = BackupFolder(folder)
+    backups.head()
+    good = [known.name.made_at for known in backups.known_snapshots(key) if known.is_good]
+    return good[-1] if good else None
 
 
 def report_lines(found: list[Diagnosis], translate: Translate = str) -> list[str]:

@@ -33,7 +33,9 @@ class DoctorDialog(TextDialog):
         self._enable(examined=False)
         self.show_html(f"<p>{escape(tr('Examining…'))}</p>", "")
         graphics = examine_graphics(QGuiApplication.platformName())
-        doctor = Doctor(self._services.paths, graphics, self._find_sensors)
+        doctor = Doctor(
+            self._services.paths, graphics, self._find_sensors, self._services.clinic.location
+        )
         self._services.jobs.start(
             CHANNEL, lambda _progress: doctor.examine(), self._show, self._show_failure
         )

@@ -13,7 +13,10 @@ if TYPE_CHECKING:
     from insole_studio.app.graphics import Graphics
 
 NAME = "doctor"
-HELP = "examine graphics, sensors, disk, settings and record, and advise on what is wrong"
+HELP = (
+    "examine graphics, sensors, disk, settings, record and backups, and advise on what is wrong; "
+    "ends with 1 if record or backups need attention"
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,15 +28,27 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
-    """Print a line for each thing that was examined, and one of advice for each that is wrong."""
+    """Print a line for each thing that was examined, and one of advice for each that is wrong.
+
+    Raises
+    ------
+    RecordsError
+        When the record or its backups need attention, so that monitoring sees it.
+    """
+    from insole_core.errors import RecordsError
     from insole_core.export.atomic import write_text
-    from insole_studio.app.doctor import Doctor, report_lines
+    from insole_studio.app.doctor import RECORD, Doctor, report_lines
     from insole_studio.user_paths import UserPaths
 
-    lines = report_lines(Doctor(UserPaths.of_user(), _graphics()).examine())
+    found = Doctor(UserPaths.of_user(), _graphics()).examine()
+    lines = report_lines(found)
     print("\n".join(lines))
     if arguments.report is not None:
         write_text("\n".join(lines) + "\n", arguments.report)
+    if any(diagnosis.advice for diagnosis in found if diagnosis.topic == RECORD):
+        raise RecordsError(
+            "The record or its backups need attention: see the lines of the record above."
+        )
 
 
 def _graphics() -> Graphics | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+import json
 import logging
 import os
 from collections.abc import Iterator, Mapping
@@ -29,9 +30,11 @@ from insole_core.records.backup.pruning import KeepRule, superfluous
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.content_store import ContentStore, DamagedContent
 from insole_core.records.context import RecordsContext
+from insole_core.records.database import Database
 from insole_core.records.migrate import schema_of
 from insole_core.records.rights import Right, require
-from insole_core.records.schema import audit, contents, persons
+from insole_core.records.sample_patient import count_patients
+from insole_core.records.schema import audit, contents, orders, persons, visits
 
 log = logging.getLogger(__name__)
 
@@ -50,6 +53,10 @@ class BackupReport:
 
     Parameters
     ----------
+    place
+        Of the record, as sentences name it.
+    patients, visits, orders
+        How many it holds; a sample patient is none.
     written_objects, written_bytes
         What was new.
     damaged
@@ -60,6 +67,10 @@ class BackupReport:
     """
 
     snapshot: SnapshotName
+    place: str
+    patients: int
+    visits: int
+    orders: int
     rows: int
     contents: int
     contents_bytes: int
@@ -72,19 +83,31 @@ class BackupReport:
 def key_of_backups(context: RecordsContext) -> BackupKey | None:
     """Return the key of the record's backups; None until they are set up."""
     with context.database.reading() as connection:
-        values = setting_of(connection, KEY_VALUE)
+        return key_in(connection)
+
+
+def key_in(connection: Connection) -> BackupKey | None:
+    """Do the same in a transaction of the caller."""
+    values = setting_of(connection, KEY_VALUE)
     return None if values is None else BackupKey.from_json(values)
 
 
-def last_backup_at(context: RecordsContext) -> datetime | None:
+def last_backup_at(database: Database, *, good: bool = False) -> datetime | None:
     """Return when the record was in a backup last, by its audit log; None for never.
 
     Any station may have made it; a record that was restored was in one by then.
+
+    Parameters
+    ----------
+    good
+        Leave out those that lack files, since the record had lost them.
     """
-    query = select(audit.c.at).where(audit.c.action.in_((BACKED_UP, RESTORED)))
-    with context.database.reading() as connection:
-        at = connection.execute(query.order_by(audit.c.seq.desc()).limit(1)).scalar()
-    return None if at is None else datetime.fromisoformat(at)
+    query = select(audit.c.at, audit.c.details).where(audit.c.action.in_((BACKED_UP, RESTORED)))
+    with database.reading() as connection:
+        for at, details in connection.execute(query.order_by(audit.c.seq.desc())):
+            if not (good and json.loads(details).get("damaged")):
+                return datetime.fromisoformat(at)
+    return None
 
 
 def set_up_backups(context: RecordsContext, key: BackupKey) -> None:
@@ -137,6 +160,7 @@ def back_up(
         with context.database.reading() as connection:
             require(connection, context.author, Right.BACK_UP)
             source = _Source(connection, context.contents, writer)
+            patients = count_patients(connection)
             manifest = source.write_all(made_at, settings or {}, progress)
         snapshot = writer.finish(made_at, manifest.as_json(), len(manifest.damaged))
         removed = 0 if keep is None else _prune(writer, keep, made_at)
@@ -150,9 +174,14 @@ def back_up(
             damaged=len(manifest.damaged),
             removed=removed,
         )
+    rows = {table.name: table.rows for table in manifest.tables}
     return BackupReport(
         snapshot,
-        sum(table.rows for table in manifest.tables),
+        context.database.place.name,
+        patients,
+        rows[visits.name],
+        rows[orders.name],
+        sum(rows.values()),
         manifest.contents,
         manifest.contents_bytes,
         writer.written_objects,

@@ -14,7 +14,7 @@ import logging
 import os
 import re
 import zlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -181,12 +181,24 @@ class BackupFolder:
         """Return the snapshots, the oldest first."""
         folder = self.path / SNAPSHOTS
         names = [path.name for path in folder.iterdir()] if folder.is_dir() else []
-        matches = filter(None, map(_SNAPSHOT.fullmatch, names))
-        found = [
-            SnapshotName(int(match[1]), datetime.strptime(match[2], _TIME).replace(tzinfo=UTC))
-            for match in matches
-        ]
+        found = filter(None, map(_snapshot_of, names))
         return sorted(found, key=lambda snapshot: snapshot.number)
+
+    def known_snapshots(self, key: BackupKey) -> list[KnownSnapshot]:
+        """Return the snapshots, the oldest first, as whoever makes backups knows them."""
+        there = self.objects()
+        lists = ((name, self.read_list(name, key)) for name in self.snapshots())
+        return [KnownSnapshot(name, _is_good(found, there)) for name, found in lists]
+
+    def read_list(self, name: SnapshotName, key: BackupKey) -> ObjectList | None:
+        """Return the objects of a snapshot; None where an older program has not listed them."""
+        path = self.path / LISTS / name.list_name
+        try:
+            content = read_given(path, _SNAPSHOT_BYTES)
+            return ObjectList.from_json(unsealed(content, key.mac_key, path.name), path.name)
+        except InsoleError as error:
+            log.warning("the objects of %s are not known, so all are kept: %s", path.name, error)
+            return None
 
     def objects(self) -> dict[str, Path]:
         """Return the complete objects by the first part of their names.
@@ -208,6 +220,22 @@ class BackupFolder:
                 match = _OBJECT.fullmatch(path.name)
                 if match is not None and not is_cancelled():
                     yield path, _digest(path) == match[3]
+
+
+def _snapshot_of(name: str) -> SnapshotName | None:
+    """Return what the name of a file says; None for another file."""
+    match = _SNAPSHOT.fullmatch(name)
+    if match is None:
+        return None
+    try:
+        made_at = datetime.strptime(match[2], _TIME).replace(tzinfo=UTC)
+    except ValueError:  # digits that are no time
+        return None
+    return SnapshotName(int(match[1]), made_at)
+
+
+def _is_good(found: ObjectList | None, there: Container[str]) -> bool:
+    return found is not None and found.damaged == 0 and all(name in there for name in found.objects)
 
 
 class BackupWriter:
@@ -334,8 +362,8 @@ class BackupWriter:
         int
             How many snapshots were removed.
         """
-        lists = {name: self._read_list(name) for name in self._folder.snapshots()}
-        known = [KnownSnapshot(name, self._is_good(found)) for name, found in lists.items()]
+        lists = {name: self._folder.read_list(name, self._key) for name in self._folder.snapshots()}
+        known = [KnownSnapshot(name, _is_good(found, self._known)) for name, found in lists.items()]
         with output_errors(self._folder.path):
             self._remove_unused(lists)
             going = choose(known)
@@ -343,19 +371,6 @@ class BackupWriter:
                 (self._folder.path / SNAPSHOTS / name.file_name).unlink(missing_ok=True)
                 (self._folder.path / LISTS / name.list_name).unlink(missing_ok=True)
         return len(going)
-
-    def _read_list(self, name: SnapshotName) -> ObjectList | None:
-        """Return the objects of a snapshot; None where an older program has not listed them."""
-        path = self._folder.path / LISTS / name.list_name
-        try:
-            content = read_given(path, _SNAPSHOT_BYTES)
-            return ObjectList.from_json(unsealed(content, self._key.mac_key, path.name), path.name)
-        except InsoleError as error:
-            log.warning("the objects of %s are not known, so all are kept: %s", path.name, error)
-            return None
-
-    def _is_good(self, found: ObjectList | None) -> bool:
-        return found is not None and found.damaged == 0 and found.objects <= self._known.keys()
 
     def _remove_unused(self, lists: Mapping[SnapshotName, ObjectList | None]) -> None:
         """Remove objects and lists that no snapshot refers to, if all of these are known."""

@@ -6,6 +6,7 @@ is set aside, never removed.
 
 from __future__ import annotations
 
+import io
 import logging
 import sqlite3
 from collections.abc import Callable, Iterator, Mapping
@@ -86,6 +87,7 @@ class RestoreReport:
     kept_files: int = 0
 
 
+Revise: TypeAlias = Callable[[SavedFile, bytes], bytes]
 _Fill: TypeAlias = Callable[[Database], RestoreReport]
 
 
@@ -98,6 +100,7 @@ def restore(
     number: int | None = None,
     replace_existing: bool = False,
     settings: Mapping[str, Path] | None = None,
+    revise: Revise | None = None,
     progress: Progress = SILENT,
 ) -> RestoreReport:
     """Restore a snapshot with all of its files.
@@ -113,6 +116,9 @@ def restore(
         Of the snapshot; by default the newest one.
     settings
         Folders of the program's settings by name, as for `back_up`; a file that is there stays.
+    revise
+        Returns what a file of the settings holds on this computer, for what it held on the one
+        that the backup was made on.
 
     Raises
     ------
@@ -132,7 +138,7 @@ def restore(
         report = _restore_file(place, opened.manifest, fill, replace_existing=replace_existing)
     else:
         report = _restore_server(place, opened.manifest, fill)
-    restored, kept = _restore_settings(opened, settings or {})
+    restored, kept = _restore_settings(opened, settings or {}, revise)
     return replace(report, files=restored, kept_files=kept)
 
 
@@ -255,7 +261,9 @@ def _restore_contents(
         store.receive(sha256, partial(opened.reader.copy_file, sha256))
 
 
-def _restore_settings(opened: OpenedSnapshot, settings: Mapping[str, Path]) -> tuple[int, int]:
+def _restore_settings(
+    opened: OpenedSnapshot, settings: Mapping[str, Path], revise: Revise | None
+) -> tuple[int, int]:
     """Return the numbers of files that were restored, and that were there already."""
     restored = kept = 0
     for file in opened.manifest.files:
@@ -265,9 +273,12 @@ def _restore_settings(opened: OpenedSnapshot, settings: Mapping[str, Path]) -> t
         if path.exists():
             kept += 1
             continue
+        content = io.BytesIO()
+        opened.reader.copy_file(file.sha256, content)
+        held = content.getvalue()
         make_output_folder(path.parent)
-        with replacing_file(path) as beside, beside.open("wb") as target:
-            opened.reader.copy_file(file.sha256, target)
+        with replacing_file(path) as beside:
+            beside.write_bytes(held if revise is None else revise(file, held))
         restored += 1
     return restored, kept
 

@@ -108,8 +108,8 @@
             <translation>Säkerhetskopia</translation>
         </message>
         <message>
-            <source>Backup {number} is made: {rows} entries and {files} files, {new_mb:.1f} MB of them new. All that was written has been read again and is right.</source>
-            <translation>Säkerhetskopia {number} är gjord: {rows} poster och {files} filer, varav {new_mb:.1f} MB nya. Allt som skrevs har lästs igen och är rätt.</translation>
+            <source>Backup {number} is made: patients {patients}, {rows} entries and {files} files, {new_mb:.1f} MB of them new. All that was written has been read again and is right.</source>
+            <translation>Säkerhetskopia {number} är gjord: patienter {patients}, {rows} poster och {files} filer, varav {new_mb:.1f} MB nya. Allt som skrevs har lästs igen och är rätt.</translation>
         </message>
         <message>
             <source>Backups are encrypted. Choose a passphrase of four words or more, and keep it on paper where the backup is not: without it nobody can restore the record.</source>

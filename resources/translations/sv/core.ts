@@ -360,6 +360,10 @@
             <translation>Tar medel av bilderna i vyn {view}</translation>
         </message>
         <message>
+            <source>Back the record up: what is in it is lost if its disk fails.</source>
+            <translation>Säkerhetskopiera journalen: det som finns i den går förlorat om dess disk går sönder.</translation>
+        </message>
+        <message>
             <source>Backing up files ({done} of {all})</source>
             <translation>Säkerhetskopierar filer ({done} av {all})</translation>
         </message>
@@ -1170,6 +1174,10 @@
         <message>
             <source>Made with</source>
             <translation>Framställt med</translation>
+        </message>
+        <message>
+            <source>Make a backup, and see why none was made: what was entered since is in no other place.</source>
+            <translation>Gör en säkerhetskopia och se efter varför ingen har gjorts: det som skrivits in sedan dess finns ingen annanstans.</translation>
         </message>
         <message>
             <source>Maker</source>
@@ -2716,6 +2724,10 @@
             <translation>Sessionen säger att det är en {side} fot, men formen ser ut som en {shape_side}; fråga vilken fot det är, och rätta ”side” i manifest.json vid behov.</translation>
         </message>
         <message>
+            <source>The settings in {path} are damaged, so it is not known where the record is; start the window once to mend them, or name the record.</source>
+            <translation>Inställningarna i {path} är skadade, så det är inte känt var journalen finns; starta fönstret en gång för att laga dem, eller ange journalen.</translation>
+        </message>
+        <message>
             <source>The shape does not tell left from right (a left foot of {left_mm:.0f} mm, or a right one of {right_mm:.0f} mm); say which foot it is.</source>
             <translation>Formen skiljer inte vänster från höger (en vänsterfot på {left_mm:.0f} mm eller en högerfot på {right_mm:.0f} mm); ange vilken fot det är.</translation>
         </message>
@@ -3812,6 +3824,10 @@
             <translation>kan inte undersökas</translation>
         </message>
         <message>
+            <source>cannot be opened</source>
+            <translation>kan inte öppnas</translation>
+        </message>
+        <message>
             <source>capture</source>
             <translation>avbildning</translation>
         </message>
@@ -4684,6 +4700,10 @@
             <translation>den är av version {version} i stället för 2</translation>
         </message>
         <message>
+            <source>it is only looked at.</source>
+            <translation>den betraktas bara.</translation>
+        </message>
+        <message>
             <source>it is shorter than its header</source>
             <translation>den är kortare än sitt huvud</translation>
         </message>
@@ -4818,6 +4838,10 @@
         <message>
             <source>larger</source>
             <translation>större</translation>
+        </message>
+        <message>
+            <source>last good backup {days:.1f} days old</source>
+            <translation>senaste felfria säkerhetskopian är {days:.1f} dagar gammal</translation>
         </message>
         <message>
             <source>lateral</source>
@@ -5224,6 +5248,10 @@
             <translation>ingen blå markör med djupvärde syns; kontrollera ljuset och att referenssystemet är i bild</translation>
         </message>
         <message>
+            <source>no good backup</source>
+            <translation>ingen felfri säkerhetskopia</translation>
+        </message>
+        <message>
             <source>no length between two of its markers was given; measure one by hand.</source>
             <translation>ingen längd mellan två av dess markörer angavs; mät en för hand.</translation>
         </message>
@@ -5292,8 +5320,8 @@
             <translation>av okänd ålder</translation>
         </message>
         <message>
-            <source>on a server; Clinic ▸ Verify the record examines it</source>
-            <translation>på en server; Klinik ▸ Verifiera journalen undersöker den</translation>
+            <source>on the server {place}, which answers</source>
+            <translation>på servern {place}, som svarar</translation>
         </message>
         <message>
             <source>one number</source>
@@ -5862,6 +5890,10 @@
         <message>
             <source>the back of the heel or the leg was not scanned</source>
             <translation>hälens baksida eller benet skannades inte</translation>
+        </message>
+        <message>
+            <source>the backups cannot be looked at</source>
+            <translation>säkerhetskopiorna kan inte granskas</translation>
         </message>
         <message>
             <source>the blue spots are the mirror image of the markers; check whether the pictures of this view were flipped; as they stand they fit no pose</source>

@@ -86,7 +86,7 @@ def numbers_in(folder: Path) -> list[int]:
 def test_what_only_removed_backups_refer_to_goes_with_the_next_one(
     context: RecordsContext, folder: Path, tmp_path: Path
 ) -> None:
-    assert last_backup_at(context) is None
+    assert last_backup_at(context.database) is None
     for number in range(3):
         add_person(context, f"person {number}")
         back_up(context, folder)
@@ -110,7 +110,7 @@ def test_what_only_removed_backups_refer_to_goes_with_the_next_one(
     restored = context_of(place)
     assert all_rows(restored)["persons"] == all_rows(context)["persons"]
     restored.database.close()
-    assert last_backup_at(context) is not None
+    assert last_backup_at(context.database) is not None
 
 
 def _make_old(folder: Path) -> None:

@@ -11,11 +11,11 @@ from pytestqt.qtbot import QtBot
 from insole_core.records.author import Author
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
-from insole_core.records.place import RecordsPlace
+from insole_core.records.place import DATABASE_FILE, RecordsPlace
 from insole_studio.acquisition.examined_sensors import ExaminedSensor
 from insole_studio.acquisition.sensor_errors import SensorError
 from insole_studio.app.bootstrap import Application
-from insole_studio.app.doctor import RECORD_FILE, Diagnosis, Doctor, FindSensors, report_lines
+from insole_studio.app.doctor import Diagnosis, Doctor, FindSensors, report_lines
 from insole_studio.app.doctor_dialog import DoctorDialog
 from insole_studio.app.graphics import Graphics
 from insole_studio.cli.main import run
@@ -92,8 +92,8 @@ def test_damaged_settings_are_told_and_stay_as_they_are(paths: UserPaths) -> Non
 def test_a_damaged_record_is_told_and_a_whole_one_is_not(paths: UserPaths) -> None:
     open_records(RecordsPlace.local(paths.records_folder), Author("anna", "desk")).close()
     assert examined(paths)["Record"][0].advice == ""
-    database = paths.records_folder / RECORD_FILE
-    for beside in paths.records_folder.glob(f"{RECORD_FILE}-*"):
+    database = paths.records_folder / DATABASE_FILE
+    for beside in paths.records_folder.glob(f"{DATABASE_FILE}-*"):
         beside.unlink()
     content = bytearray(database.read_bytes())
     content[4096:] = b"\xff" * (len(content) - 4096)

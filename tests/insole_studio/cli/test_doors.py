@@ -29,7 +29,8 @@ DECISION = ROOT / "docs" / "decisions" / "0045-accounts-audit-signatures.md"
 ROW = re.compile(r"^\| `(?P<door>[^`]+)` \| (?P<who>[^|]+) \| (?P<proof>[^|]+) \|$", re.MULTILINE)
 DOORS = {row["door"]: row for row in ROW.finditer(DECISION.read_text("utf-8"))}
 OPENS = re.compile(
-    r"(?<![.\w])(?<!def )(?:open_records|Database|check_place|restore|sqlite3\.connect)\("
+    r"(?<![.\w])(?<!def )"
+    r"(?:open_records|Database|check_place|look_at_place|restore|sqlite3\.connect)\("
 )
 """What opens a record: its database, or one that is restored."""
 PASSWORD = "four words in a row"

@@ -6,15 +6,16 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import UsageError
+from insole_core.errors import RecordsError, UsageError
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
-from insole_studio.cli.records.place import add_place, opened
+from insole_studio.cli.records.place import add_place, opened, place_of_window
 from insole_studio.cli.records.secrets import ask
 from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
     from insole_core.records.backup.backup_key import BackupKey
+    from insole_core.records.records import Records
 
 NAME = "backup"
 HELP = "add an encrypted snapshot of the record, with all of its files, to a folder"
@@ -45,16 +46,40 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.BACK_UP) as records:
+        _refuse_wrong_record(records)
         if key_of_backups(records.context) is None:
             set_up_backups(records.context, _new_key(arguments))
         saved = UserPaths.of_user().backed_up_folders
         report = back_up(records.context, arguments.folder, saved, progress)
     print(
-        f"snapshot {report.snapshot.number}: {report.rows} rows, {report.contents} files "
-        f"({report.contents_bytes / 1e6:.1f} MB); {report.written_bytes / 1e6:.1f} MB were new"
+        f"snapshot {report.snapshot.number} of {report.place}: {report.patients} patients, "
+        f"{report.visits} visits, {report.orders} orders; {report.rows} rows, {report.contents} "
+        f"files ({report.contents_bytes / 1e6:.1f} MB); {report.written_bytes / 1e6:.1f} MB were "
+        "new"
     )
     for sha256 in report.damaged:
         print(f"not in the backup, because the record has lost it: {sha256}")
+
+
+def _refuse_wrong_record(records: Records) -> None:
+    """Refuse to save a record without patients while that of the window has some.
+
+    Raises
+    ------
+    RecordsError
+    """
+    from insole_core.records.place_check import look_at_place
+
+    place, window = records.place, place_of_window()
+    if place == window or look_at_place(place).patients:
+        return
+    if look_at_place(window).patients:
+        raise RecordsError(
+            "No backup was made: {place} holds no patient, but {window}, the record of the window, "
+            "holds some; leave --record and --database out to back that up.",
+            place=place.name,
+            window=window.name,
+        )
 
 
 def _new_key(arguments: argparse.Namespace) -> BackupKey:

@@ -27,7 +27,7 @@ def add_place(parser: argparse.ArgumentParser) -> None:
     """Add the options that name a record and an account."""
     parser.add_argument(
         "--record", type=Path, metavar="FOLDER",
-        help="folder of a record (default: that of the window)",
+        help="folder of a record (default: the record of the window, also if it is on a server)",
     )  # fmt: skip
     parser.add_argument(
         "--database", metavar="URL",
@@ -59,17 +59,34 @@ def place_of(arguments: argparse.Namespace) -> RecordsPlace:
     ------
     UsageError
         When they contradict each other.
+    InputError
+        When the settings of the window are asked, and do not tell it.
     """
     from insole_core.records.place import RecordsPlace
-    from insole_studio.user_paths import UserPaths
 
     if arguments.database is None:
         if arguments.contents is not None:
             raise UsageError("--contents belongs to --database; name both, or neither.")
-        return RecordsPlace.local(arguments.record or UserPaths.of_user().records_folder)
+        if arguments.record is None:
+            return place_of_window()
+        return RecordsPlace.local(arguments.record)
     if arguments.record is not None or arguments.contents is None:
         raise UsageError("--database needs --contents, and takes no --record.")
     return RecordsPlace.of_url(arguments.database, arguments.contents)
+
+
+def place_of_window() -> RecordsPlace:
+    """Return the place of the record that the window opens.
+
+    Raises
+    ------
+    InputError
+        When its settings do not tell it.
+    """
+    from insole_studio.document.record_location import location_of_window
+    from insole_studio.user_paths import UserPaths
+
+    return location_of_window(UserPaths.of_user()).place()
 
 
 def check_may_set_aside(arguments: argparse.Namespace) -> None:

@@ -3,13 +3,27 @@
 from __future__ import annotations
 
 import argparse
+import logging
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from insole_core.errors import InsoleError
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.records.place import add_place, check_may_set_aside, place_of
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
+from insole_studio.document.record_location import (
+    RecordLocation,
+    let_window_open,
+    location_of_window,
+    settings_for,
+)
 from insole_studio.user_paths import UserPaths
+
+if TYPE_CHECKING:
+    from insole_core.records.place import RecordsPlace
+
+log = logging.getLogger(__name__)
 
 NAME = "restore"
 HELP = "restore the record with all of its files, into an empty place"
@@ -36,14 +50,17 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
     if arguments.set_aside:
         check_may_set_aside(arguments)
+    paths, place = UserPaths.of_user(), place_of(arguments)
+    location = _location_of(place, paths)
     report = restore(
         arguments.folder,
         secret_of(arguments),
-        place_of(arguments),
+        place,
         Author.of_user(),
         number=arguments.snapshot,
         replace_existing=arguments.set_aside,
-        settings=UserPaths.of_user().backed_up_folders,
+        settings=None if location is None else paths.backed_up_folders,
+        revise=None if location is None else settings_for(location, paths),
         progress=progress,
     )
     print(
@@ -59,3 +76,45 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         print(f"was lost before the backup was made: {sha256}")
     if report.audit.problem is not None:
         print(report.audit.problem)
+    print(_put_in_front(place, location, paths))
+
+
+def _location_of(place: RecordsPlace, paths: UserPaths) -> RecordLocation | None:
+    """Return how the settings name a place; None for a folder that the window does not open."""
+    if not place.is_local:
+        url = place.url.set(password=None).render_as_string()
+        return RecordLocation(paths.records_folder, url, str(place.contents.absolute()))
+    location = RecordLocation(paths.records_folder)
+    return (
+        location
+        if location.place().database_file.resolve() == place.database_file.resolve()
+        else None
+    )
+
+
+def _put_in_front(place: RecordsPlace, location: RecordLocation | None, paths: UserPaths) -> str:
+    """Let the window open what was restored, unless its record has patients; tell which it is."""
+    if location is None:
+        folder = place.contents.parent
+        return f"the window opens its own record as before; this one is --record {folder}"
+    still = _other_with_patients(location, paths)
+    if still:
+        return (
+            f"the window still opens {still}, which holds patients; Clinic › Where the record is… "
+            f"leads it to {place.name}"
+        )
+    let_window_open(location, paths)
+    return f"the window opens {place.name}"
+
+
+def _other_with_patients(location: RecordLocation, paths: UserPaths) -> str:
+    """Return the name of the window's record if that is another one, answers, and has patients."""
+    from insole_core.records.place_check import look_at_place
+
+    try:
+        place = location_of_window(paths).place()
+        if place != location.place() and look_at_place(place).patients:
+            return place.name
+    except InsoleError as error:
+        log.info("the record of the window is not there any more: %s", error)
+    return ""

@@ -41,7 +41,7 @@ def read_facts(records: Records) -> BackupFacts:
 
     with records.context.database.reading() as connection:
         has_some = has_patients(connection)
-    return BackupFacts(last_backup_at(records.context), has_some)
+    return BackupFacts(last_backup_at(records.context.database), has_some)
 
 
 def reminder_text(facts: BackupFacts, day: BackupDay, now: datetime) -> str:
@@ -56,8 +56,12 @@ def reminder_text(facts: BackupFacts, day: BackupDay, now: datetime) -> str:
         if not facts.has_patients:
             return ""
         return tr("There is no backup yet: what is in the record is lost if its disk fails.")
-    interval = timedelta(days=1) if day == "daily" else WEEK
-    if now - facts.last <= INTERVALS * interval:
+    if not is_overdue(facts.last, day, now):
         return ""
     sentence = tr("The last backup is of {moment}; what was entered since is in no other place.")
     return sentence.format(moment=moment_text(facts.last))
+
+
+def is_overdue(last: datetime, day: BackupDay, now: datetime) -> bool:
+    """Return whether a backup is older than two intervals of a plan."""
+    return now - last > INTERVALS * (timedelta(days=1) if day == "daily" else WEEK)

@@ -300,10 +300,11 @@ def report_text(report: BackupReport) -> str:
     """Say what a backup has written; all of it was read again."""
     sentence = fill(
         tr(
-            "Backup {number} is made: {rows} entries and {files} files, {new_mb:.1f} MB of them "
-            "new. All that was written has been read again and is right."
+            "Backup {number} is made: patients {patients}, {rows} entries and {files} files, "
+            "{new_mb:.1f} MB of them new. All that was written has been read again and is right."
         ),
         number=report.snapshot.number,
+        patients=report.patients,
         rows=report.rows,
         files=report.contents,
         new_mb=report.written_bytes / MEGABYTE,

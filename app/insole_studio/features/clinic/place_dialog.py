@@ -187,7 +187,7 @@ class PlaceDialog(RecordDialog):
         )
 
     def _tell(self, _location: RecordLocation, report: PlaceReport) -> None:
-        if report.persons is None:
+        if report.patients is None:
             self.say(tr("The database answers and is empty: a new record would begin there."))
         elif report.is_older:
             self.say(
@@ -198,7 +198,7 @@ class PlaceDialog(RecordDialog):
             )
         else:
             sentence = tr("The database answers and holds a record; patients in it: {count}.")
-            self.say(sentence.format(count=report.persons))
+            self.say(sentence.format(count=report.patients))
 
     def _take(self, location: RecordLocation, _report: PlaceReport) -> None:
         self._finish(location)

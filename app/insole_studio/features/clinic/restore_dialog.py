@@ -12,7 +12,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton
 
 from insole_core.progress import Progress
-from insole_studio.document.record_location import RecordLocation
+from insole_studio.document.record_location import RecordLocation, settings_for
 from insole_studio.features.clinic.backups import Backups
 from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.password_fields import secret_line
@@ -43,7 +43,6 @@ class _Plan:
     secret: str
     number: int
     location: RecordLocation
-    settings: dict[str, Path]
 
 
 class RestoreDialog(RecordDialog):
@@ -65,7 +64,7 @@ class RestoreDialog(RecordDialog):
         self.resize(*_SIZE)
         self._backups = backups
         self._jobs = jobs = backups.jobs
-        self._settings = services.paths.backed_up_folders
+        self._paths = services.paths
         self._messages = services.messages
         folder = services.settings.backup_folder
         self._listed: Path | None = None
@@ -149,7 +148,8 @@ class RestoreDialog(RecordDialog):
                 Author.of_user(),
                 number=plan.number,
                 replace_existing=replaces,
-                settings=plan.settings,
+                settings=self._paths.backed_up_folders,
+                revise=settings_for(plan.location, self._paths),
                 progress=stoppable,
             )
 
@@ -181,7 +181,7 @@ class RestoreDialog(RecordDialog):
             self.secret.setFocus()
             return None
         number = int(self.table.current_key)
-        return _Plan(self._folder, self.secret.text(), number, self.clinic.location, self._settings)
+        return _Plan(self._folder, self.secret.text(), number, self.clinic.location)
 
     def _run(self, channel: str, task: Task[Result], done: Callable[[Result], None]) -> None:
         self._jobs.start(channel, task, self.while_open(done), self.while_open(self.refuse))

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, Dialog, shown
 from argon2 import PasswordHasher
-from postgres_server import binaries, running_server
 from pytestqt.qtbot import QtBot
 from stations import add_member, proven
 
@@ -61,16 +60,6 @@ def backup_folder(tmp_path: Path) -> Path:
     folder = tmp_path / "disk"
     folder.mkdir()
     return folder
-
-
-@pytest.fixture
-def postgres_url() -> Iterator[str]:
-    """The address of an empty database on a server of this test alone."""
-    if binaries() is None:
-        pytest.skip("PostgreSQL is not installed")
-    with running_server() as server:
-        server.execute("CREATE DATABASE records")
-        yield server.url("records")
 
 
 @pytest.fixture
