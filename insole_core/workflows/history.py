@@ -37,8 +37,8 @@ class History(Generic[Value]):
         sentence
             Description for the user.
         merge_key
-            A change with the same non-empty key as the one before is merged into it, so that ten
-            clicks on a spin box are one step of undo.
+            A change with the same non-empty key as the one before is merged into it unless
+            `end_merging` was called in between, so that one run of the wheel is one step of undo.
         """
         self._undone.clear()
         if merge_key and merge_key == self._open_key:

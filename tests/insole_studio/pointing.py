@@ -1,11 +1,12 @@
-"""The mouse of a journey: real events in a 3-D view, at places in mm."""
+"""Mouse and keys of a journey: real events, in a 3-D view at places in mm."""
 
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QKeyEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_studio.scene.scene_view import SceneView
 
@@ -32,3 +33,28 @@ def drag(view: SceneView, *way: QPoint, button: Qt.MouseButton = LEFT) -> None:
     """Press, move, release; two places are joined by a straight way."""
     lead(view, *way, button=button)
     QTest.mouseRelease(view.surface, button, pos=way[-1])
+
+
+def turn_wheel(widget: QWidget, notches: int) -> None:
+    """Turn the wheel over the middle of a widget."""
+    middle = QPointF(widget.rect().center())
+    turned = QWheelEvent(
+        middle,
+        widget.mapToGlobal(middle),
+        QPoint(),
+        QPoint(0, 120 * notches),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(widget, turned)
+
+
+def hold(field: QWidget, key: Qt.Key, repeats: int) -> None:
+    """Press a key and hold it, which the system reports as one press and repeated ones."""
+    for is_repeated in (False, *[True] * repeats):
+        event = QKeyEvent(
+            QEvent.Type.KeyPress, key, Qt.KeyboardModifier.NoModifier, "", is_repeated
+        )
+        QApplication.sendEvent(field, event)

@@ -1,10 +1,20 @@
-"""What holds for the whole application: foreign text, typed text, F1, files to open."""
+"""What holds for the whole application: foreign text, typed text, the wheel, F1, files to open."""
 
 from __future__ import annotations
 
+import time
+
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QFileOpenEvent, QGuiApplication, QKeyEvent
-from PySide6.QtWidgets import QApplication, QLabel, QWidget
+from PySide6.QtWidgets import (
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLabel,
+    QScrollBar,
+    QWidget,
+)
 from shiboken6 import isValid
 
 from insole_studio.widgets.typed_text import commit_typed_text
@@ -18,6 +28,14 @@ _USER_TURNS = (
     QEvent.Type.Close,
 )
 """Events by which the user turns from the focused field to something else."""
+_PRESSES = (
+    QEvent.Type.MouseButtonPress,
+    QEvent.Type.MouseButtonDblClick,
+    QEvent.Type.TouchBegin,
+    QEvent.Type.TabletPress,
+)
+WHEEL_REST_S = 0.7
+"""A wheel that rests longer than this begins another run."""
 
 
 class ApplicationEvents(QObject):
@@ -30,9 +48,14 @@ class ApplicationEvents(QObject):
     What is typed into a field counts as entered as soon as the user turns to anything else:
     buttons of a toolbar, menus, shortcuts and closing a window do not take the focus from it.
 
+    The wheel changes the value of a field only if the field has the focus; else the panel scrolls.
+
     F1 asks for help in every window; a shortcut of the main window does not count in the others.
     """
 
+    gesture_began = Signal()
+    """Emitted when the user begins to do another thing: presses a button or a key, or turns the
+    wheel after a rest. A drag, a held key and a run of the wheel are one gesture each."""
     help_requested = Signal(QWidget)
     """With the widget that had the focus."""
     file_requested = Signal(str)
@@ -40,18 +63,24 @@ class ApplicationEvents(QObject):
 
     def __init__(self, application: QApplication) -> None:
         super().__init__(application)
+        self._wheel_turned_at = 0.0
         application.installEventFilter(self)
         for widget in application.allWidgets():  # those that were made before
             if isValid(widget):  # else it goes at the next turn, with the window it was in
-                _show_as_it_is(widget)
+                _prepare(widget)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Look at an event on its way; F1 and files to open are withheld."""
         kind = event.type()
+        if self._begins_gesture(event):
+            self.gesture_began.emit()
         if kind == QEvent.Type.Polish:
-            _show_as_it_is(watched)
-        elif kind in _USER_TURNS and _is_turned_to(watched) and not _is_in_focused_field(watched):
+            _prepare(watched)
+        elif kind in _USER_TURNS and _is_turned_to(watched) and not _is_in_focus(watched):
             commit_typed_text()
+            if kind == QEvent.Type.Wheel and _is_in_field(watched):
+                event.ignore()  # so that it goes on to what scrolls
+                return True
         elif isinstance(event, QKeyEvent) and _asks_for_help(event, watched):
             self.help_requested.emit(watched)
             return True
@@ -59,6 +88,15 @@ class ApplicationEvents(QObject):
             self.file_requested.emit(event.file())
             return True
         return False
+
+    def _begins_gesture(self, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent):
+            return event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
+        if event.type() != QEvent.Type.Wheel:
+            return event.type() in _PRESSES
+        now = time.monotonic()
+        rest_s, self._wheel_turned_at = now - self._wheel_turned_at, now
+        return rest_s > WHEEL_REST_S
 
     def close(self) -> None:
         """Stop filtering."""
@@ -71,9 +109,11 @@ def _asks_for_help(event: QKeyEvent, watched: QObject) -> bool:
     return is_f1 and event.type() == QEvent.Type.KeyPress and watched.isWidgetType()
 
 
-def _show_as_it_is(watched: QObject) -> None:
+def _prepare(watched: QObject) -> None:
     if isinstance(watched, QLabel) and watched.textFormat() == Qt.TextFormat.AutoText:
         watched.setTextFormat(Qt.TextFormat.PlainText)
+    elif isinstance(watched, QWidget) and watched.focusPolicy() == Qt.FocusPolicy.WheelFocus:
+        watched.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
 
 def _is_turned_to(watched: QObject) -> bool:
@@ -85,8 +125,19 @@ def _is_turned_to(watched: QObject) -> bool:
     return not is_tip
 
 
-def _is_in_focused_field(watched: QObject) -> bool:
+def _is_in_focus(watched: QObject) -> bool:
     field = QApplication.focusWidget()
-    return field is None or (
-        isinstance(watched, QWidget) and (watched is field or field.isAncestorOf(watched))
-    )
+    is_within = field is not None and isinstance(watched, QWidget) and field.isAncestorOf(watched)
+    return watched is field or is_within
+
+
+def _is_in_field(watched: QObject) -> bool:
+    """Return whether a widget is, or is part of, a field whose value the wheel would change."""
+    widget = watched if isinstance(watched, QWidget) else None
+    while widget is not None:
+        if isinstance(widget, QAbstractSpinBox | QComboBox | QAbstractSlider):
+            return not isinstance(widget, QScrollBar)
+        if widget.isWindow():  # the list of a combo box is a window of its own, and scrolls
+            return False
+        widget = widget.parentWidget()
+    return False

@@ -190,6 +190,8 @@ def build_application(
     maintenance = RecordMaintenance(clinic, window)
     events = ApplicationEvents(application)  # last: making a window sends thousands of events
     events.help_requested.connect(main.help.show_manual_about)
+    events.gesture_began.connect(case.end_merging)
+    events.gesture_began.connect(features.foot.end_merging)
     return Application(
         services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )

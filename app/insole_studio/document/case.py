@@ -117,7 +117,7 @@ class Case(QObject):
         sentence
             What was done, for the undo menu: "Move the pelott".
         merge_key
-            Consecutive steps with the same non-empty key are merged into one.
+            Steps of one gesture with the same non-empty key are merged into one.
         """
         self._shown = None
         if isinstance(value, FootRecord):
@@ -130,6 +130,10 @@ class Case(QObject):
         before = self._record if after.at_hand is None else self._record.at(after.at_hand)
         self._history.push(before, after, sentence, merge_key)
         self._set(after)
+
+    def end_merging(self) -> None:
+        """Let the next change be an undo step of its own, as the user begins another gesture."""
+        self._history.end_merging()
 
     def preview(self, value: Changeable) -> None:
         """Show a change without making it."""
@@ -148,7 +152,7 @@ class Case(QObject):
         if self._record.at(side) is not self._record:
             self.leaving.emit()
             self._shown = None
-            self._history.end_merging()
+            self.end_merging()
             self._put(self._record.at(side))
 
     def undo(self) -> None:

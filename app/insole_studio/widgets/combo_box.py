@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QWidget
 
 
@@ -19,20 +18,12 @@ class ComboBox(QComboBox):
         super().__init__(parent)
         for word, text in options:
             self.addItem(text, word)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.activated.connect(self._pass_on)
 
     def show_value(self, word: str) -> None:
         """Select a value without emitting `edited`."""
         with QSignalBlocker(self):
             self.setCurrentIndex(self.findData(word))
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Change the value only if the box has the focus, so that scrolling a panel does not."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
 
     def _pass_on(self, number: int) -> None:
         self.edited.emit(self.itemData(number))

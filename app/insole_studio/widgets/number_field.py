@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from decimal import ROUND_HALF_UP, Decimal
+
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QWidget
@@ -19,12 +22,14 @@ _OF_THE_WINDOW = (Qt.Key.Key_Z, Qt.Key.Key_Y, Qt.Key.Key_E)
 
 _UNFINISHED = ("", "-", ".", ",", "-.", "-,")
 """Beginnings of a number, which need no explanation."""
+_NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)")
 
 
 class NumberField(QDoubleSpinBox):
     """A number with its unit. Shift makes a step ten times as large, Ctrl a tenth.
 
-    A number out of range can be typed and is rejected with a message: 40 must never become 4.
+    The unit may be typed. A number out of range is rejected with a message when it is entered: 40
+    must never become 4. One with more decimals than the field has is rounded, with a message.
     """
 
     edited = Signal(float)
@@ -49,11 +54,12 @@ class NumberField(QDoubleSpinBox):
         self.setSuffix(f" {unit}" if unit else "")
         self.setKeyboardTracking(False)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.valueChanged.connect(self.edited)
         self._room_px = 0
+        self._typed = ""
         self.refusal = ValidationBubble(self)
-        self.lineEdit().textEdited.connect(self.refusal.hide)
+        self.lineEdit().textEdited.connect(self._note_typed)
+        self.editingFinished.connect(self._say_rounded)
 
     @property
     def is_for_fingers(self) -> bool:
@@ -110,14 +116,14 @@ class NumberField(QDoubleSpinBox):
         return super().event(event)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
-        """Accept comma and point; what is no number of the range is rejected when committed.
+        """Accept comma, point and the unit; what is no number of the range is rejected later.
 
         A key that is swallowed would make another number of what was typed: 11 of 1e1.
         """
-        state, localised, position = super().validate(self._localised(text), position)
-        if state == QValidator.State.Invalid or self._is_beyond(text):
-            return (QValidator.State.Intermediate, text, position)
-        return (state, localised, position)
+        number = self._number(text)
+        is_taken = number is not None and not self._is_beyond(self._rounded(number))
+        state = QValidator.State.Acceptable if is_taken else QValidator.State.Intermediate
+        return (state, text, position)
 
     def fixup(self, text: str) -> str:
         """Explain why a number is rejected, and return the previous value."""
@@ -145,8 +151,9 @@ class NumberField(QDoubleSpinBox):
         return text
 
     def valueFromText(self, text: str) -> float:
-        """Parse a number with comma or point."""
-        return super().valueFromText(self._localised(text))
+        """Parse a number with comma or point, rounded to the decimals of the field."""
+        number = self._number(text)
+        return self.value() if number is None else self._rounded(number)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Step with the arrow keys; Escape restores the value."""
@@ -190,15 +197,38 @@ class NumberField(QDoubleSpinBox):
             value = self._least_known if steps > 0 else 0.0
         self.setValue(value)
 
-    def _is_beyond(self, text: str) -> bool:
-        value, is_number = self.locale().toDouble(self._localised(self._bare(text)))
-        if not is_number:
-            return False
+    def _note_typed(self, text: str) -> None:
+        self._typed = text
+        self.refusal.hide()
+
+    def _say_rounded(self) -> None:
+        typed, self._typed = self._bare(self._typed), ""
+        number = self._number(typed)
+        if number is None:
+            return
+        rounded = self._rounded(number)
+        if rounded == self.value() and Decimal(str(rounded)) != number:
+            self.refusal.say(
+                tr("{typed} is taken as {rounded}.").format(
+                    typed=typed + self.suffix(), rounded=self.text()
+                )
+            )
+
+    def _is_beyond(self, value: float) -> bool:
         return 0 < value < self._least_known or not self.minimum() <= value <= self.maximum()
 
-    def _bare(self, text: str) -> str:
-        return text.removesuffix(self.suffix()).strip()
+    def _rounded(self, number: Decimal) -> float:
+        smallest = Decimal(1).scaleb(-self.decimals())
+        return float(number.quantize(smallest, ROUND_HALF_UP))
 
-    def _localised(self, text: str) -> str:
-        point = self.locale().decimalPoint()
-        return text.replace(",", point).replace(".", point)
+    def _number(self, text: str) -> Decimal | None:
+        bare = self._bare(text)
+        return Decimal(bare.replace(",", ".")) if _NUMBER.fullmatch(bare) else None
+
+    def _bare(self, text: str) -> str:
+        """Return what is typed without the unit, which a user may have typed once more."""
+        unit = self.suffix().strip()
+        bare = text.removeprefix(self.prefix()).strip()
+        while unit and bare.endswith(unit):
+            bare = bare.removesuffix(unit).strip()
+        return bare

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QWheelEvent
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QSlider, QWidget
 
 from insole_studio.widgets.number_field import NumberField
@@ -93,7 +93,7 @@ class SliderField(QWidget):
 
 
 class _Slider(QSlider):
-    """A slider that Escape takes back, and that the wheel moves only if it has the focus."""
+    """A slider that Escape takes back."""
 
     given_up = Signal()
 
@@ -113,13 +113,6 @@ class _Slider(QSlider):
             self.given_up.emit()
         else:
             super().keyPressEvent(event)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Change the value only if the slider has the focus, so that scrolling a panel does not."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
 
     def _is_given_up(self, event: QKeyEvent) -> bool:
         return self.isSliderDown() and event.key() == Qt.Key.Key_Escape

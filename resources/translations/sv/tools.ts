@@ -247,5 +247,9 @@
             <source>{typed} cannot be taken; put in {least} to {greatest}. It stays {before}.</source>
             <translation>{typed} går inte; ange {least} till {greatest}. Det förblir {before}.</translation>
         </message>
+        <message>
+            <source>{typed} is taken as {rounded}.</source>
+            <translation>{typed} avrundas till {rounded}.</translation>
+        </message>
     </context>
 </TS>

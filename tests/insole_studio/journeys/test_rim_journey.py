@@ -9,16 +9,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointing import LEFT, drag, lead
+from pointing import LEFT, drag, hold, lead, turn_wheel
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QWheelEvent
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
-    QApplication,
     QPushButton,
     QStyle,
     QStyleOptionSlider,
-    QWidget,
 )
 from pytestqt.qtbot import QtBot
 
@@ -189,12 +187,10 @@ def test_the_keyboard_shapes_the_rim(designed: Application, chart: RimChart) -> 
     number = designed.stage.rim_model.selected
     assert number is not None
     before = finish(designed).rim[number]
-    for _ in range(4):
-        QTest.keyClick(chart, Qt.Key.Key_Up)
+    hold(chart, Qt.Key.Key_Up, repeats=3)
     assert finish(designed).rim[number].height_mm == pytest.approx(before.height_mm + 2.0)
-    assert len(designed.case.history) == steps + 1, "nudges in a row are one step"
-    for _ in range(4):
-        QTest.keyClick(chart, Qt.Key.Key_Right)
+    assert len(designed.case.history) == steps + 1, "a held key is one step"
+    hold(chart, Qt.Key.Key_Right, repeats=3)
     moved = designed.stage.rim_model.placed[number].arc_mm
     assert len(designed.case.history) == steps + 2
     QTest.keyClick(chart, Qt.Key.Key_Insert)
@@ -332,22 +328,6 @@ def test_a_slider_dragged_with_the_mouse_is_followed_and_is_one_step(
     assert finish(designed).rim[0].height_mm == dragged
     assert len(designed.case.history) == steps + 1
     assert not designed.stage.tool_controller.is_busy
-
-
-def turn_wheel(widget: QWidget, notches: int) -> None:
-    """Turn the wheel over the middle of a widget."""
-    middle = QPointF(widget.rect().center())
-    turned = QWheelEvent(
-        middle,
-        widget.mapToGlobal(middle),
-        QPoint(),
-        QPoint(0, 120 * notches),
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(widget, turned)
 
 
 def test_the_wheel_moves_a_slider_that_was_clicked_and_no_other(

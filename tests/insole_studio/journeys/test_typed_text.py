@@ -8,14 +8,18 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from pointing import hold, turn_wheel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
+    QAbstractSlider,
     QAbstractSpinBox,
     QApplication,
+    QComboBox,
     QLineEdit,
     QMenu,
     QPlainTextEdit,
+    QScrollBar,
     QSpinBox,
     QToolBar,
     QToolButton,
@@ -282,6 +286,82 @@ def test_a_click_into_the_field_itself_enters_nothing(saved: Application) -> Non
     QTest.mouseClick(saved.window.windowHandle(), Qt.MouseButton.LeftButton, NONE, place)
     assert field.cleanText() == "400"
     assert not field.refusal.isVisible()
+
+
+def test_each_number_that_is_entered_is_a_step_of_undo(
+    saved: Application, settle: Callable[[], None]
+) -> None:
+    field, entered = number(saved, "insole.thickness_mm"), [field_thickness(saved)]
+    for text in ("5", "4", "6"):
+        type_into(field, text)
+        strike(field, KEY.Key_Return)
+        entered.append(field_thickness(saved))
+    for thickness in reversed(entered[:-1]):
+        strike(saved.window, KEY.Key_Z, CTRL)
+        assert field_thickness(saved) == thickness
+    settle()
+
+
+def field_thickness(app: Application) -> float:
+    return app.case.record.current.design.thickness_mm
+
+
+def test_a_held_key_and_a_run_of_the_wheel_are_a_step_each(
+    saved: Application, settle: Callable[[], None]
+) -> None:
+    field, before = number(saved, "insole.thickness_mm"), field_thickness(saved)
+    type_into(field, "")
+    hold(field, KEY.Key_Up, repeats=3)
+    held = field_thickness(saved)
+    assert held > before
+    for _ in range(3):
+        turn_wheel(field, 1)
+    turned = field_thickness(saved)
+    assert turned > held
+    hold(field, KEY.Key_Up, repeats=0)
+    strike(saved.window, KEY.Key_Z, CTRL)
+    assert field_thickness(saved) == turned
+    strike(saved.window, KEY.Key_Z, CTRL)
+    assert field_thickness(saved) == held
+    strike(saved.window, KEY.Key_Z, CTRL)
+    assert field_thickness(saved) == before
+    settle()
+
+
+def all_values(window: QWidget) -> dict[QWidget, object]:
+    """What stands in every field of a window."""
+    fields = window.findChildren(QAbstractSpinBox)
+    combos = window.findChildren(QComboBox)
+    sliders = [s for s in window.findChildren(QAbstractSlider) if not isinstance(s, QScrollBar)]
+    return (
+        {field: field.text() for field in fields}
+        | {combo: combo.currentIndex() for combo in combos}
+        | {slider: slider.value() for slider in sliders}
+    )
+
+
+def test_no_field_takes_the_wheel_without_the_focus(
+    saved: Application, settle: Callable[[], None]
+) -> None:
+    saved.features.export.open()
+    stage = saved.features.export.stage
+    assert stage is not None
+    settle()
+    for window in (saved.window, stage):
+        window.activateWindow()
+        QTest.qWaitForWindowActive(window)
+        if (focused := QApplication.focusWidget()) is not None:
+            focused.clearFocus()
+        before, steps = all_values(window), len(saved.case.history)
+        assert len(before) > 10
+        for field in before:
+            part = field.findChild(QLineEdit) or field
+            turn_wheel(part, 1)
+            turn_wheel(part, -1)
+            turn_wheel(field, -1)
+            assert not field.hasFocus()
+        assert all_values(window) == before
+        assert len(saved.case.history) == steps
 
 
 def test_a_tooltip_that_goes_enters_nothing(saved: Application, qtbot: QtBot) -> None:

@@ -71,6 +71,11 @@ class FootWindow(StageWindow["FootStage"]):
         stage.unreadable.connect(self.unreadable)
         stage.closed.connect(self.closed)
 
+    def end_merging(self) -> None:
+        """Let the next correction be an undo step of its own."""
+        if self.stage is not None:
+            self.stage.presenter.end_merging()
+
     def leave_case(self, coming: CaseRecord) -> bool:
         """Close the stage, whose foot belongs to the case that is left.
 

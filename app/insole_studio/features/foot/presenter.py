@@ -227,6 +227,11 @@ class FootStagePresenter:
         key = f"box {self._side}"
         self._apply(self._edits_with_box(box), tr("Change the volume"), merge_key=key)
 
+    def end_merging(self) -> None:
+        """Let the next correction be an undo step of its own."""
+        if self._work is not None:
+            self._work.history.end_merging()
+
     def reset_box(self) -> None:
         """Restore the recorded volume of interest."""
         self._apply(self._edits_with_box(None), tr("Reset the volume"))
