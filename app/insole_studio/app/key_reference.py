@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.menus import MENUS
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
 from insole_studio.widgets.key_help import Line
 
@@ -33,6 +35,7 @@ FIELD_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
 WINDOW_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
     (lambda: tr("Open a menu by its underlined letter"), "Alt+…"),
     (lambda: tr("Close the window of a stage"), "Ctrl+W"),
+    (lambda: tr("Back from Check & export and Compare; first stop what is being made"), "Esc"),
     (lambda: tr("Go on from a stage: to the design; export"), "Ctrl+Enter"),
 )
 
@@ -45,4 +48,8 @@ def key_sections() -> Iterator[tuple[str, list[Line]]]:
     records = {record.key: record for record in ACTIONS}
     for title, menu in MENUS:
         shown = [records[key] for key in menu if key in records and records[key].shortcut]
-        yield title().replace("&", ""), [(r.text().replace("&&", "&"), r.shortcut) for r in shown]
+        yield title().replace("&", ""), [(r.text().replace("&&", "&"), _keys(r)) for r in shown]
+
+
+def _keys(record: ActionRecord[Any]) -> str:
+    return ", ".join(filter(None, (record.shortcut, record.other_shortcut)))

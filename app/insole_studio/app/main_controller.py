@@ -24,7 +24,7 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.typed_text import commit_typed_text
 
-_STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
+_STEP_ACTIONS = {"foot": "tool_key_point", "export": "export"}
 
 
 class MainController(QObject):
@@ -248,7 +248,7 @@ class MainController(QObject):
             self.run_action("capture", False)
         elif key == "foot" and (session := session_of(self._case.record)) is not None:
             self._features.foot.open_session(session, hand_over=False)
-        elif self._case.foot is not None:
+        elif key in _STEP_ACTIONS and self._case.foot is not None:
             self.run_action(_STEP_ACTIONS[key], True)
 
     def _close(self) -> None:

@@ -262,8 +262,8 @@ class MainWindow(QMainWindow):
         action.setCheckable(record.checkable)
         if record.icon:
             action.setIcon(icon(record.icon))
-        if record.shortcut:
-            action.setShortcut(QKeySequence(record.shortcut))
+        shortcuts = filter(None, (record.shortcut, record.other_shortcut))
+        action.setShortcuts([QKeySequence(shortcut) for shortcut in shortcuts])
         signal = action.toggled if record.checkable else action.triggered
         signal.connect(self._pass_on)
         return action

@@ -25,6 +25,8 @@ class ActionRecord(Generic[Feature]):
         Name in `widgets.icons`; empty for none.
     shortcut
         Qt's portable form; empty for none.
+    other_shortcut
+        One that does the same, for users of programs that have it.
     checkable
         Whether it can be on or off.
     group
@@ -43,6 +45,7 @@ class ActionRecord(Generic[Feature]):
     run: Callable[[Feature, bool], object]
     icon: str = ""
     shortcut: str = ""
+    other_shortcut: str = ""
     checkable: bool = False
     group: str = ""
     needs_foot: bool = False

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QWidget
 
 
@@ -63,7 +63,7 @@ def give_focus(
 
 
 class StageFrame(QWidget):
-    """Window of a stage: tab order in reading order, Ctrl+W closes it."""
+    """Window of a stage: tab order in reading order; Ctrl+W closes it, Escape goes back."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -72,6 +72,16 @@ class StageFrame(QWidget):
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Move the focus in reading order."""
         return go_on([self], forward) if self.isWindow() else super().focusNextPrevChild(forward)
+
+    def go_back(self) -> None:
+        """Do what Escape asks for; nothing where closing would lose what was captured or made."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go back on Escape, unless a widget in the window has handled the key."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.go_back()
+        else:
+            super().keyPressEvent(event)
 
 
 def _is_stop(widget: QWidget) -> bool:

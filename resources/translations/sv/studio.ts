@@ -180,6 +180,14 @@
             <translation>Som storleken säger</translation>
         </message>
         <message>
+            <source>Back from Check &amp; export and Compare; first stop what is being made</source>
+            <translation>Tillbaka från Kontroll &amp; export och Jämför; avbryt först det som görs</translation>
+        </message>
+        <message>
+            <source>Back to the design; what is chosen here is kept</source>
+            <translation>Tillbaka till designen; det som är valt här behålls</translation>
+        </message>
+        <message>
             <source>Ball</source>
             <translation>Trampdyna</translation>
         </message>

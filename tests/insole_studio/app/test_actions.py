@@ -18,7 +18,7 @@ def test_keys_texts_and_shortcuts_are_unique() -> None:
     for values in (
         KEYS,
         [record.text() for record in ACTIONS],
-        [record.shortcut for record in ACTIONS if record.shortcut],
+        [s for record in ACTIONS for s in (record.shortcut, record.other_shortcut) if s],
     ):
         assert [value for value, count in Counter(values).items() if count > 1] == []
 

@@ -12,7 +12,7 @@ import pytest
 from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QScroller, QToolButton
+from PySide6.QtWidgets import QApplication, QLineEdit, QScroller, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 from round_foot import round_foot
 
@@ -443,6 +443,47 @@ def test_the_steps_show_how_far_the_case_is(opened: Application) -> None:
     assert signs() == "○●●◉○"
     opened.case.open(CaseRecord(), None)
     assert signs() == "◉○○○○"
+
+
+def test_the_step_of_the_design_takes_no_tool(opened: Application, foot: SceneView) -> None:
+    act(opened, "tool_orbit")
+    step = next(b for b in opened.stage.steps.findChildren(QToolButton) if "Design" in b.text())
+    QTest.mouseClick(step, LEFT)
+    assert opened.stage.tool_controller.tool.key == "orbit"
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 110.0))
+    assert opened.case.record.current.design.corrections == ()
+
+
+def test_both_usual_shortcuts_redo(opened: Application) -> None:
+    window, control = opened.window, Qt.KeyboardModifier.ControlModifier
+    shift = Qt.KeyboardModifier.ShiftModifier
+    window.activateWindow()
+    QTest.qWaitForWindowActive(window)
+    act(opened, "add_heel_lift")
+    lifted = opened.case.record
+    for key, modifiers in ((Qt.Key.Key_Y, control), (Qt.Key.Key_Z, control | shift)):
+        QTest.keyClick(window, Qt.Key.Key_Z, control)
+        assert opened.case.record != lifted
+        QTest.keyClick(window, key, modifiers)
+        assert opened.case.record == lifted
+
+
+@pytest.mark.parametrize("feature", ["export", "compare"])
+def test_escape_and_its_button_close_a_stage(
+    opened: Application, qtbot: QtBot, settle: Callable[[], None], feature: str
+) -> None:
+    window = getattr(opened.features, feature)
+    ways: list[Callable[[QWidget], None]] = [
+        lambda stage: QTest.keyClick(stage, Qt.Key.Key_Escape),
+        lambda stage: QTest.mouseClick(stage.view.leave, LEFT),
+    ]
+    for leave in ways:
+        window.open()
+        stage = window.stage
+        qtbot.waitUntil(stage.view.leave.isVisible, timeout=60_000)  # all is made
+        leave(stage)
+        assert window.stage is None
+    settle()
 
 
 def test_the_section_takes_room_only_while_it_is_wanted(

@@ -61,6 +61,7 @@ class CompareStage(StageFrame):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
+        self.view.close_requested.connect(self.close)
         self.jobs = Jobs(self)
         self._questions = questions.on(self) if questions else Questions(self)
         self.presenter = ComparePresenter(
@@ -71,6 +72,13 @@ class CompareStage(StageFrame):
             ask_report=ask_report or self._ask_report,
             visits=visits,
         )
+
+    def go_back(self) -> None:
+        """Cancel what is being made; else close the window."""
+        if self.view.cancel.isVisible():
+            self.view.cancel.click()
+        else:
+            self.close()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Cancel the running job and free the renderers."""

@@ -44,6 +44,7 @@ class CompareView(QWidget):
     take_back_requested = Signal()
     save_requested = Signal()
     cancel_requested = Signal()
+    close_requested = Signal()
 
     def __init__(self, dark: bool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -83,6 +84,8 @@ class CompareView(QWidget):
         self._progress = ProgressBar()
         self.take_back = _button(tr("Take the last point back"), self.take_back_requested.emit)
         self.cancel = _button(tr("Cancel"), self.cancel_requested.emit)
+        self.leave = _button(tr("Close"), self.close_requested.emit)
+        self.leave.setToolTip("Esc")
         self.save = _button(tr("Save report…"), self.save_requested.emit)
         self.tabs = QTabWidget()
         self._lay_out()
@@ -196,6 +199,7 @@ class CompareView(QWidget):
         """Enable and disable the buttons."""
         self.save.setEnabled(buttons.save)
         self.cancel.setVisible(buttons.cancel)
+        self.leave.setHidden(buttons.cancel)
         self.take_back.setEnabled(buttons.take_back)
 
     def close_scenes(self) -> None:
@@ -230,6 +234,7 @@ class CompareView(QWidget):
         right.addWidget(self.error)
         right.addWidget(self._progress)
         buttons = QHBoxLayout()
+        buttons.addWidget(self.leave)
         buttons.addWidget(self.cancel)
         buttons.addWidget(self.save, 1)
         right.addLayout(buttons)

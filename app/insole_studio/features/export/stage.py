@@ -69,6 +69,7 @@ class ExportStage(StageFrame):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
+        self.view.close_requested.connect(self.close)
         self.jobs = Jobs(self)
         self.presenter = ExportPresenter(
             self.view,
@@ -92,6 +93,13 @@ class ExportStage(StageFrame):
         """Show nothing more of the case, which is left; the files are written all the same."""
         self.presenter.close()
         self.hide()
+
+    def go_back(self) -> None:
+        """Cancel what is being made; else close the window."""
+        if self.view.cancel.isVisible():
+            self.view.cancel.click()
+        else:
+            self.close()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Cancel the running job and free the renderer."""

@@ -52,6 +52,7 @@ class ExportView(QWidget):
     reason_edited = Signal(str)
     export_requested = Signal()
     cancel_requested = Signal()
+    close_requested = Signal()
 
     def __init__(self, stock: Stock, dark: bool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -82,6 +83,9 @@ class ExportView(QWidget):
         self._progress = ProgressBar()
         self.cancel = QPushButton(tr("Cancel"))
         self.cancel.clicked.connect(self.cancel_requested)
+        self.leave = QPushButton(tr("Close"))
+        self.leave.clicked.connect(self.close_requested)
+        self.leave.setToolTip(tr("Back to the design; what is chosen here is kept") + " (Esc)")
         self.export = QPushButton(tr("Export…"))
         self.export.setDefault(True)
         self.export.setShortcut(QKeySequence("Ctrl+Return"))
@@ -237,6 +241,7 @@ class ExportView(QWidget):
         """Enable and disable the buttons."""
         self.export.setEnabled(buttons.export)
         self.cancel.setVisible(buttons.cancel)
+        self.leave.setHidden(buttons.cancel)
         self.reason.setVisible(buttons.reason)
         self._reason_label.setVisible(buttons.reason)
 
@@ -273,6 +278,7 @@ class ExportView(QWidget):
         for widget in (self.notes, self.error, self._reason_label, self.reason, self._progress):
             right.addWidget(widget)
         buttons = QHBoxLayout()
+        buttons.addWidget(self.leave)
         buttons.addWidget(self.cancel)
         buttons.addWidget(self.export, 1)
         right.addLayout(buttons)

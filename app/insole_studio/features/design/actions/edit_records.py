@@ -49,6 +49,7 @@ EDIT_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda design, _on: design.edit.redo(),
         icon="redo",
         shortcut="Ctrl+Shift+Z",
+        other_shortcut="Ctrl+Y",
     ),
     ActionRecord(
         "remove",
