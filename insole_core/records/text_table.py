@@ -1,7 +1,7 @@
 """Tables that other programs export as text: CSV with commas, semicolons or tabs.
 
-Encoding and delimiter are found by looking at the file. Nothing is mended: what cannot be read is
-refused, and says where.
+Encoding and delimiter are found by looking at the file; where its bytes can be read in several
+ways, somebody has to choose. Nothing is mended: what cannot be read is refused, and says where.
 """
 
 from __future__ import annotations
@@ -10,13 +10,15 @@ import codecs
 import csv
 import io
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from insole_core.errors import InputError
 from insole_core.given_file import read_given
+from insole_core.messages import joined
+from insole_core.records.character_sets import Reading, readings_of
 
 MOST_BYTES: Final = 64 * 2**20
 MOST_COLUMNS: Final = 1000
@@ -72,15 +74,41 @@ class TextTable:
         return [cell for cell in cells if cell]
 
 
-def read_table(path: Path) -> TextTable:
+class UnclearCharacterSet(InputError):  # noqa: N818 - says what happened, and asks
+    """A text can be read in several ways.
+
+    Parameters
+    ----------
+    readings
+        At least two.
+    """
+
+    def __init__(self, path: Path, readings: Sequence[Reading]) -> None:
+        super().__init__(
+            "{path} does not tell its character set, and names read differently in each; choose "
+            "it (--encoding), or save the table again as CSV UTF-8: {readings}.",
+            path=path,
+            readings=joined(map(str, readings), "; "),
+        )
+        self.readings = tuple(readings)
+
+
+def read_table(path: Path, encoding: str | None = None) -> TextTable:
     """Read a table whose first row holds the headings.
+
+    Parameters
+    ----------
+    encoding
+        Name of Python's codec; None to find it.
 
     Raises
     ------
+    UnclearCharacterSet
+        When it can be read in several ways, and none was chosen.
     InputError
         When it is no such table, damaged, or larger than any list of a clinic's patients.
     """
-    text, encoding = _decoded(path, read_given(path, MOST_BYTES))
+    text, encoding = _decoded(path, read_given(path, MOST_BYTES), encoding)
     declared = _DECLARED.match(text)
     skipped = 0
     if declared:
@@ -95,8 +123,8 @@ def read_table(path: Path) -> TextTable:
     return TextTable(headings, filled, encoding, delimiter)
 
 
-def _decoded(path: Path, content: bytes) -> tuple[str, str]:
-    encoding = _encoding_of(content)
+def _decoded(path: Path, content: bytes, chosen: str | None) -> tuple[str, str]:
+    encoding = chosen or _unicode_of(content) or _character_set_of(path, content)
     try:
         text = content.decode(encoding)
     except UnicodeDecodeError as error:
@@ -107,32 +135,44 @@ def _decoded(path: Path, content: bytes) -> tuple[str, str]:
             place=error.start,
         ) from error
     if "\0" in text:
-        raise InputError(
-            "{path} is no table of text; save it again as CSV UTF-8.",
-            path=path,
-        )
+        raise _no_text(path)
     return text, encoding
 
 
-def _encoding_of(content: bytes) -> str:
-    """Return the codec of a text: by its mark, by its zeros, as UTF-8 if it is, or Windows-1252."""
+def _no_text(path: Path) -> InputError:
+    return InputError("{path} is no table of text; save it again as CSV UTF-8.", path=path)
+
+
+def _unicode_of(content: bytes) -> str | None:
+    """Return the codec of a Unicode text: by its mark, by its zeros, or as UTF-8 if it is."""
     for mark, encoding in _MARKS:
         if content.startswith(mark):
             return encoding
-    sample = content[:_SAMPLE_BYTES]
-    if len(sample) > 1:
-        # Headings are mostly Latin letters, every other byte of which is zero in UTF-16.
-        for encoding, zeros, letters in (
-            ("utf-16-le", sample[1::2], sample[::2]),
-            ("utf-16-be", sample[::2], sample[1::2]),
-        ):
-            if zeros.count(0) > len(zeros) // 2 and not letters.count(0):
-                return encoding
+    for encoding in ("utf-16-le", "utf-16-be"):
+        if _has_lines(content[:_SAMPLE_BYTES], encoding):
+            return encoding
     try:
         content.decode("utf-8")
     except UnicodeDecodeError:
-        return "cp1252"
+        return None
     return "utf-8"
+
+
+def _has_lines(sample: bytes, encoding: str) -> bool:
+    """Return whether a text without a mark is UTF-16: read otherwise, it has zeros."""
+    if b"\0" not in sample:
+        return False
+    text = sample.decode(encoding, "replace")
+    return "\0" not in text and any(sign in text for sign in ("\n", "\r", *DELIMITERS))
+
+
+def _character_set_of(path: Path, content: bytes) -> str:
+    if b"\0" in content:
+        raise _no_text(path)
+    readings = readings_of(content)
+    if len(readings) > 1:
+        raise UnclearCharacterSet(path, readings)
+    return readings[0].encoding if readings else "cp1252"
 
 
 def _delimiter_of(text: str) -> str:

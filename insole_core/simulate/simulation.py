@@ -43,6 +43,7 @@ _ONE_FOOT, _BOTH_FEET = "lego-20", "lego-40"
 _RECORDED_AT = "2026-01-01T00:00:00Z"
 _LIMITS: Limits = {
     "seed": ("seed of the simulation", 0, 2**32 - 1),
+    "sensor_seed": ("seed of the sensors", 0, 2**32 - 1),
     "distance_mm": ("distance of the sensors (mm)", 500, 1500),
     "half_angle_deg": ("angle of the sole sensors (degrees)", 5, 45),
     "bursts": ("number of places each sensor stands in", 1, 9),
@@ -107,6 +108,8 @@ class SimulationOptions:
         seed. Other feet make captures that must be refused.
     body
         What is in the place of one foot, instead of it.
+    sensor_seed
+        Of the sensors, so that several sessions are captured with the same ones; by default `seed`.
 
     Raises
     ------
@@ -129,6 +132,7 @@ class SimulationOptions:
     sensors: int = 4
     standing: tuple[StandingFoot, ...] | None = None
     body: KnownBody | None = None
+    sensor_seed: int | None = None
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -286,9 +290,10 @@ def _plan(stands: Iterable[str], bursts: int) -> list[tuple[str, str]]:
 
 
 def _device(options: SimulationOptions, number: int, face: str) -> Device:
-    rng = np.random.default_rng([options.seed, 1, number])
+    seed = options.seed if options.sensor_seed is None else options.sensor_seed
+    rng = np.random.default_rng([seed, 1, number])
     return make_device(
-        f"SIM{options.seed:05d}{number}",
+        f"SIM{seed:05d}{number}",
         (face,),
         options.distance_mm,
         options.color_size,

@@ -16,7 +16,7 @@ def check_limits(values: object, limits: Limits) -> None:
     Parameters
     ----------
     values
-        Any object that has the attributes.
+        Any object that has the attributes; one that is None is not checked.
     limits
         Both ends are included.
 
@@ -27,7 +27,7 @@ def check_limits(values: object, limits: Limits) -> None:
     """
     for attribute, (words, low, high) in limits.items():
         value = getattr(values, attribute)
-        if not low <= value <= high:
+        if value is not None and not low <= value <= high:
             raise UsageError(
                 "The {what} cannot be {value:g}; choose a value from {least:g} to {most:g}.",
                 what=words,

@@ -24,6 +24,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument("out", action=OutputPath, metavar="OUT", help="folder or .zip to write")
     parser.add_argument("--seed", type=whole, default=0, help="same seed, same session (default 0)")
+    parser.add_argument(
+        "--sensor-seed",
+        type=whole,
+        metavar="SEED",
+        help="capture with the sensors of the session with that seed (default: that of --seed)",
+    )
     parser.add_argument("--side", choices=[*map(str, Side), BOTH], default="left")
     parser.add_argument(
         "--sensors",
@@ -79,6 +85,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError("--sensors is for both feet; add --side both, or leave it out.")
     options = SimulationOptions(
         seed=arguments.seed,
+        sensor_seed=arguments.sensor_seed,
         side=sides_from(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,

@@ -376,6 +376,10 @@
             <translation>Säkerhetskopiorna har ännu ingen lösenfras; välj en först.</translation>
         </message>
         <message>
+            <source>Baltic</source>
+            <translation>Baltisk</translation>
+        </message>
+        <message>
             <source>Bar of 1 to 5; little fill.</source>
             <translation>Stav på 1 till 5; lite fyllnad.</translation>
         </message>
@@ -470,6 +474,14 @@
         <message>
             <source>Cavus foot</source>
             <translation>Hålfot</translation>
+        </message>
+        <message>
+            <source>Central European</source>
+            <translation>Centraleuropeisk</translation>
+        </message>
+        <message>
+            <source>Central European, ISO</source>
+            <translation>Centraleuropeisk, ISO</translation>
         </message>
         <message>
             <source>ChArUco {columns}×{rows}, square {square_mm:g} mm, marker {marker_mm:g} mm, {dictionary}</source>
@@ -622,6 +634,18 @@
         <message>
             <source>Cutting the views where they overlap</source>
             <translation>Skär vyerna där de överlappar</translation>
+        </message>
+        <message>
+            <source>Cyrillic</source>
+            <translation>Kyrillisk</translation>
+        </message>
+        <message>
+            <source>Cyrillic, ISO</source>
+            <translation>Kyrillisk, ISO</translation>
+        </message>
+        <message>
+            <source>Cyrillic, KOI8</source>
+            <translation>Kyrillisk, KOI8</translation>
         </message>
         <message>
             <source>Dancer's pad</source>
@@ -914,6 +938,10 @@
         <message>
             <source>Greatest height</source>
             <translation>Största höjd</translation>
+        </message>
+        <message>
+            <source>Greek</source>
+            <translation>Grekisk</translation>
         </message>
         <message>
             <source>Grid</source>
@@ -3312,6 +3340,10 @@
             <translation>Prövar lägen</translation>
         </message>
         <message>
+            <source>Turkish</source>
+            <translation>Turkisk</translation>
+        </message>
+        <message>
             <source>Turn the board strongly, by 40 to 55°: {sides}.</source>
             <translation>Vrid brädet kraftigt, 40 till 55°: {sides}.</translation>
         </message>
@@ -3446,6 +3478,18 @@
         <message>
             <source>Weight in kg</source>
             <translation>Vikt i kg</translation>
+        </message>
+        <message>
+            <source>Western European</source>
+            <translation>Västeuropeisk</translation>
+        </message>
+        <message>
+            <source>Western European, DOS</source>
+            <translation>Västeuropeisk, DOS</translation>
+        </message>
+        <message>
+            <source>Western European, Macintosh</source>
+            <translation>Västeuropeisk, Macintosh</translation>
         </message>
         <message>
             <source>What cannot be read gets its default at the next start; the file is kept beside.</source>
@@ -7090,6 +7134,10 @@
         <message>
             <source>{path} does not say how many sensels there are and how large they are; export it again.</source>
             <translation>{path} anger inte hur många sensorer det finns och hur stora de är; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path} does not tell its character set, and names read differently in each; choose it (--encoding), or save the table again as CSV UTF-8: {readings}.</source>
+            <translation>{path} säger inte sin teckenuppsättning, och namn läses olika i varje; välj den (--encoding), eller spara tabellen igen som CSV UTF-8: {readings}.</translation>
         </message>
         <message>
             <source>{path} has a triangle with the corner 0, but an OBJ counts from 1; export it again.</source>

@@ -424,6 +424,10 @@
             <translation>Ordinera som vid förra besöket</translation>
         </message>
         <message>
+            <source>Read it so</source>
+            <translation>Läs den så</translation>
+        </message>
+        <message>
             <source>Reason</source>
             <translation>Orsak</translation>
         </message>
@@ -538,6 +542,10 @@
         <message>
             <source>The capture room has to capture the feet</source>
             <translation>Avbildningsrummet ska avbilda fötterna</translation>
+        </message>
+        <message>
+            <source>The file does not tell how its letters are stored. Which names are right?</source>
+            <translation>Filen säger inte hur dess bokstäver är lagrade. Vilka namn är rätt?</translation>
         </message>
         <message>
             <source>The first version of this foot.</source>

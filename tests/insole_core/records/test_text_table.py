@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from insole_core.errors import InputError
-from insole_core.records.text_table import MOST_COLUMNS, read_table
+from insole_core.records.text_table import MOST_COLUMNS, UnclearCharacterSet, read_table
 
 _TEXT = "Namn;Född\nÅsa Öberg;1970-02-28\nЛев Толстой;1928-09-09\n"
 
@@ -27,6 +27,48 @@ def test_every_encoding_of_a_clinic_gives_the_same_names(tmp_path, encoding):
 def test_encodings_without_a_mark_are_found(tmp_path, encoding):
     table = _read(tmp_path, "Namn;Född;Ort\nÅsa Öberg;1970-02-28;Malmö\n".encode(encoding))
     assert (table.encoding, table.rows[0].cells[0]) == (encoding, "Åsa Öberg")
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_cyrillic_without_a_mark_is_found(tmp_path, encoding):
+    table = _read(tmp_path, "Имя;Родился\nЛев Толстой;неизвестно\n".encode(encoding))
+    assert (table.encoding, table.rows[0].cells[0]) == (encoding, "Лев Толстой")
+
+
+@pytest.mark.parametrize(
+    ("encoding", "name", "is_certain"),
+    [
+        ("cp1252", "Håkan Öberg", True),
+        ("cp1252", "Sørensen Kjær Åse", True),
+        ("cp1252", "Jäger Groß Müller O’Neill", True),
+        ("cp1251", "Пётр Иванов", True),
+        ("koi8-r", "Пётр Иванов", True),
+        ("iso8859-5", "Иванов", True),
+        ("cp850", "Håkan Öberg", True),
+        ("iso8859-9", "Ayşe Yıldız", False),
+        ("cp1254", "Çağrı Şahin", False),
+        ("cp1252", "Þórður Ýrr", False),
+        ("cp1250", "Łukasz Wiśniewski", False),
+        ("cp1250", "Antonín Dvořák", False),
+        ("iso8859-2", "Tomáš", False),
+        ("cp1250", "Erdős Pál", False),
+        ("cp1257", "Šarūnas Žemaitė", False),
+        ("cp1253", "Παπαδόπουλος", False),
+        ("mac-roman", "Håkan Öberg", False),
+    ],
+)
+def test_a_name_is_read_as_it_was_written_or_asked_for(tmp_path, encoding, name, is_certain):
+    content = f"Name;Born\n{name};1970-02-28\n".encode(encoding)
+    if is_certain:
+        assert _read(tmp_path, content).column(0) == [name]
+        return
+    with pytest.raises(UnclearCharacterSet, match="does not tell its character set") as raised:
+        _read(tmp_path, content)
+    assert any(example in name for one in raised.value.readings for example in one.examples)
+    path = tmp_path / "table.csv"
+    path.write_bytes(content)
+    tables = [read_table(path, reading.encoding) for reading in raised.value.readings]
+    assert [name] in [table.column(0) for table in tables]
 
 
 @pytest.mark.parametrize("delimiter", [",", ";", "\t", "|"])

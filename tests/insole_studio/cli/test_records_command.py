@@ -127,6 +127,21 @@ def test_a_formula_in_a_name_is_only_text_wherever_a_table_is_written(record, tm
         assert "'＝cmd()" in text
 
 
+def test_the_character_set_of_a_table_is_asked_for(record, tmp_path, capsys):
+    table = tmp_path / "patients.csv"
+    table.write_bytes("Name;Born\nŞahin Yıldız;1970-02-28\n".encode("cp1254"))
+    command = ["records", "import", str(table), "--record", str(record), "--dry-run"]
+    assert run(command) == 1
+    asked = capsys.readouterr().err.splitlines()[-1]
+    assert "choose it (--encoding)" in asked
+    assert "Turkish (cp1254): Şahin, Yıldız" in asked
+    assert run([*command, "--encoding", "iso-8859-9"]) == 0
+    assert "\tnew\tŞahin Yıldız" in capsys.readouterr().out
+    for wrong in ("hex", "no-such", "undefined"):
+        assert run([*command, "--encoding", wrong]) == 2
+        assert "is no known character set" in capsys.readouterr().err.splitlines()[-1]
+
+
 def test_a_folder_of_cases_is_imported(record, tmp_path, capsys):
     cases = tmp_path / "cases"
     cases.mkdir()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import codecs
 import sys
 from collections.abc import Sequence
 from datetime import date
@@ -59,6 +60,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--number-kind", metavar="KIND",
         help="kind of the personal numbers: se for Swedish, any (default: what they look like)",
     )  # fmt: skip
+    parser.add_argument(
+        "--encoding", metavar="CODEC",
+        help="character set of the table, such as cp1254 for Turkish (default: found, where the "
+        "bytes tell it)",
+    )  # fmt: skip
     add_place(parser)
 
 
@@ -113,6 +119,7 @@ def _refuse_options_of_tables(arguments: argparse.Namespace) -> None:
         "--day-first": arguments.day_first,
         "--month-first": arguments.month_first,
         "--number-kind": arguments.number_kind,
+        "--encoding": arguments.encoding,
     }
     for name, value in options.items():
         if value:
@@ -139,7 +146,8 @@ def _read(arguments: argparse.Namespace) -> PersonRows:
     from insole_core.records.persons_of_table import read_persons
     from insole_core.records.text_table import read_table
 
-    table = read_table(arguments.source)
+    table = read_table(arguments.source, _codec(arguments.encoding))
+    print(f"Read as {table.encoding}", file=sys.stderr)
     mapping = _mapping(table, arguments)
     for heading, field in zip(table.headings, mapping.fields, strict=True):
         print(f"{heading or '(no heading)'}: {field or 'left out'}", file=sys.stderr)
@@ -149,6 +157,19 @@ def _read(arguments: argparse.Namespace) -> PersonRows:
             "--month-first."
         )
     return read_persons(table, mapping, date.today())
+
+
+def _codec(name: str | None) -> str | None:
+    if name is None:
+        return None
+    try:
+        b"".decode(name)  # unlike a look-up, only codecs of text
+        return codecs.lookup(name).name
+    except (LookupError, ValueError):
+        raise UsageError(
+            f"--encoding {name} is no known character set; give one such as utf-8, cp1252 (Western "
+            "European), cp1250 (Central European), cp1254 (Turkish) or cp1251 (Cyrillic)."
+        ) from None
 
 
 def _mapping(table: TextTable, arguments: argparse.Namespace) -> ColumnMapping:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
 from itertools import chain, count
@@ -15,6 +15,7 @@ from insole_core.export.atomic import write_text
 from insole_core.export.csv_text import csv_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
+from insole_core.records.character_sets import Reading
 from insole_core.records.import_report import count_added, count_outcomes
 from insole_core.records.person_columns import ColumnMapping, asks_date_order, propose_mapping
 from insole_core.records.person_import import (
@@ -25,10 +26,11 @@ from insole_core.records.person_import import (
 )
 from insole_core.records.persons_of_table import PersonRows, read_persons
 from insole_core.records.records import Records
-from insole_core.records.text_table import TextTable, read_table
+from insole_core.records.text_table import TextTable, UnclearCharacterSet, read_table
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.workflows.records.import_cases import CaseLine, CasePlan, import_cases, plan_cases
 from insole_core.workflows.records.plain_name import plain_name
+from insole_studio.features.records.character_set_dialog import CharacterSetDialog
 from insole_studio.features.records.import_dialog import ImportDialog, ImportRow
 from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.table_import_dialog import TableImportDialog
@@ -80,15 +82,31 @@ class RecordTransfer(QObject):
     def import_table(self) -> None:
         """Ask for a table, show what becomes of its rows, and add the new patients."""
         path = self._messages.questions.file_to_open(table_kinds(), Kept.CASES)
-        if path is None or self._records() is None:
-            return
+        if path is not None and self._records() is not None:
+            self._read_table(path)
 
-        def read(progress: Progress) -> tuple[TextTable, ColumnMapping]:
+    def _read_table(self, path: Path, encoding: str | None = None) -> None:
+        def read(progress: Progress) -> tuple[TextTable, ColumnMapping] | UnclearCharacterSet:
             progress.step(0.0, "Reading {name}", name=path.name)
-            table = read_table(path)
+            try:
+                table = read_table(path, encoding)
+            except UnclearCharacterSet as unclear:
+                return unclear
             return table, propose_mapping(table)
 
-        self._services.run(IMPORT, read, lambda read: self._show_table(path, *read))
+        def show(found: tuple[TextTable, ColumnMapping] | UnclearCharacterSet) -> None:
+            if isinstance(found, UnclearCharacterSet):
+                self._ask_character_set(path, found.readings)
+            else:
+                self._show_table(path, *found)
+
+        self._services.run(IMPORT, read, show)
+
+    def _ask_character_set(self, path: Path, readings: Sequence[Reading]) -> None:
+        dialog = CharacterSetDialog(path.name, readings, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.chosen.connect(lambda encoding: self._read_table(path, encoding))
+        dialog.open()
 
     def import_cases(self) -> None:
         """Ask for a folder, show what becomes of its case files, and add them as visits."""

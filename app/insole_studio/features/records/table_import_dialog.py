@@ -18,6 +18,11 @@ _COLUMNS_PX = 220
 _LONGEST_EXAMPLE = 40
 _ENCODINGS = {
     "cp1252": "Windows-1252",
+    "cp1254": "Windows-1254",
+    "cp1250": "Windows-1250",
+    "cp1257": "Windows-1257",
+    "cp1251": "Windows-1251",
+    "cp1253": "Windows-1253",
     "utf-8-sig": "UTF-8",
     "utf-16-le": "UTF-16",
     "utf-16-be": "UTF-16",

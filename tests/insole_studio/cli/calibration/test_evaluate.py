@@ -326,8 +326,9 @@ def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
 def test_real_walls_left_out(shared_data: Path, tmp_path: Path) -> None:
     report = tmp_path / "wall.json"
     folder = shared_data / "kinect_v1" / "walls_1"
-    words = ["evaluate", "wall", str(folder), "--leave-one-out", "--report", str(report)]
-    assert run(words) == 0
+    words = ["evaluate", "wall", str(folder), "--leave-one-out", "--limits"]
+    assert run([*words, "--report", str(report)]) == 0
+    assert numbers(report, "wall")["mean_abs_mm_corrected"]["limit"] == 1.0
     rows = json.loads(report.read_text())["sections"]["wall"]["tables"]["Walls"]
     raw = [float(row["mean abs"]) for row in rows if row["correction"] == "raw"]
     assert all(1.8 < one < 2.6 for one in raw[2:])

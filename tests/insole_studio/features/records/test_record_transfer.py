@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.records.person import Person
+from insole_studio.features.records.character_set_dialog import CharacterSetDialog
 from insole_studio.features.records.import_dialog import ImportDialog
 from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.table_import_dialog import TableImportDialog
@@ -64,6 +65,27 @@ def test_a_table_is_imported_once_the_order_of_days_was_said(records, rest, tabl
     assert found["Åsa Öberg"].birth_date == date(1970, 3, 2)
     assert records.persons.get(found["Åsa Öberg"].id).contact == "Malmö"
     assert QApplication.activeModalWidget() is None
+
+
+def test_names_of_an_unclear_character_set_are_chosen_by_reading_them(
+    clinic, questions, rest, tmp_path
+):
+    path = tmp_path / "patients.csv"
+    path.write_bytes("Name;Born\nAyşe Şahin;1970-02-28\n".encode("iso8859-9"))
+    questions.path = path
+    clinic.features.records.transfer.import_table()
+    rest()
+    asked = _dialog(clinic, CharacterSetDialog)
+    texts = {key: button.text() for key, button in asked.readings.items()}
+    assert texts["cp1252"] == "Ayþe, Þahin   (Western European)"
+    assert texts["cp1254"] == "Ayşe, Şahin   (Turkish)"
+    assert not asked.read.isEnabled()
+    asked.readings["cp1254"].click()
+    QTest.mouseClick(asked.read, Qt.MouseButton.LeftButton)
+    rest()
+    dialog = _dialog(clinic, TableImportDialog)
+    assert dialog.table.rows[0].cells[2] == "Ayşe Şahin"
+    assert dialog.reading.text() == "1 rows, Windows-1254, semicolon"
 
 
 def test_a_column_that_is_no_name_is_told_until_one_is_chosen(rest, tmp_path, open_table):
