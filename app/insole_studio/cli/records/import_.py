@@ -163,7 +163,7 @@ def _codec(name: str | None) -> str | None:
     if name is None:
         return None
     try:
-        b"".decode(name)  # unlike a look-up, only codecs of text
+        "a".encode(name)  # unlike a look-up, only codecs of text
         return codecs.lookup(name).name
     except (LookupError, ValueError):
         raise UsageError(
