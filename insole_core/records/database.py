@@ -55,6 +55,8 @@ class Database:
         self.problem = problem
         self.schema: str | None = None
         """Revision of the schema that this program writes; None does not check it."""
+        self.upgraded_from: str | None = None
+        """What the copy is called that was kept when this program changed the tables."""
         self._is_closed = False
         self._snapshots = threading.local()
         self.engine = _engine(place, self.is_read_only)

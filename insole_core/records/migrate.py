@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable
+from typing import Final, TypeAlias
 
 from sqlalchemy import Connection, func, inspect, select
 
@@ -11,6 +12,7 @@ from insole_core.records.database import MIGRATION_LOCK, SCHEMA_COLUMN, SCHEMA_T
 
 SCHEMA: Final = "0003"
 """The newest revision in `migrations/versions`; revisions are numbered."""
+Keep: TypeAlias = Callable[[Database, Connection, str], None]
 
 
 def schema_of(connection: Connection) -> str | None:
@@ -33,7 +35,7 @@ def check_schema(found: str | None, name: str) -> None:
         )
 
 
-def migrate(database: Database, schema: str = SCHEMA) -> bool:
+def migrate(database: Database, schema: str = SCHEMA, keep: Keep | None = None) -> bool:
     """Make the tables of an empty database, or change those of an older one.
 
     All is one transaction: an interrupted migration leaves the database as it was, and the next
@@ -43,6 +45,8 @@ def migrate(database: Database, schema: str = SCHEMA) -> bool:
     ----------
     schema
         Revision to bring it to: an older one only for the rows of an older backup.
+    keep
+        Called before the tables of an older record are changed, in the same transaction.
 
     Returns
     -------
@@ -64,11 +68,14 @@ def migrate(database: Database, schema: str = SCHEMA) -> bool:
             connection.execute(select(func.pg_advisory_xact_lock(MIGRATION_LOCK)))
         found = schema_of(connection)
         check_schema(found, database.place.name)
-        _upgrade(connection, schema)
+        if keep is not None and found is not None and found != schema:
+            keep(database, connection, found)
+        upgrade(connection, schema)
     return found != schema
 
 
-def _upgrade(connection: Connection, schema: str) -> None:
+def upgrade(connection: Connection, schema: str) -> None:
+    """Bring the tables that a transaction sees to a revision."""
     # Alembic takes half a second to load, and most starts find nothing to migrate.
     from alembic import command
     from alembic.config import Config

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from sqlalchemy import Table, func, or_, select
+from sqlalchemy import Connection, Table, func, or_, select
 
 from insole_core.errors import RecordsError
 from insole_core.export.atomic import make_output_folder
@@ -30,6 +30,7 @@ from insole_core.records.schema import (
     prescription_versions,
     visits,
 )
+from insole_core.records.upgrade_copy import keep_copy
 
 _NEEDED: Final = (persons, visits, prescription_versions, clinic)
 """Without these there is nothing to read."""
@@ -44,8 +45,9 @@ _IS_READ_ONLY: Final = select(
 def open_records(place: RecordsPlace, who: Author) -> Records:
     """Open the record of a place.
 
-    A local one is made if there is none. Where it may not be written, or is damaged, it is opened
-    for reading only, as far as that goes; `Records.problem` says why.
+    A local one is made if there is none. Before the tables of an older one are changed, a copy of
+    it is kept; `Records.upgrade` says where. Where it may not be written, or is damaged, it is
+    opened for reading only, as far as that goes; `Records.problem` says why.
 
     Raises
     ------
@@ -63,7 +65,7 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
             database.problem = _why_server_read_only(database)
         try:
             if not database.is_read_only:
-                migrate(database)
+                migrate(database, keep=_keep)
             _check_tables(database, metadata.sorted_tables)
         except DamagedDatabase as error:
             database.close()
@@ -74,6 +76,10 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
     except BaseException:
         database.close()
         raise
+
+
+def _keep(database: Database, connection: Connection, found: str) -> None:
+    database.upgraded_from = keep_copy(database, connection, found)
 
 
 def _check_never_there(place: RecordsPlace) -> None:

@@ -68,6 +68,17 @@ class Records:
         """Why nothing can be changed, in one sentence; None where everything can."""
         return self._database.problem
 
+    @property
+    def upgrade(self) -> Message | None:
+        """That the record was brought up to date as it was opened, and what was kept of before."""
+        copy = self._database.upgraded_from
+        if copy is None:
+            return None
+        return Message(
+            "The record was brought up to date; as it was before, it is kept as “{copy}”.",
+            copy=copy,
+        )
+
     def for_author(self, who: Author) -> Records:
         """Return the same record for somebody else who has signed in at this station.
 

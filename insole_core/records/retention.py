@@ -54,6 +54,7 @@ from insole_core.records.schema import (
 )
 from insole_core.records.signing import ERASED, PRESCRIPTION
 from insole_core.records.times import utc_now
+from insole_core.records.upgrade_copy import forget_copies
 
 YEARS_VALUE: Final = "retention_years"
 """Key of the clinic's settings."""
@@ -234,7 +235,7 @@ def erase_person(
 
     The audit log keeps that it was done, when and by whom. Large files that nothing refers to any
     more leave the disk with the next sweeps. Backups of before hold the person until they are
-    removed; restoring one of them erases the person again.
+    removed; restoring one of them erases the person again. Copies from before an upgrade go.
 
     Raises
     ------
@@ -250,6 +251,7 @@ def erase_person(
     if context.database.is_sqlite:
         with closing(context.database.engine.raw_connection()) as unbegun:
             unbegun.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)")
+    forget_copies(context.database)
     return erasure
 
 

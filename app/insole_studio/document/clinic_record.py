@@ -72,6 +72,8 @@ class ClinicRecord(QObject):
     state_changed = Signal()
     changed = Signal()
     """Somebody has changed the record, here or at another station."""
+    upgraded = Signal(object)
+    """Emitted with the `Message` that the record was brought up to date, and what was kept."""
 
     def __init__(self, location: RecordLocation, jobs: Jobs, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -260,6 +262,8 @@ class ClinicRecord(QObject):
         self._records, self._mark = opened.records, opened.mark
         self.has_accounts = opened.has_accounts
         self.trouble = ""
+        if opened.records.upgrade is not None:
+            self.upgraded.emit(opened.records.upgrade)
         if self.has_accounts:
             self._set_state(RecordState.SIGNED_OUT)
         else:

@@ -2672,12 +2672,20 @@
             <translation>Journalen kan inte använda en databas av slaget {kind}; ange adressen till en PostgreSQL-server: postgresql+psycopg://user@server/database.</translation>
         </message>
         <message>
+            <source>The record could not be copied to {copy} before it is brought up to date ({reason}), so it stays as it was; free some space, and try again.</source>
+            <translation>Journalen kunde inte kopieras till {copy} innan den uppdateras ({reason}), så den är kvar som den var; frigör utrymme och försök igen.</translation>
+        </message>
+        <message>
             <source>The record is open for reading only, so nothing can be changed: {reason}</source>
             <translation>Journalen är bara öppen för läsning, så inget kan ändras: {reason}</translation>
         </message>
         <message>
             <source>The record refers to a file by "{name}", which is no SHA-256; restore the database from a backup.</source>
             <translation>Registret hänvisar till en fil med ”{name}”, som inte är någon SHA-256; återställ databasen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>The record was brought up to date; as it was before, it is kept as “{copy}”.</source>
+            <translation>Journalen har uppdaterats; som den var före finns den kvar som ”{copy}”.</translation>
         </message>
         <message>
             <source>The reference system "{system}" has a place for one foot only; choose a foot, or set up the one for two feet, {pair}.</source>
@@ -3138,6 +3146,10 @@
         <message>
             <source>There is an order {number} already; give this one another number.</source>
             <translation>Det finns redan en beställning {number}; ge den här ett annat nummer.</translation>
+        </message>
+        <message>
+            <source>There is no copy {name} of the record; choose one that is.</source>
+            <translation>Det finns ingen kopia {name} av journalen; välj en som finns.</translation>
         </message>
         <message>
             <source>There is no device "{name}"; choose one of {known}.</source>
@@ -3650,10 +3662,6 @@
         <message>
             <source>adult flatfoot</source>
             <translation>förvärvad plattfot</translation>
-        </message>
-        <message>
-            <source>all connections are in use</source>
-            <translation>alla anslutningar är upptagna</translation>
         </message>
         <message>
             <source>along the axis of the foot</source>

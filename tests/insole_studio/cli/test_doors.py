@@ -42,6 +42,7 @@ NEEDED = {
     "statement": ["26-7KQ4M", "--json"],
     "backup": ["backups", "--recipient", "age1x"],
     "verify": [],
+    "undo-upgrade": [],
     "restore": ["backups", "--set-aside", "--private-key", "key"],
 }
 """What each command is given; what is wrong with it is told only to whoever may."""

@@ -14,6 +14,7 @@ from insole_studio.cli.records import (
     restore,
     show,
     statement,
+    undo_upgrade,
     verify,
 )
 from insole_studio.cli.subcommands import Command, add_steps
@@ -30,6 +31,7 @@ STEPS: tuple[Command, ...] = (
     restore,
     verify,
     migrate,
+    undo_upgrade,
 )
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import sys
+from contextlib import closing
 
 from insole_core.progress import Progress
 from insole_studio.cli.records.place import add_place, place_of
@@ -23,5 +25,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.records.open import open_records
 
     place = place_of(arguments)
-    open_records(place, Author.of_user()).close()
+    with closing(open_records(place, Author.of_user())) as records:
+        if records.upgrade is not None:
+            print(records.upgrade, file=sys.stderr)
     progress.step(1.0, "Done: {place} has schema {schema}", place=place.name, schema=SCHEMA)

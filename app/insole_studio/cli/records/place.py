@@ -138,6 +138,8 @@ def opened(arguments: argparse.Namespace, right: Right) -> Iterator[Records]:
     if place.is_local and not place.database_file.exists():
         raise UsageError(f"{place.database_file} does not exist; name the folder of a record.")
     with closing(open_records(place, Author.of_user())) as records:
+        if records.upgrade is not None:
+            print(records.upgrade, file=sys.stderr)
         who = sign_in(records, arguments)
         _check(records, who, right)
         yield records.for_author(who)

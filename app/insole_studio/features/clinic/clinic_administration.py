@@ -13,12 +13,14 @@ from insole_studio.document.record_location import RecordLocation
 from insole_studio.features.clinic.backups import Backups
 from insole_studio.features.clinic.session_lock import SessionLock
 from insole_studio.services.app_services import AppServices
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
+    from insole_core.messages import Message
     from insole_core.records.backup.restore import RestoreReport
     from insole_core.records.records import Records
 
+UPGRADED = "record-upgraded"
 Then = Callable[[], None]
 
 
@@ -47,6 +49,7 @@ class ClinicAdministration(QObject):
         self.backups = Backups(services)
         self.backups.settings_requested.connect(self.open_backup)
         self.lock.restore_requested.connect(self.open_restore)
+        self._clinic.upgraded.connect(self._tell_upgrade)
 
     def open_accounts(self) -> None:
         """Show the accounts, or switch them on."""
@@ -175,6 +178,9 @@ class ClinicAdministration(QObject):
 
     def _note_restored(self, _report: RestoreReport) -> None:
         self.start_requested.emit()
+
+    def _tell_upgrade(self, sentence: Message) -> None:
+        self._services.notices.put(UPGRADED, translate_core_message(sentence), stays=True)
 
     def _move(self, location: RecordLocation) -> None:
         """Use the record of another place from now on."""

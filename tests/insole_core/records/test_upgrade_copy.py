@@ -1,0 +1,106 @@
+"""Before the tables of a record are changed, it is kept as it was, and can be put back."""
+
+from __future__ import annotations
+
+from contextlib import closing
+from datetime import date
+
+import pytest
+from stations import ANNA, Stations, proven
+
+from insole_core.errors import NotAllowed, OutputError, RecordsError
+from insole_core.records import upgrade_copy
+from insole_core.records.author import Role
+from insole_core.records.database import Database
+from insole_core.records.migrate import SCHEMA, migrate, schema_of
+from insole_core.records.open import open_records
+from insole_core.records.person import Person
+from insole_core.records.place import RecordsPlace
+from insole_core.records.records import Records
+from insole_core.records.retention import ErasureReason, erase_person
+from insole_core.records.upgrade_copy import copies_of, put_back
+
+OLDER = f"{int(SCHEMA) - 1:04d}"
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def older(request: pytest.FixtureRequest, tmp_path) -> RecordsPlace:
+    """A record with the tables before the newest ones, and a person."""
+    if request.param == "sqlite":
+        place = RecordsPlace.local(tmp_path)
+        place.database_file.touch()
+    else:
+        server = request.getfixturevalue("postgres")
+        server.execute("DROP DATABASE IF EXISTS older")
+        server.execute("CREATE DATABASE older")
+        place = RecordsPlace.of_url(server.url("older"), tmp_path / "contents")
+    with closing(Database(place)) as database:
+        migrate(database, OLDER)
+        records = Records(database, None, ANNA)  # type: ignore[arg-type]
+        records.persons.add(Person("Anna Berg"))
+    return place
+
+
+def names(records: Records) -> list[str]:
+    return [person.name for person in records.persons.search("")] or [
+        person.name for person in records.persons.recent()
+    ]
+
+
+def test_a_copy_is_kept_told_and_put_back(older: RecordsPlace) -> None:
+    with closing(open_records(older, ANNA)) as records:
+        (copy,) = copies_of(records.context.database)
+        assert copy in str(records.upgrade)
+        records.persons.add(Person("Ben Ek"))
+        with pytest.raises(RecordsError, match="no copy elsewhere"):
+            put_back(records.context, "elsewhere")
+        kept = put_back(records.context, copy)
+    with closing(Database(older)) as database, database.reading() as connection:
+        assert schema_of(connection) == OLDER
+    with closing(open_records(older, ANNA)) as records:
+        assert names(records) == ["Anna Berg"]
+        assert records.audit.verify().is_intact
+        assert kept in copies_of(records.context.database)
+        records.persons.add(Person("Carl Dal"))
+        put_back(records.context, kept)
+    with closing(open_records(older, ANNA)) as records:
+        assert records.upgrade is None
+        assert sorted(names(records)) == ["Anna Berg", "Ben Ek"]
+        assert records.audit.verify().is_intact
+
+
+def test_nothing_is_kept_of_a_new_or_a_present_record(stations: Stations) -> None:
+    records = stations.open()
+    assert records.upgrade is None
+    assert copies_of(records.context.database) == []
+
+
+def test_a_record_that_cannot_be_copied_is_not_upgraded(
+    older: RecordsPlace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_arguments: object) -> None:
+        raise OutputError("The disk is full.")
+
+    monkeypatch.setattr(upgrade_copy, "_copy_file", full)
+    monkeypatch.setattr(upgrade_copy, "_copy_to_schema", full)
+    with pytest.raises(OutputError, match="disk is full"):
+        open_records(older, ANNA)
+    with closing(Database(older)) as database, database.reading() as connection:
+        assert schema_of(connection) == OLDER
+
+
+def test_somebody_who_is_erased_is_in_no_copy(older: RecordsPlace) -> None:
+    with closing(open_records(older, ANNA)) as records:
+        (person,) = records.persons.recent()
+        erase_person(records.context, person.id, ErasureReason.REQUEST, date.today())
+        assert copies_of(records.context.database) == []
+
+
+def test_only_an_administrator_puts_a_copy_back(older: RecordsPlace) -> None:
+    with closing(open_records(older, ANNA)) as records:
+        records.accounts.switch_on("chef", "Carla Chef", "vier Schuhe gehen")
+        (copy,) = copies_of(records.context.database)
+        with pytest.raises(NotAllowed):
+            put_back(records.context, copy)
+        chef = records.for_author(proven("chef", Role.ADMINISTRATOR))
+        put_back(chef.context, copy)
