@@ -197,14 +197,14 @@ def parts_of_f_strings(tree: ast.AST) -> Iterator[ast.AST]:
 
 
 def told_to_programmers(tree: ast.AST) -> Iterator[ast.AST]:
-    """Find what built-in errors, assertions and the log say."""
+    """Find what built-in errors, assertions and the log say, and what looks for words."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Assert) and node.msg is not None:
             yield node.msg
         if isinstance(node, ast.Call):
             name = getattr(node.func, "id", "")
             owner = getattr(getattr(node.func, "value", None), "id", "")
-            if (hasattr(builtins, name) and name.endswith("Error")) or owner == "log":
+            if (hasattr(builtins, name) and name.endswith("Error")) or owner in ("log", "re"):
                 yield from node.args
 
 

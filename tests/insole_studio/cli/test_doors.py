@@ -43,10 +43,16 @@ NEEDED = {
     "backup": ["backups", "--recipient", "age1x"],
     "verify": [],
     "undo-upgrade": [],
+    "accounts": ["list"],
+    "audit": [],
+    "erase": ["A-1"],
+    "retention": [],
+    "schedule": [],
     "restore": ["backups", "--set-aside", "--private-key", "key"],
 }
 """What each command is given; what is wrong with it is told only to whoever may."""
-OPEN_TO_ALL = {"migrate"}
+OPEN_TO_ALL = {"migrate", "password"}
+"""The one shows nothing, and the other asks for the present password."""
 
 
 @pytest.fixture(autouse=True)

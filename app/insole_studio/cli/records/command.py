@@ -6,12 +6,18 @@ import argparse
 
 from insole_core.progress import Progress
 from insole_studio.cli.records import (
+    accounts,
+    audit,
     backup,
+    erase,
     export,
     import_,
     list_,
     migrate,
+    password,
     restore,
+    retention,
+    schedule,
     show,
     statement,
     undo_upgrade,
@@ -28,10 +34,16 @@ STEPS: tuple[Command, ...] = (
     export,
     statement,
     backup,
+    schedule,
     restore,
     verify,
     migrate,
     undo_upgrade,
+    accounts,
+    password,
+    audit,
+    erase,
+    retention,
 )
 
 

@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 import argparse
-import json
-import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from datetime import date
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
+from insole_studio.cli.records.day_argument import day
 from insole_studio.cli.records.place import add_place, opened
+from insole_studio.cli.records.rows import Row, print_rows
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
 
 NAME = "list"
 HELP = "list persons, found by words as in the window; or open orders, or the visits of a day"
-Row = Mapping[str, str]
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--orders", action="store_true", help="open orders, the first due first")
     what.add_argument(
-        "--visits", type=_day, metavar="DAY", help="visits of a day: 2026-11-20, or today"
+        "--visits", type=day, metavar="DAY", help="visits of a day: 2026-11-20, or today"
     )
     parser.add_argument(
         "--limit", type=whole, default=50, metavar="N", help="most persons (default: 50)"
@@ -41,17 +40,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Print a line for each."""
-    from insole_core.export.csv_text import csv_text
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.SEE) as records:
         rows = _rows(records, arguments)
-    if arguments.json:
-        json.dump(rows, sys.stdout, indent=1, ensure_ascii=False)
-        print()
-        return
-    lines = [tuple(rows[0]), *(row.values() for row in rows)] if rows else []
-    print(csv_text(lines, delimiter="\t"), end="")
+    print_rows(rows, as_json=arguments.json)
 
 
 def _rows(records: Records, arguments: argparse.Namespace) -> Sequence[Row]:
@@ -92,12 +85,3 @@ def _rows(records: Records, arguments: argparse.Namespace) -> Sequence[Row]:
 
 def _written(day: date | None) -> str:
     return "" if day is None else day.isoformat()
-
-
-def _day(text: str) -> date:
-    try:
-        return date.today() if text == "today" else date.fromisoformat(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(
-            f"{text} is no day; write it as 2026-11-20, or today"
-        ) from None

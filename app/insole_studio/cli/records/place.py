@@ -131,6 +131,21 @@ def opened(arguments: argparse.Namespace, right: Right) -> Iterator[Records]:
     NotAllowed
         When the account may not do it.
     """
+    with opened_by_nobody(arguments) as records:
+        who = sign_in(records, arguments)
+        _check(records, who, right)
+        yield records.for_author(who)
+
+
+@contextmanager
+def opened_by_nobody(arguments: argparse.Namespace) -> Iterator[Records]:
+    """Yield the record that the options name, for a command that proves who it is by itself.
+
+    Raises
+    ------
+    UsageError
+        When there is no such record; a command does not make one.
+    """
     from insole_core.records.author import Author
     from insole_core.records.open import open_records
 
@@ -140,9 +155,7 @@ def opened(arguments: argparse.Namespace, right: Right) -> Iterator[Records]:
     with closing(open_records(place, Author.of_user())) as records:
         if records.upgrade is not None:
             print(records.upgrade, file=sys.stderr)
-        who = sign_in(records, arguments)
-        _check(records, who, right)
-        yield records.for_author(who)
+        yield records
 
 
 def _check(records: Records, who: Author, right: Right) -> None:

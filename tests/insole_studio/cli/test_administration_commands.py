@@ -1,0 +1,147 @@
+"""The administration of the record on the command line."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Callable, Iterator
+from datetime import date
+from pathlib import Path
+
+import pytest
+from argon2 import PasswordHasher
+
+from insole_core.records import passwords
+from insole_core.records.author import Author
+from insole_core.records.open import open_records
+from insole_core.records.person import Person
+from insole_core.records.place import RecordsPlace
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+from insole_studio.cli.main import run
+from insole_studio.settings import load_settings
+from insole_studio.user_paths import UserPaths
+
+CHEF, EVA, FIRST = "four words in a row", "quite some other words", "told across the desk"
+Command = Callable[..., int]
+
+
+@pytest.fixture(autouse=True)
+def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
+
+
+@pytest.fixture
+def records(tmp_path: Path) -> Iterator[Records]:
+    """A record with two persons, who were here today."""
+    opened = open_records(RecordsPlace.local(tmp_path / "record"), Author.of_user())
+    for name, pseudonym in (("Anna Berg", "A-1"), ("Ben Ek", "B-1")):
+        person = opened.persons.add(Person(name, pseudonym=pseudonym))
+        opened.visits.add(Visit(person.id, date.today()))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def command(records: Records, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
+    """Run a step of `records`, with the lines that somebody types."""
+
+    def command(*arguments: str, typed: tuple[str, ...] = (), account: str = "chef") -> int:
+        monkeypatch.setattr("sys.stdin", io.StringIO("".join(f"{line}\n" for line in typed)))
+        signing = ("--account", account) if records.accounts.are_on else ()
+        return run(["records", *arguments, "--record", str(tmp_path / "record"), *signing])
+
+    return command
+
+
+def test_accounts_are_administered_from_the_first_one_on(
+    records: Records, command: Command, capsys: pytest.CaptureFixture[str]
+) -> None:
+    first = ("chef", "--full-name", "Carla Chef")
+    assert command("accounts", "on", *first, typed=(CHEF, "something else")) == 2
+    assert command("accounts", "on", *first, typed=(CHEF, CHEF)) == 0
+    eva = ("eva", "--full-name", "Eva Ek", "--role", "technician")
+    assert command("accounts", "add", *eva, typed=(CHEF, FIRST, FIRST)) == 0
+    assert command("password", typed=(FIRST, EVA, EVA), account="eva") == 0
+    assert records.accounts.sign_in("eva", EVA).role == "technician"
+    assert command("password", typed=(FIRST, CHEF, CHEF), account="eva") == 1
+    change = ("--role", "orthopedist", "--system-user", "ek")
+    assert command("accounts", "change", "Eva", *change, typed=(CHEF,)) == 0
+    assert command("accounts", "reset", "eva", typed=(CHEF, FIRST, FIRST)) == 0
+    capsys.readouterr()
+    assert command("accounts", "list", "--json", typed=(CHEF,)) == 0
+    listed = json.loads(capsys.readouterr().out)
+    assert listed[1] == {
+        "account": "eva", "full name": "Eva Ek", "role": "orthopedist",
+        "state": "first password", "system user": "ek",
+    }  # fmt: skip
+    assert command("accounts", "change", "eva", "--disable", typed=(CHEF,)) == 0
+    assert command("accounts", "unlock", "eva", typed=(CHEF,)) == 0
+    assert command("accounts", "unlock", "nobody", typed=(CHEF,)) == 1
+    assert "no account nobody" in capsys.readouterr().err
+    assert command("accounts", "list", typed=(CHEF,)) == 0
+    assert "eva\tEva Ek\torthopedist\tdisabled\tek" in capsys.readouterr().out
+    assert command("accounts", "off", typed=(CHEF,)) == 0
+    assert not records.accounts.are_on
+
+
+def test_the_audit_log_is_filtered_and_verified(
+    command: Command, capsys: pytest.CaptureFixture[str]
+) -> None:
+    today = date.today().isoformat()
+    assert command("audit", "--person", "A-1", "--from", today, "--to", "today", "--json") == 0
+    lines = json.loads(capsys.readouterr().out)
+    assert [line["what"] for line in lines] == ["visit A-1", "person A-1"]
+    assert command("audit", "--author", "nobody") == 0
+    assert capsys.readouterr().out == ""
+    assert command("audit", "--verify") == 0
+    assert "4 lines are what was written" in capsys.readouterr().out
+
+
+def test_a_person_is_erased_once_that_is_confirmed(
+    records: Records, command: Command, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert command("erase", "A-1") == 2
+    told = capsys.readouterr()
+    assert "A-1: 1 visits" in told.out
+    assert "Nothing was erased" in told.err
+    assert {person.name for person in records.persons.recent()} == {"Anna Berg", "Ben Ek"}
+    assert command("erase", "A-1", "--yes") == 0
+    assert "Anna Berg" not in {person.name for person in records.persons.recent()}
+
+
+def test_those_whose_time_is_over_are_listed_and_erased(
+    records: Records, command: Command, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert command("retention", "--years", "3") == 2
+    assert "at least 10 years" in capsys.readouterr().err
+    assert command("retention", "--years", "15") == 0
+    assert capsys.readouterr().out == "kept for 15 years after the last entry\n"
+    with records.context.database.writing() as connection:
+        for table, column in (("persons", "created_at"), ("visits", "visited_on")):
+            connection.exec_driver_sql(f"UPDATE {table} SET {column} = '1990-01-01'")
+    assert command("retention") == 0
+    assert "A-1\tkept until 2005-01-01\t1 visits\t0 orders" in capsys.readouterr().out
+    assert command("erase", "A-1", "--reason", "retention", "--yes") == 0
+    assert "everything but the pseudonym" in capsys.readouterr().out
+    assert command("retention") == 0
+    assert "A-1" not in capsys.readouterr().out
+
+
+def test_the_schedule_of_the_station_is_told_and_changed(
+    command: Command,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    paths = UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
+    monkeypatch.setattr(UserPaths, "of_user", lambda: paths)
+    assert command("schedule") == 0
+    assert "day\tnever" in capsys.readouterr().out
+    assert not paths.settings_file.exists()
+    plan = ("--folder", str(tmp_path), "--day", "friday", "--hour", "18", "--keep", "year")
+    assert command("schedule", *plan) == 0
+    assert "day\tfriday\nhour\t18\nkeep\tyear" in capsys.readouterr().out
+    settings = load_settings(paths.settings_file)
+    assert (settings.backup_folder, settings.backup_day) == (str(tmp_path), "4")
+    assert command("schedule", "--hour", "24") == 2
