@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
         settings = load_settings(path)
         if _change(settings, arguments):
             save_settings(settings, path)
-        last = last_backup_at(records.context)
+        last = last_backup_at(records.context.database)
     day = next(name for name, kept in _KEPT.items() if kept == settings.backup_day)
     print(f"folder\t{settings.backup_folder or 'none'}")
     print(f"day\t{day}\nhour\t{settings.backup_hour}\nkeep\t{settings.backup_keep}")
