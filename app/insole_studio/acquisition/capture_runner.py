@@ -268,7 +268,7 @@ class CaptureRunner:
         calibrated = self._calibrated[view]
         warnings = (*calibrated.warnings, *series.check())
         settled_after_s = series.stabilisation.settled_after_s or 0.0
-        warm_s = time.monotonic() - series.sensor.opened_s
+        warm_s = time.monotonic() - series.sensor.on_since_s
         facts = ViewFacts(settled_after_s, series.discarded, warm_s, warnings)
         self._draft.finish_view(view, calibrated, facts)
         self._views[view] = series.status(True, warnings)

@@ -38,6 +38,7 @@ from insole_studio.acquisition.shared_frame_buffer import SharedFrameBuffer
 _IDLE_S = 0.004
 _STATE_PERIOD_S = 0.25
 _FIND_PERIOD_S = 2.0
+_WARM_UP_PERIOD_S = 30.0
 _ROLL_DEG = 1.0
 """Smaller roll angles are noise of the accelerometer."""
 
@@ -89,7 +90,7 @@ class _Service:
     def run(self) -> None:
         """Stream and carry out commands until told to quit."""
         self._find()
-        next_state_s = next_find_s = 0.0
+        next_state_s = next_find_s = next_warm_up_s = 0.0
         while not self._quitting:
             self._receive()
             while self._waiting and not self._quitting:
@@ -100,6 +101,9 @@ class _Service:
             if now >= next_state_s:
                 next_state_s = now + _STATE_PERIOD_S
                 self._send(self._live.summary)
+            if now >= next_warm_up_s:
+                next_warm_up_s = now + _WARM_UP_PERIOD_S
+                self._live.keep_warm_ups()
             if now >= next_find_s:
                 next_find_s = now + _FIND_PERIOD_S
                 if self._live.is_time_to_find:

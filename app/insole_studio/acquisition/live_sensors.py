@@ -102,6 +102,11 @@ class LiveSensors:
             self._times[serial].append(time.monotonic())
         self._show(self._states[serial].slot, image if image.ndim == 2 else image[::2, ::2])
 
+    def keep_warm_ups(self) -> None:
+        """Note how long each sensor has been on."""
+        for sensor in self.opened.values():
+            sensor.keep_warm_up()
+
     def drop_lost(self) -> None:
         """Close the sensors that no longer respond."""
         for serial, state in tuple(self._states.items()):
@@ -144,7 +149,7 @@ class LiveSensors:
 
     def _state(self, serial: str) -> SensorState:
         opened = self.opened.get(serial)
-        warm_s = time.monotonic() - opened.opened_s if opened is not None else 0.0
+        warm_s = time.monotonic() - opened.on_since_s if opened is not None else 0.0
         return replace(self._states[serial], fps=self._fps(serial), warm_s=warm_s)
 
     def _fps(self, serial: str) -> float:

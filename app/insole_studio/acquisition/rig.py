@@ -16,6 +16,7 @@ from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_status import DetectedSensor
 from insole_studio.acquisition.factory_calibration import factory_sensor
 from insole_studio.acquisition.sensor_errors import NoSensorFoundError, SensorError, translating
+from insole_studio.acquisition.warm_up import WarmUps
 from kinect_v1.errors import KinectError
 from kinect_v1.kinect_camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.modes import BAYER_640, BAYER_1280, IR_640, StreamMode
@@ -44,10 +45,13 @@ class Rig:
     ----------
     bus
         The computer's own bus, or an emulated one; the only difference between the two.
+    warm_ups
+        Of the sensors; by default they begin when a sensor is opened.
     """
 
-    def __init__(self, bus: UsbBus) -> None:
+    def __init__(self, bus: UsbBus, warm_ups: WarmUps | None = None) -> None:
         self._bus = bus
+        self._warm_ups = warm_ups or WarmUps()
 
     def find(self) -> tuple[DetectedSensor, ...]:
         """List the sensors that are plugged in, without disturbing any.
@@ -97,7 +101,7 @@ class Rig:
             When it is not plugged in, has no power or no permission, or another program uses it.
         """
         with translating():
-            return OpenSensor(open_camera(serial, _SETTINGS, self._bus))
+            return OpenSensor(open_camera(serial, _SETTINGS, self._bus), self._warm_ups)
 
 
 class OpenSensor:
@@ -107,15 +111,17 @@ class OpenSensor:
     ----------
     bus
         Number of its USB controller.
-    opened_s
-        When it was opened, `time.monotonic()`.
+    on_since_s
+        Since when it has been on, `time.monotonic()`; pauses are left out.
     """
 
-    def __init__(self, camera: KinectCamera) -> None:
+    def __init__(self, camera: KinectCamera, warm_ups: WarmUps) -> None:
         self.serial = camera.serial
         self.model = camera.model.value
         self.bus = camera.bus
-        self.opened_s = time.monotonic()
+        self._place = (camera.bus, camera.address)
+        self._warm_ups = warm_ups
+        self.on_since_s = warm_ups.since_s(self.serial, self._place)
         self._camera = camera
         self._depth: Stream | None = None
         self._color: Stream | None = None
@@ -305,6 +311,10 @@ class OpenSensor:
         with translating():
             self._camera.motor.set_led(Led.BLINK_GREEN if on else Led.GREEN)
 
+    def keep_warm_up(self) -> None:
+        """Note how long it has been on, in case this process is killed."""
+        self._warm_ups.keep(self.serial, self._place, self.on_since_s)
+
     def close(self) -> None:
         """Stop everything and release the sensor, also when it has been unplugged.
 
@@ -312,6 +322,7 @@ class OpenSensor:
         ------
         SensorError
         """
+        self.keep_warm_up()
         with translating():
             self._camera.close()
 

@@ -18,6 +18,7 @@ from insole_studio.acquisition.capture_setup import (
 from insole_studio.acquisition.emulated_rig import EmulatedRig, emulated_bursts, emulated_views
 from insole_studio.acquisition.rig import Rig
 from insole_studio.acquisition.sensor_errors import translating
+from insole_studio.acquisition.warm_up import WarmUps
 from kinect_v1.usb_bus import UsbBus, system_bus
 
 
@@ -33,11 +34,14 @@ class SensorSource:
         A recorded session whose frames are played as live sensors; None for real ones.
     system_file
         File of the reference system; None selects the bundled one.
+    warm_up_file
+        Where it is kept how long each sensor has been on; None keeps nothing.
     """
 
     stored: SensorFiles
     emulate: Path | None = None
     system_file: Path | None = None
+    warm_up_file: Path | None = None
 
     @cached_property
     def session(self) -> Session | None:
@@ -59,10 +63,11 @@ class SensorSource:
         SensorError
             When libusb is missing.
         """
+        warm_ups = WarmUps(self.warm_up_file)
         if self.emulated_rig is not None:
-            return Rig(UsbBus(self.emulated_rig.bus))
+            return Rig(UsbBus(self.emulated_rig.bus), warm_ups)
         with translating():
-            return Rig(system_bus())
+            return Rig(system_bus(), warm_ups)
 
     def setup(self) -> CaptureSetup:
         """Return the capture setup.

@@ -19,6 +19,7 @@ from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.warm_up import WARM_UP_FILE
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.appearance import Appearance
 from insole_studio.app.application_events import ApplicationEvents
@@ -173,7 +174,11 @@ def build_application(
     )
     # The end of the session, of which systems without signals tell in this way.
     application.commitDataRequest.connect(autosave.keep_now, Qt.ConnectionType.DirectConnection)
-    source = SensorSource(SensorStore(paths.sensors_folder), emulate)
+    source = SensorSource(
+        SensorStore(paths.sensors_folder),
+        emulate,
+        warm_up_file=paths.sensors_folder / WARM_UP_FILE,
+    )
     features = make_features(services, stage, autosave, source)
     main = WindowFeature(
         window,

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_studio.cli.sensor_arguments import add_store_argument, store_of
+from insole_studio.cli.sensor_arguments import add_store_argument, store_folder, store_of
 
 if TYPE_CHECKING:
     from insole_studio.acquisition.sensor_source import SensorSource
@@ -37,5 +37,7 @@ def sensor_source_of(
         File of the reference system; None selects the bundled one.
     """
     from insole_studio.acquisition.sensor_source import SensorSource
+    from insole_studio.acquisition.warm_up import WARM_UP_FILE
 
-    return SensorSource(store_of(arguments), arguments.emulate, system_file)
+    warm_up_file = store_folder(arguments) / WARM_UP_FILE
+    return SensorSource(store_of(arguments), arguments.emulate, system_file, warm_up_file)

@@ -107,6 +107,8 @@ class KinectCamera:
     ----------
     bus
         Number of its USB controller.
+    address
+        On the bus; it changes when the sensor loses its power.
     calibration
         The factory calibration of this device.
     """
@@ -115,6 +117,7 @@ class KinectCamera:
         self.serial = serial
         self.model: Model = found.model
         self.bus = found.camera.bus
+        self.address = found.camera.address
         self._found = found
         self._function = found.camera
         self._settings = settings
