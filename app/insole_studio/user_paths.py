@@ -63,6 +63,16 @@ class UserPaths:
         return self.data_folder / "crashes"
 
     @property
+    def log_file(self) -> Path:
+        """The log of trouble with sensors and the database."""
+        return self.data_folder / "logs" / "insole-studio.log"
+
+    @property
+    def sensors_log_file(self) -> Path:
+        """The log of the process that talks to the sensors."""
+        return self.log_file.with_name("sensors.log")
+
+    @property
     def backed_up_folders(self) -> dict[str, Path]:
         """What belongs to a backup besides the record, by name."""
         return {SETTINGS_GROUP: self.settings_folder, "sensors": self.sensors_folder}

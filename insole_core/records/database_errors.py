@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import re
 import sqlite3
 from typing import Final
@@ -10,6 +11,8 @@ from sqlalchemy.exc import DBAPIError
 
 from insole_core.errors import RecordsError, Unreachable
 from insole_core.records.place import RecordsPlace
+
+log = logging.getLogger(__name__)
 
 
 class DamagedDatabase(RecordsError):  # noqa: N818 - as the other errors of the record
@@ -119,6 +122,8 @@ def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
         As SQLAlchemy reports it; the values of its statement are patients' data and are not told.
     """
     kind, sentence = _kind_of(place, error)
+    code = getattr(error.orig, "sqlite_errorname", getattr(error.orig, "sqlstate", None))
+    log.warning("%s: %s (%s)", place.name, sentence.partition("; ")[0], code or "connecting")
     if "{reason}" in sentence:
         reason = _OF_SERVER.sub("", _first_line(str(error.orig)))
         return kind(sentence, place=place.name, reason=reason)

@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from insole_core.messages import Message
+from insole_studio.document.record_location import location_of_window
 from insole_studio.settings import RECENT_COUNT, Settings, load_settings, save_settings
+from insole_studio.user_paths import UserPaths
 
 
 def test_what_is_saved_comes_back(tmp_path: Path) -> None:
@@ -79,3 +82,19 @@ def test_recent_files_are_few_and_newest_first() -> None:
     settings.remember(Path("/case-5"))
     assert settings.recent[0] == str(Path("/case-5"))
     assert len(settings.recent) == len(set(settings.recent)) == RECENT_COUNT
+
+
+@pytest.mark.parametrize("page", ["stations.md", "sv/stations.md"])
+def test_what_the_manual_lets_an_administrator_preset_is_the_record_of_the_window(
+    tmp_path: Path, page: str
+) -> None:
+    manual = Path(__file__).parents[2] / "docs" / "manual" / page
+    preset = manual.read_text("utf-8").partition("```json\n")[2].partition("```")[0]
+    paths = UserPaths(tmp_path / "settings.json", tmp_path / "autosave")
+    paths.settings_file.write_text(preset, "utf-8")
+    complaints: list[Message] = []
+    load_settings(paths.settings_file, complaints.append)
+    assert complaints == []
+    place = location_of_window(paths).place()
+    assert place.name == "server/records"
+    assert place.contents == Path("/mnt/insole")

@@ -34,6 +34,8 @@ from insole_studio.acquisition.messages import (
 )
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.shared_frame_buffer import SharedFrameBuffer
+from insole_studio.log_file import log_to
+from insole_studio.user_paths import UserPaths
 
 _IDLE_S = 0.004
 _STATE_PERIOD_S = 0.25
@@ -56,6 +58,11 @@ def serve(connection: Connection, board: SharedFrameBuffer, source: SensorSource
         Provides the sensors and the capture setup.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the window to handle
+    with log_to(UserPaths.of_user().sensors_log_file):
+        _serve(connection, board, source)
+
+
+def _serve(connection: Connection, board: SharedFrameBuffer, source: SensorSource) -> None:
     try:
         rig, setup = source.rig(), source.setup()
     except InsoleError as error:

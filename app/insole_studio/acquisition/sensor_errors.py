@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 from insole_core.errors import InsoleError
 from kinect_v1.errors import BandwidthError, KinectError, NoSensorError
+
+log = logging.getLogger(__name__)
 
 
 class SensorError(InsoleError):
@@ -33,5 +36,6 @@ def translating() -> Iterator[None]:
     try:
         yield
     except KinectError as error:
+        log.warning("%s", error)
         kind = next((ours for theirs, ours in _KINDS if isinstance(error, theirs)), SensorError)
         raise kind(str(error)) from error

@@ -47,6 +47,7 @@ from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.jobs import Jobs
+from insole_studio.log_file import log_to
 from insole_studio.native_heap import return_freed_memory
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.color_scheme import is_dark
@@ -284,7 +285,8 @@ def run_application(
         QTimer.singleShot(0, app.window, lambda: opener.open_path(paths[0], side))
     _quit_on_signals(qt)
     try:
-        return int(qt.exec())
+        with log_to(user_paths.log_file):
+            return int(qt.exec())
     finally:
         sys.excepthook = sys.__excepthook__
         app.close()

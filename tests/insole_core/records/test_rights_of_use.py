@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
@@ -77,3 +78,68 @@ def test_a_technician_neither_signs_nor_merges(stations: Stations, visit: Visit)
     orthopedist = signed_in(stations, Role.ORTHOPEDIST)
     assert orthopedist.prescriptions.sign(base.version_id).signed_by == "orthopedist"
     orthopedist.persons.merge(visit.person_id, other.id)
+
+
+ROOT = Path(__file__).parents[3]
+CHECKS = {"require", "require_signed_in", "_require_management"}
+OPENS = {"reading", "writing", "snapshot"}
+UNCHECKED = {
+    # What signs in, or has to be known before: it tells nothing of anybody.
+    "records/accounts.py are_on",
+    "records/accounts.py switch_on",
+    "records/accounts.py sign_in",
+    "records/accounts.py sign_in_system_user",
+    "records/accounts.py _note_success",
+    "records/accounts.py change_password",
+    "records/accounts.py _count_in_record",
+    "records/accounts.py _count_here",
+    "records/clinic.py get",
+    "records/backup/back_up.py key_of_backups",
+    "records/backup/back_up.py last_backup_at",
+    "records/place_check.py look_at_place",
+    # Ids of what has changed, so that a window notices that accounts were switched on.
+    "records/changes.py mark",
+    "records/changes.py since",
+    # Whether the record is that of a first start, or has somebody to lose.
+    "records/sample_patient.py is_untouched",
+    # Called by what has checked.
+    "records/retention.py over_retention_named",
+    # Before there is anybody: opening, migrating, restoring to an empty place.
+    "records/records.py snapshot",
+    "records/migrate.py migrate",
+    "records/open.py _why_server_read_only",
+    "records/open.py _check_tables",
+    "records/open.py _content_store",
+    "records/backup/restore.py _fill",
+    "records/backup/restore.py _check_empty",
+    "records/upgrade_copy.py copies_of",
+    "records/upgrade_copy.py forget_copies",
+    "records/upgrade_copy.py _put_back_schema",
+}
+"""Functions that open a transaction of the database without a check of their own, and why."""
+
+
+def test_whatever_opens_a_transaction_checks_or_is_known() -> None:
+    found = set()
+    for path in sorted((ROOT / "insole_core").rglob("*.py")):
+        tree = ast.parse(path.read_text("utf-8"))
+        for function in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)):
+            if _opens(function) and not _calls(function) & CHECKS:
+                found.add(f"{path.relative_to(ROOT / 'insole_core').as_posix()} {function.name}")
+    assert found == UNCHECKED
+
+
+def _opens(function: ast.FunctionDef) -> bool:
+    """Tell whether a function asks the database itself, not what checks before it does."""
+    return any(
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr in OPENS
+        and "database" in ast.unparse(node.func.value)
+        for node in ast.walk(function)
+    )
+
+
+def _calls(function: ast.FunctionDef) -> set[str]:
+    calls = (node.func for node in ast.walk(function) if isinstance(node, ast.Call))
+    return {getattr(call, "id", getattr(call, "attr", "")) for call in calls}

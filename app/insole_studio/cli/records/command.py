@@ -24,6 +24,7 @@ from insole_studio.cli.records import (
     verify,
 )
 from insole_studio.cli.subcommands import Command, add_steps
+from insole_studio.user_paths import UserPaths
 
 NAME = "records"
 HELP = "the clinic's record: its patients, orders and backups"
@@ -53,5 +54,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Run the chosen step."""
-    arguments.step.run(arguments, progress)
+    """Run the chosen step; trouble with the database is in the log, too."""
+    from insole_studio.log_file import log_to
+
+    with log_to(UserPaths.of_user().log_file):
+        arguments.step.run(arguments, progress)
