@@ -32,7 +32,8 @@ class Settings:
     `clinic`, `maker` and `maker_address` stand on the prescription; file dialogs start in the
     folder of their kind; `number_kind` is that of new personal numbers. `record_database` is the
     address of a shared record without its password, empty for the record of this computer;
-    `record_contents` is the folder of its large files. Backups go to `backup_folder` at
+    `record_contents` is the folder of its large files; `record_had_accounts` says that nobody sees
+    a patient before signing in, also while it does not answer. Backups go to `backup_folder` at
     `backup_hour` of every day ("daily") or of a day of the week (0 for Monday), or on demand only;
     `backup_keep` says which of them stay: all, or those of 30 days and then one of each month, of
     all months or of the last twelve. `backup_used_folder` had a backup before, so that an empty one
@@ -55,6 +56,7 @@ class Settings:
     number_kind: str = ""
     record_database: str = ""
     record_contents: str = ""
+    record_had_accounts: bool = False
     backup_folder: str = ""
     backup_day: BackupDay = "never"
     backup_hour: int = 12

@@ -159,7 +159,7 @@ def build_application(
     location = RecordLocation(
         paths.records_folder, settings.record_database, settings.record_contents
     )
-    clinic = ClinicRecord(location, Jobs(window), window)
+    clinic = ClinicRecord(location, Jobs(window), window, had_accounts=settings.record_had_accounts)
     autosave = Autosave(case, Jobs(window), paths.autosave_folder)
     services = AppServices(
         case=case,

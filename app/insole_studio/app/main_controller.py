@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
@@ -82,7 +82,10 @@ class MainController(QObject):
 
     def connect_hand_over(self, hand_over: HandOver) -> None:
         """Tell of work that was handed over to the record, and offer what it cannot take."""
-        hand_over.refused.connect(self._features.case_files.recovery.offer)
+        recovery = self._features.case_files.recovery
+        hand_over.stuck_changed.connect(lambda left: recovery.show_stuck(left, hand_over.give_up))
+        hand_over.found.connect(recovery.offer)
+        hand_over.damaged.connect(self._services.messages.show_sentence)
         hand_over.handed_over.connect(self._tell_handed_over)
         hand_over.failed.connect(self._services.messages.show_error)
 
@@ -134,6 +137,7 @@ class MainController(QObject):
         """Connect the administration of the record."""
         administration, clinic = self._features.clinic, self._services.clinic
         administration.start_requested.connect(self._features.records.show_start)
+        administration.patients_hidden.connect(self._hide_patients)
         administration.lock.quit_requested.connect(self._quit_locked)
         administration.backups.reminder_changed.connect(self._features.records.show_reminder)
         self._features.records.reminder_put_off.connect(administration.backups.put_off_reminder)
@@ -143,12 +147,27 @@ class MainController(QObject):
 
     def _show_accounts(self) -> None:
         """Show what has to do with signing in only where the record has accounts."""
-        clinic = self._services.clinic
+        clinic, settings = self._services.clinic, self._services.settings
+        if settings.record_had_accounts is not clinic.had_accounts:
+            settings.record_had_accounts = clinic.had_accounts
+            self._services.save_settings()
         for key in OF_ACCOUNTS:
             self._window.actions_by_key[key].setVisible(clinic.has_accounts)
         author = clinic.author if clinic.has_accounts and clinic.is_open else None
         text = "" if author is None else tr("Signed in as {name}").format(name=author.name)
         self._window.status.show_user(text)
+
+    def _hide_patients(self) -> None:
+        """Close all windows and drop all notices that may show a patient."""
+        features = self._features
+        for feature in (features.capture, features.export, features.compare, features.foot):
+            feature.close()
+        for dialog in QApplication.topLevelWidgets():
+            is_sign_in = dialog is features.clinic.lock.dialog
+            if isinstance(dialog, QDialog) and dialog.isVisible() and not is_sign_in:
+                dialog.reject()
+        self._services.notices.drop_all()
+        features.case_files.recovery.hide()
 
     def _quit_locked(self) -> None:
         """End without a question or a picture of the case, whose copy is offered at the start."""
@@ -156,8 +175,13 @@ class MainController(QObject):
         self.closed.emit()
 
     def _show_kept(self) -> None:
-        """Say whether the open visit is in the record."""
+        """Say whether the open visit is in the record, or on the disk of this computer."""
         keeper = self._services.keeper
+        if keeper.state in (KeepState.WAITING, KeepState.REFUSED) and not self._autosave.is_kept:
+            trouble = self._autosave.trouble
+            text = tr("Not saved and not kept here yet") if trouble else tr("Keeping…")
+            self._window.status.show_kept(text, translate_core_message(trouble), warns=True)
+            return
         text, warns = {
             KeepState.NOTHING: ("", False),
             KeepState.SAVED: (tr("Saved in the record"), False),
@@ -200,6 +224,8 @@ class MainController(QObject):
         return page is not None and page is self._features.records.person
 
     def _tell_handed_over(self, name: str, conflicted: bool) -> None:
+        if self._services.clinic.hides_patients:  # whoever was signed in has left meanwhile
+            return
         if conflicted:
             sentence = tr(
                 "{name}: somebody else changed the same foot or field while the record did not "
@@ -218,6 +244,7 @@ class MainController(QObject):
         case.closing.connect(self._clear_case)
         self._tool_controller.tool_changed.connect(self._show_tool)
         self._autosave.failed.connect(self._services.messages.show_sentence)
+        self._autosave.kept_changed.connect(self._show_kept)
 
     def _clear_case(self, coming: CaseRecord) -> None:
         """Take away all that hangs on the case, wherever it is shown, before another one comes."""

@@ -67,6 +67,8 @@ class ClinicRecord(QObject):
         Where the record is; on this computer, it is made at the first start.
     jobs
         Jobs of the record alone, so that no long computation keeps a save waiting.
+    had_accounts
+        Whether it had accounts when it was open last, as far as this computer knows.
     """
 
     state_changed = Signal()
@@ -75,7 +77,14 @@ class ClinicRecord(QObject):
     upgraded = Signal(object)
     """Emitted with the `Message` that the record was brought up to date, and what was kept."""
 
-    def __init__(self, location: RecordLocation, jobs: Jobs, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        location: RecordLocation,
+        jobs: Jobs,
+        parent: QObject | None = None,
+        *,
+        had_accounts: bool = False,
+    ) -> None:
         super().__init__(parent)
         self.location = location
         self.jobs = jobs
@@ -85,6 +94,11 @@ class ClinicRecord(QObject):
         self._watch = QTimer(self)
         self._watch.setInterval(WATCH_MS)
         self._watch.timeout.connect(self._look_for_changes)
+        self._retry = QTimer(self)
+        self._retry.setSingleShot(True)
+        self._retry.setInterval(RETRY_MS)
+        self._retry.timeout.connect(self._start_opening)
+        self.had_accounts = had_accounts
         self.state = RecordState.CLOSED
         self.trouble = ""
         """Why the record cannot be asked; empty while it can."""
@@ -108,6 +122,13 @@ class ClinicRecord(QObject):
         return author is None or author.role.sees_patients
 
     @property
+    def hides_patients(self) -> bool:
+        """Whether no patient may come up unasked: nobody has signed in who may see them."""
+        if self.state is RecordState.SIGNED_OUT:
+            return True
+        return self.had_accounts if self._records is None else not self.may_show_patients
+
+    @property
     def is_read_only(self) -> bool:
         """Whether nothing can be changed, as in a damaged database."""
         return self._records is not None and self._records.is_read_only
@@ -120,9 +141,13 @@ class ClinicRecord(QObject):
     def open(self) -> None:
         """Open the record in a job; make it where there is none."""
         if self.state in (RecordState.CLOSED, RecordState.REFUSED):
+            self._retry.stop()
             self._set_state(RecordState.OPENING)
-            location = self.location
-            self.jobs.start(OPEN, lambda _progress: _open(location), self._take, self._refuse)
+            self._start_opening()
+
+    def _start_opening(self) -> None:
+        location = self.location
+        self.jobs.start(OPEN, lambda _progress: _open(location), self._take, self._refuse)
 
     def reopen(self, location: RecordLocation | None = None) -> None:
         """Open the record again, or another one; whoever has signed in has to do so again."""
@@ -133,6 +158,7 @@ class ClinicRecord(QObject):
     def let_go(self) -> None:
         """Close the record, so that another one can take its place; `open` opens it again."""
         self._watch.stop()
+        self._retry.stop()
         for channel in self.jobs.running:
             self.jobs.cancel(channel)
         if self._records is not None:
@@ -252,6 +278,7 @@ class ClinicRecord(QObject):
     def close(self) -> None:
         """Stop watching and close the record, after the jobs have ended."""
         self._watch.stop()
+        self._retry.stop()
         self.jobs.close()
         if self._records is not None:
             self._records.close()
@@ -260,7 +287,7 @@ class ClinicRecord(QObject):
 
     def _take(self, opened: _Opened) -> None:
         self._records, self._mark = opened.records, opened.mark
-        self.has_accounts = opened.has_accounts
+        self.has_accounts = self.had_accounts = opened.has_accounts
         self.trouble = ""
         if opened.records.upgrade is not None:
             self.upgraded.emit(opened.records.upgrade)
@@ -271,10 +298,14 @@ class ClinicRecord(QObject):
             self._watch.start()
 
     def _refuse(self, error: Exception) -> None:
+        """Tell why the record cannot be opened; try again if it only does not answer."""
         if not isinstance(error, InsoleError):
             log.error("the record cannot be opened", exc_info=error)
-        self.trouble = str(error)
-        self._set_state(RecordState.REFUSED)
+        if isinstance(error, Unreachable):
+            self._retry.start()
+        if (self.state, self.trouble) != (RecordState.REFUSED, str(error)):
+            self.trouble = str(error)
+            self._set_state(RecordState.REFUSED)
 
     def _look_for_changes(self) -> None:
         """Ask what has changed, here or at another station, unless the last answer is to come."""
@@ -299,7 +330,7 @@ class ClinicRecord(QObject):
         """Ask for a sign-in once accounts were switched on, here or at another station."""
         if has_accounts is self.has_accounts:
             return
-        self.has_accounts = has_accounts
+        self.has_accounts = self.had_accounts = has_accounts
         if has_accounts:
             self._watch.stop()
             self._set_state(RecordState.SIGNED_OUT)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -36,15 +36,22 @@ class HandOver(QObject):
 
     handed_over = Signal(str, bool)
     """Emitted with the patient's name, and whether somebody else had changed the same, too."""
-    refused = Signal(object)
-    """Emitted with journals (`Recovered`) that the record cannot take, as it cannot be opened."""
+    stuck_changed = Signal(object)
+    """Emitted with the journals (`Recovered`) that the record does not take; see `give_up`."""
+    found = Signal(object)
+    """Emitted with journals of files, which are none of the record's."""
     failed = Signal(object)
+    damaged = Signal(object)
+    """Emitted with a sentence about a journal that cannot be read."""
 
     def __init__(self, clinic: ClinicRecord, folder: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._clinic = clinic
         self._folder = folder
         self._waiting: list[Recovered] = []
+        self._under_way: Recovered | None = None
+        self._refusals: dict[Recovered, str] = {}
+        """Why the record did not take journals, for which it would have to be another one."""
         self._looks_again = False
         self._author: Author | None = None
         clinic.state_changed.connect(self._go_on)
@@ -54,30 +61,56 @@ class HandOver(QObject):
         self._waiting += journals
         self._go_on()
 
+    def give_up(self, journal: Recovered) -> bool:
+        """Hand over a journal no more; return False if it is being stored or is stored already."""
+        if journal not in self._waiting:
+            return False
+        self._waiting.remove(journal)
+        self._refusals.pop(journal, None)
+        return True
+
     def close(self) -> None:
         """Leave what is not handed over to the next window that starts."""
+        self._put_back()
         for journal in self._waiting:
             journal.release()
         self._waiting.clear()
 
     def _go_on(self) -> None:
         clinic = self._clinic
-        if clinic.state is RecordState.AWAY:
+        if clinic.state is RecordState.CLOSED:
+            self._put_back()
+        elif clinic.state is RecordState.AWAY:
             self._looks_again = True
-        elif clinic.state is RecordState.REFUSED and self._waiting:
-            waiting, self._waiting = self._waiting, []
-            self.refused.emit(waiting)
+        elif clinic.state is RecordState.REFUSED:
+            self.stuck_changed.emit(tuple(self._waiting))
         elif clinic.is_open:
             self._note_author()
             if clinic.may_show_patients:
                 self._hand_over_all()
 
     def _hand_over_all(self) -> None:
+        """Hand over one journal after the other, the newest first: it stays the newest version."""
+        if self._under_way is not None:
+            return
         if self._looks_again:
             self._look_again()
-        waiting, self._waiting = self._waiting, []
-        for journal in waiting:
-            self._hand_over(journal)
+        self._hand_over_next(list(self._waiting))
+
+    def _hand_over_next(self, journals: list[Recovered]) -> None:
+        while journals:
+            journal = journals.pop(0)
+            if journal in self._waiting:
+                self._waiting.remove(journal)
+                self._hand_over(journal, lambda: self._hand_over_next(journals))
+                return
+        self.stuck_changed.emit(tuple(self._refusals))
+
+    def _put_back(self) -> None:
+        """Let a journal wait whose answer does not arrive any more."""
+        if self._under_way is not None:
+            self._waiting.insert(0, self._under_way)
+            self._under_way = None
 
     def _note_author(self) -> None:
         """Look again for what was set aside when somebody else has signed in."""
@@ -86,13 +119,13 @@ class HandOver(QObject):
 
     def _look_again(self) -> None:
         self._looks_again = False
-        found = find_recovered(self._folder)
+        found = find_recovered(self._folder, self.damaged.emit)
         self._waiting += [journal for journal in found if journal.visit is not None]
-        for journal in found:
-            if journal.visit is None:
-                journal.release()
+        self.found.emit([journal for journal in found if journal.visit is None])
 
-    def _hand_over(self, journal: Recovered) -> None:
+    def _hand_over(self, journal: Recovered, then: Callable[[], None]) -> None:
+        self._under_way = journal
+
         def keep(records: Records) -> KeptChange:
             return _keep(records, journal)
 
@@ -100,17 +133,24 @@ class HandOver(QObject):
             if change.trouble is not None:
                 missed(change.trouble)
                 return
+            self._under_way = None
+            self._refusals.pop(journal, None)
             journal.discard()
             collided = bool(change.conflicts or change.collided)
             self.handed_over.emit(journal.record.patient.name, collided)
+            then()
 
         def missed(error: Exception) -> None:
-            self._waiting.append(journal)
+            self._put_back()
             if not isinstance(error, InsoleError):
                 raise error
-            self._clinic.note_failure(error)
-            if not isinstance(error, Unreachable):
+            if isinstance(error, Unreachable):
+                self._clinic.note_failure(error)
+                return
+            if self._refusals.get(journal) != str(error):
+                self._refusals[journal] = str(error)
                 self.failed.emit(error)
+            then()
 
         self._clinic.write(keep, kept, missed)
 

@@ -94,6 +94,7 @@ class RecordKeeper(QObject):
         self._conflict: Conflict | None = None
         self._patient_conflict: PatientConflict | None = None
         self._then: Then | None = None
+        self._otherwise: Then | None = None
         self._reason = ""
         self._told = ""
         """The last refusal that the user was told: each change after it would tell it again."""
@@ -132,31 +133,39 @@ class RecordKeeper(QObject):
 
         self._clinic.ask("records-open", read, opened, failed)
 
-    def leave(self, then: Then) -> None:
+    def leave(self, then: Then, otherwise: Then | None = None) -> None:
         """Save what is not in the record yet, and call `then`; at once if nothing is left to do.
 
         While the database does not answer, the work stays in the journal and `then` is called too.
+
+        Parameters
+        ----------
+        otherwise
+            Called where the visit cannot be left: the user has to decide, or the record or the disk
+            takes nothing.
         """
         if self.state is KeepState.CONFLICT:
             self.conflicted.emit()
-        elif self._case.has_unsaved_changes or self._is_saving:
-            self._then = then
+            if otherwise is not None:
+                otherwise()
+        elif self.is_keeping and (self._case.has_unsaved_changes or self._is_saving):
+            self._then, self._otherwise = then, otherwise
             self._save()
         else:
             then()
 
     def set_aside(self) -> None:
-        """Leave what the record has not taken in the journal, for whoever signs in next.
+        """Leave the case in the journal, if it is saved nowhere, for whoever signs in next.
 
         Raises
         ------
         OutputError
             When the journal cannot be written.
         """
-        kept = self._case.kept
-        if kept is not None and self._case.has_unsaved_changes:
+        if self._case.has_unsaved_changes and not self._case.is_empty:
             self._autosave.set_aside()
-            self._case.kept = kept.begun_anew()  # should it stay open, both are stored
+            if self._case.kept is not None:  # should it stay open, both are stored
+                self._case.kept = self._case.kept.begun_anew()
 
     def keep_version(self, reason: str) -> None:
         """Keep the feet as they are as a version of their own, for a reason."""
@@ -246,7 +255,11 @@ class RecordKeeper(QObject):
             self._timer.start(SAVE_AFTER_MS)
 
     def _save_if_back(self) -> None:
-        unsaved = (KeepState.WAITING, KeepState.REFUSED)  # refused, as to who was not signed in
+        """Save when the record is open again; what was being saved as it closed has no answer."""
+        if self._clinic.state is RecordState.CLOSED:
+            self._is_saving = False
+        # Refused, as to who was not signed in.
+        unsaved = (KeepState.CHANGED, KeepState.WAITING, KeepState.REFUSED)
         if self._clinic.state is RecordState.OPEN and self.state in unsaved:
             self._save()
 
@@ -302,11 +315,11 @@ class RecordKeeper(QObject):
             saved = replace(saved, patient=replace(saved.patient, **unsaved))
         self._case.mark_kept(saved, kept)
         if change.conflicts or change.collided:
-            self._then = None
             self._conflict = next(iter(change.conflicts.values()), None)
             self._patient_conflict = _patient_conflict(record.patient, change)
             self._set_state(KeepState.CONFLICT)
             self.conflicted.emit()
+            self._stay()
         elif change.trouble is not None:
             self._fail(change.trouble)
         elif self._case.has_unsaved_changes or self._reason:
@@ -320,7 +333,7 @@ class RecordKeeper(QObject):
     def _fail(self, error: Exception) -> None:
         self._is_saving = False
         if not isinstance(error, InsoleError):
-            self._then = None
+            self._stay()
             raise error
         self.trouble = str(error)
         if isinstance(error, Unreachable):
@@ -329,11 +342,11 @@ class RecordKeeper(QObject):
             self._timer.start(RETRY_MS)
             self._leave_unsaved()
         else:
-            self._then = None
             self._set_state(KeepState.REFUSED)
             if self._told != str(error):
                 self._told = str(error)
                 self.failed.emit(error)
+            self._stay()
 
     def _leave_unsaved(self) -> None:
         """Leave the case for another one, once its journal is safe."""
@@ -342,15 +355,20 @@ class RecordKeeper(QObject):
         try:
             self.set_aside()
         except InsoleError as error:
-            self._then = None
             self.failed.emit(error)
+            self._stay()
         else:
             self._go_on()
 
     def _go_on(self) -> None:
-        then, self._then = self._then, None
+        then, self._then, self._otherwise = self._then, None, None
         if then is not None:
             then()
+
+    def _stay(self) -> None:
+        otherwise, self._then, self._otherwise = self._otherwise, None, None
+        if otherwise is not None:
+            otherwise()
 
     def _set_state(self, state: KeepState) -> None:
         if state in (KeepState.SAVED, KeepState.CHANGED, KeepState.NOTHING):

@@ -62,6 +62,11 @@ class Notices(QObject):
         self._shown = {key: shown for key, shown in self._shown.items() if shown.stays}
         self._bar.show_notices(self.notices)
 
+    def drop_all(self) -> None:
+        """Remove all notices."""
+        self._shown.clear()
+        self._bar.show_notices([])
+
     def take(self, key: str, number: int = 0) -> None:
         """Remove a notice, and carry out one of its offers."""
         _, run = self._shown[key].offers[number]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import count
 from pathlib import Path
 
 from PySide6.QtCore import QDateTime
@@ -18,7 +19,7 @@ from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
-NOTICE = "recovered"
+NOTICE, STUCK = "recovered", "stuck"
 
 
 class Recovery:
@@ -33,6 +34,7 @@ class Recovery:
         reopen: Callable[[Path], None],
     ) -> None:
         self._case = services.case
+        self._clinic = services.clinic
         self._notices = services.notices
         self._messages = services.messages
         self._saver = saver
@@ -41,21 +43,98 @@ class Recovery:
         self._reopen = reopen
         self._offered: list[Recovered] = []
         """The cases that no other window is offered while this one is open."""
+        self._held: list[Recovered] = []
+        """Those that wait until somebody may see them."""
+        self._undecided: dict[str, Recovered] = {}
+        """Those that are offered by a notice, by its key."""
+        self._numbers = count()
+        self._stuck = 0
         self._case.saved_changed.connect(self._drop_when_saved)
+        self._clinic.state_changed.connect(self._offer_held)
 
     def offer(self, found: Sequence[Recovered]) -> None:
-        """Open the first of the recovered cases, unsaved; the others are offered beside it."""
+        """Offer recovered cases, as soon as somebody is here who may see patients.
+
+        The first is opened, unsaved, where no other case is open; the others are offered beside it.
+        """
         self._offered += found
-        for number, other in enumerate(found[1:]):
-            self._offer_other(f"{NOTICE}-{number}", other, _changed_at(other))
-        if found:
-            self._open(found[0], _changed_at(found[0]))
+        self._held += found
+        self._offer_held()
+
+    def show_stuck(
+        self, journals: Sequence[Recovered], give_up: Callable[[Recovered], bool]
+    ) -> None:
+        """Tell of changes of visits that the record does not take, in place of those told before.
+
+        Parameters
+        ----------
+        give_up
+            Called with one that is to be a case of its own; returns whether it may.
+        """
+        for number in range(self._stuck):
+            self._notices.drop(f"{STUCK}-{number}")
+        self._stuck = len(journals)
+        self._tell_held(STUCK, bool(journals) and self._clinic.hides_patients)
+        if not self._clinic.hides_patients:
+            for number, journal in enumerate(journals):
+                self._tell_stuck(f"{STUCK}-{number}", journal, give_up)
+
+    def hide(self) -> None:
+        """Take away what is offered, until somebody is here who may see patients."""
+        for key, recovered in self._undecided.items():
+            self._notices.drop(key)
+            self._held.append(recovered)
+        self._undecided.clear()
+        self._offer_held()
 
     def close(self) -> None:
         """Leave what was not decided on to the next window that starts."""
         for recovered in self._offered:
             recovered.release()
         self._offered.clear()
+
+    def _offer_held(self) -> None:
+        self._tell_held(NOTICE, bool(self._held) and self._clinic.hides_patients)
+        if self._clinic.hides_patients:
+            return
+        held, self._held = self._held, []
+        if held and self._case.is_empty:
+            first = held.pop(0)
+            self._open(first, _changed_at(first))
+        for other in held:
+            self._offer_other(f"{NOTICE}-{next(self._numbers)}", other, _changed_at(other))
+
+    def _tell_held(self, kind: str, is_held: bool) -> None:
+        """Say that there is unsaved work, to somebody who may not see whose it is."""
+        if is_held:
+            sentence = tr(
+                "There is unsaved work on this computer. It is kept, and offered as soon as "
+                "somebody who treats patients has signed in."
+            )
+            self._notices.put(f"{kind}-held", sentence, stays=True)
+        else:
+            self._notices.drop(f"{kind}-held")
+
+    def _tell_stuck(
+        self, key: str, journal: Recovered, give_up: Callable[[Recovered], bool]
+    ) -> None:
+        changed = _changed_at(journal)
+        sentence = tr(
+            "{name}: what was changed on {time} is not in the record yet. It waits on this "
+            "computer until the record takes it."
+        )
+
+        def open_alone() -> None:
+            if give_up(journal):
+                self._offered.append(journal)
+                self._open(journal, changed)
+
+        self._notices.put(
+            key,
+            sentence.format(name=_name(journal), time=changed),
+            (tr("Open it as a case"), lambda: self._saver.after_unsaved(open_alone)),
+            stays=True,
+        )
 
     def _open(self, recovered: Recovered, changed: str) -> None:
         """Open a recovered case, and remove its copy once this window has one of its own."""
@@ -109,19 +188,23 @@ class Recovery:
 
     def _offer_other(self, key: str, recovered: Recovered, changed: str) -> None:
         sentence = tr("{name} was not saved either; it is kept as it was on {time}.")
+        self._undecided[key] = recovered
+
+        def open_it() -> None:
+            self._undecided.pop(key, None)
+            self._open(recovered, changed)
+
         self._notices.put(
             key,
             sentence.format(name=_name(recovered), time=changed),
-            (
-                tr("Open it"),
-                lambda: self._saver.after_unsaved(lambda: self._open(recovered, changed)),
-            ),
+            (tr("Open it"), lambda: self._saver.after_unsaved(open_it)),
             (tr("Discard it…"), lambda: self._ask_to_discard_other(key, recovered, changed)),
             stays=True,
         )
 
     def _ask_to_discard_other(self, key: str, recovered: Recovered, changed: str) -> None:
         if self._messages.questions.may_discard(_name(recovered)):
+            self._undecided.pop(key, None)
             recovered.discard()
         else:
             self._offer_other(key, recovered, changed)

@@ -37,6 +37,8 @@ class ClinicAdministration(QObject):
 
     start_requested = Signal()
     """Asks for the start page: the case that was open has been left."""
+    patients_hidden = Signal()
+    """Asks for nothing to be shown of a patient any more; the open case has been left."""
 
     def __init__(
         self, services: AppServices, leave_case: Callable[[Then], None], keep_now: Then
@@ -207,7 +209,7 @@ class ClinicAdministration(QObject):
             self.start_requested.emit()
 
     def _hide_patients(self) -> None:
-        """Leave the open visit at once; what the record has not taken waits in its journal.
+        """Leave the open case at once; what is saved nowhere else waits in its journal.
 
         Raises
         ------
@@ -215,7 +217,8 @@ class ClinicAdministration(QObject):
             When that cannot be written, so that the visit stays.
         """
         self._services.keeper.set_aside()
-        self._leave_visit()
+        self._services.case.open(CaseRecord(), None)
+        self.patients_hidden.emit()
         self.start_requested.emit()
 
 

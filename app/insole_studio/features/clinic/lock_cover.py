@@ -5,8 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
 
-from insole_studio.texts import tr
-
 _INPUT = frozenset(
     {
         QEvent.Type.KeyPress,
@@ -37,11 +35,18 @@ class LockCover(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._dialog: QWidget | None = None
+        self._words = ""
         self._covers: dict[QWidget, _Cover] = {}
 
-    def put_over_all(self, but: QWidget) -> None:
-        """Cover all windows but one."""
-        self._dialog = but
+    def put_over_all(self, words: str, *, but: QWidget) -> None:
+        """Cover all windows but one.
+
+        Parameters
+        ----------
+        words
+            What the covers and titles say.
+        """
+        self._dialog, self._words = but, words
         _close_popups()
         for window in QApplication.topLevelWidgets():
             self._cover(window)
@@ -71,7 +76,7 @@ class LockCover(QObject):
         if window.windowType() in (Qt.WindowType.ToolTip, Qt.WindowType.Popup):
             window.hide()
             return
-        cover = _Cover(window)
+        cover = _Cover(window, self._words)
         self._covers[window] = cover
         cover.destroyed.connect(lambda: self._covers.pop(window, None))
 
@@ -79,14 +84,15 @@ class LockCover(QObject):
 class _Cover(QWidget):
     """Fills a window, and keeps its title."""
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QWidget, words: str) -> None:
         super().__init__(window)
         self.setAutoFillBackground(True)
-        words = QLabel(tr("Locked"))
-        words.setObjectName("heading")
-        words.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        label = QLabel(words)
+        label.setObjectName("heading")
+        label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         layout = QVBoxLayout(self)
-        layout.addWidget(words)
+        layout.addWidget(label)
+        self._covering_title = f"Insole Studio – {words}"
         self._window = window
         self._title = window.windowTitle()
         self._hide_title()
@@ -114,13 +120,9 @@ class _Cover(QWidget):
 
     def _hide_title(self) -> None:
         title = self._window.windowTitle()
-        if title != _title():
+        if title != self._covering_title:
             self._title = title
-            self._window.setWindowTitle(_title())
-
-
-def _title() -> str:
-    return f"Insole Studio – {tr('Locked')}"
+            self._window.setWindowTitle(self._covering_title)
 
 
 def _close_popups() -> None:

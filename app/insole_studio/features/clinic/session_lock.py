@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QDialog
@@ -16,6 +17,7 @@ from insole_studio.features.clinic.idle_watch import IdleWatch
 from insole_studio.features.clinic.lock_cover import LockCover
 from insole_studio.features.clinic.sign_in_dialog import SignInDialog
 from insole_studio.services.app_services import AppServices
+from insole_studio.texts import tr
 from insole_studio.widgets.typed_text import commit_typed_text
 
 _CANNOT_LEAVE = (KeepState.REFUSED, KeepState.CONFLICT)
@@ -32,7 +34,8 @@ class SessionLock(QObject):
     keep_now
         Writes the copy of the open case that is on this computer.
     hide_patients
-        Leaves the open visit and shows the start page, for somebody who may not see patients.
+        Leaves the open case, closes all that shows a patient, and shows the start page, for
+        somebody who may not see patients.
     """
 
     quit_requested = Signal()
@@ -114,9 +117,9 @@ class SessionLock(QObject):
         self.dialog.signed_in.connect(self._take)
         self.dialog.quit_requested.connect(self.quit_requested)
         self.dialog.restore_requested.connect(self.restore_requested)
-        self.dialog.finished.connect(self._forget_dialog)
-        if is_lock:
-            self._cover.put_over_all(but=self.dialog)
+        self.dialog.finished.connect(self._leave_dialog)
+        words = tr("Locked") if is_lock else tr("Sign in")
+        self._cover.put_over_all(words, but=self.dialog)
         self.dialog.open()
 
     def _take(self, author: Author) -> None:
@@ -126,7 +129,8 @@ class SessionLock(QObject):
         if before is None or before.name == author.name or keeper.state in _CANNOT_LEAVE:
             self._hand_over(author)
         else:
-            keeper.leave(lambda: self._hand_over(author))
+            hand_over = partial(self._hand_over, author)
+            keeper.leave(hand_over, otherwise=hand_over)
 
     def _hand_over(self, author: Author) -> None:
         if not author.role.sees_patients and not self._has_hidden_patients():
@@ -161,6 +165,20 @@ class SessionLock(QObject):
         if dialog is not None:
             self._forget_dialog()
             dialog.done(0)
+
+    def _leave_dialog(self) -> None:
+        """Go on with files alone; nothing of the record may be seen from now on."""
+        if self.dialog is None:
+            return
+        if self._clinic.state is RecordState.SIGNED_OUT and self._services.keeper.is_keeping:
+            try:
+                self._hide_patients()
+            except InsoleError as error:  # its journal cannot be written, so it stays covered
+                self._forget_dialog()
+                self._services.messages.show_error(error)
+                self._ask()
+                return
+        self._forget_dialog()
 
     def _forget_dialog(self) -> None:
         self._cover.lift()

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
+from pathlib import Path
 
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from stations import add_member, proven
 
-from insole_core.cases.case_record import FootRecord
+from insole_core.cases.case_file import write_case
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -20,13 +23,24 @@ from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
+from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.clinic.sign_in_dialog import SignInDialog
+from insole_studio.user_paths import UserPaths
+
+TOMS_PASSWORD = "yet other long words"
 
 
 @pytest.fixture
 def eva(records: Records) -> Records:
     return records.for_author(proven("eva"))
+
+
+@pytest.fixture
+def tom(records: Records) -> Records:
+    root = records.for_author(proven("admin", Role.ADMINISTRATOR))
+    add_member(root.accounts, "tom", "Tom Tall", Role.TECHNICIAN, TOMS_PASSWORD)
+    return records.for_author(proven("tom", Role.TECHNICIAN, "capture room"))
 
 
 @pytest.fixture
@@ -79,13 +93,11 @@ def test_what_was_just_changed_is_saved_while_the_window_is_locked(
 
 
 def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
-    opened: Application, records: Records, eva: Records, qtbot: QtBot
+    opened: Application, tom: Records, eva: Records, qtbot: QtBot
 ) -> None:
-    root = records.for_author(proven("admin", Role.ADMINISTRATOR))
-    add_member(root.accounts, "tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
     thicken(opened, 4.5)
     opened.window.actions_by_key["lock"].trigger()
-    take_over(opened, qtbot, "tom", "yet other long words")
+    take_over(opened, qtbot, "tom", TOMS_PASSWORD)
     assert newest(eva, opened) == ("eva", 4.5)
     thicken(opened, 5.0)
     qtbot.waitUntil(lambda: newest(eva, opened) == ("tom", 5.0), timeout=10_000)
@@ -106,15 +118,95 @@ def test_an_administrator_who_takes_over_finds_no_case(
     assert eva.prescriptions.read(version.id).design.thickness_mm == 4.5
 
 
+def test_another_user_may_take_over_while_a_case_of_a_file_is_unsaved(
+    opened: Application, tom: Records, qtbot: QtBot
+) -> None:
+    opened.controller.run_action("new_case", False)
+    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=60_000)
+    opened.case.apply(Patient("Bo Ek"), "Edit")
+    opened.window.actions_by_key["lock"].trigger()
+    take_over(opened, qtbot, "tom", TOMS_PASSWORD)
+    assert opened.case.record.patient.name == "Bo Ek"
+
+
+def test_a_conflict_that_comes_up_as_another_user_signs_in_keeps_nobody_out(
+    opened: Application, tom: Records, qtbot: QtBot
+) -> None:
+    assert opened.case.kept is not None
+    visit_id = opened.case.kept.visit.id
+    theirs = tom.visits.open_case(visit_id)
+    (foot,) = theirs.record.feet
+    changed = foot.with_design(replace(foot.design, thickness_mm=6.0))
+    opened.services.keeper._timer.blockSignals(True)  # it is saved as somebody signs in
+    thicken(opened, 4.5)
+    opened.window.actions_by_key["lock"].trigger()
+    tom.prescriptions.save(visit_id, changed, theirs.bases[Side.LEFT])
+    take_over(opened, qtbot, "tom", TOMS_PASSWORD)
+    assert opened.services.keeper.state is KeepState.CONFLICT
+
+
+def test_an_administrator_sees_no_file_no_window_and_no_notice_of_a_patient_and_nothing_is_lost(
+    opened: Application, small_session: Path, qtbot: QtBot, rest: Callable[[], None]
+) -> None:
+    opened.controller.run_action("new_case", False)
+    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=60_000)
+    opened.case.apply(Patient("Bo Ek"), "Edit")
+    opened.features.foot.open_session(small_session, hand_over=False)
+    opened.services.notices.put("handed", "Bo Ek: stored.", stays=True)
+    opened.window.actions_by_key["lock"].trigger()
+    take_over(opened, qtbot, "admin", PASSWORD)
+    rest()
+    assert opened.case.is_empty
+    assert [w.windowTitle() for w in QApplication.topLevelWidgets() if w.isVisible()] == [
+        opened.window.windowTitle()
+    ]
+    assert not [notice for notice in opened.services.notices.notices if "Bo Ek" in notice.text]
+    opened.window.actions_by_key["lock"].trigger()
+    take_over(opened, qtbot, "eva", OTHER_PASSWORD)
+    qtbot.waitUntil(lambda: opened.case.record.patient.name == "Bo Ek", timeout=60_000)
+
+
+def test_files_alone_leave_the_visit_that_was_open_as_accounts_were_asked_for(
+    opened: Application, eva: Records, qtbot: QtBot
+) -> None:
+    """Somebody else switches the accounts on, or this window has to ask anew."""
+    clinic, lock = opened.services.clinic, opened.features.clinic.lock
+    assert opened.case.kept is not None
+    lock._author = None
+    clinic._set_state(RecordState.SIGNED_OUT)
+    assert "Anna" not in opened.window.windowTitle()
+    thicken(opened, 4.5)
+    shown(opened, SignInDialog).close_button.click()
+    assert lock.dialog is None
+    assert opened.case.is_empty
+    assert "Anna" not in opened.window.windowTitle()
+
+
+def test_recovered_work_comes_up_once_somebody_who_treats_patients_has_signed_in(
+    with_accounts: Application, paths: UserPaths, qtbot: QtBot
+) -> None:
+    app = with_accounts
+    write_case(CaseRecord(Patient("Bo Ek")), paths.autosave_folder / "left.insole")
+    app.recover()
+    assert "Bo Ek" not in app.window.windowTitle()
+    assert app.case.is_empty
+    [notice] = app.services.notices.notices
+    assert notice.text.startswith("There is unsaved work on this computer.")
+    take_over(app, qtbot, "admin", PASSWORD)
+    assert app.case.is_empty
+    app.window.actions_by_key["lock"].trigger()
+    take_over(app, qtbot, "eva", OTHER_PASSWORD)
+    assert app.case.record.patient.name == "Bo Ek"
+    assert app.settings.record_had_accounts
+    app.autosave.forget()
+
+
 def test_an_administrator_sees_no_case_that_waits_for_a_decision_and_nothing_of_it_is_lost(
-    opened: Application, records: Records, eva: Records, qtbot: QtBot, rest: Callable[[], None]
+    opened: Application, tom: Records, eva: Records, qtbot: QtBot, rest: Callable[[], None]
 ) -> None:
     """Somebody else has changed the same foot; the window is locked before anybody decides."""
     assert opened.case.kept is not None
     visit_id = opened.case.kept.visit.id
-    tom = records.for_author(proven("tom", Role.TECHNICIAN, "capture room"))
-    root = records.for_author(proven("admin", Role.ADMINISTRATOR))
-    add_member(root.accounts, "tom", "Tom Tall", Role.TECHNICIAN, "yet other long words")
     theirs = tom.visits.open_case(visit_id)
     (foot,) = theirs.record.feet
     changed = foot.with_design(replace(foot.design, thickness_mm=6.0))

@@ -280,7 +280,9 @@ def test_work_waits_for_a_database_that_is_away(
     thicken(opened, 5.5)
     keeper = opened.services.keeper
     qtbot.waitUntil(lambda: keeper.state is KeepState.WAITING, timeout=10_000)
-    assert "your work is kept here" in opened.window.status._kept.text()
+    kept = opened.window.status._kept
+    qtbot.waitUntil(lambda: "your work is kept here" in kept.text(), timeout=60_000)
+    assert opened.autosave.is_kept
     away(False)
     wait_until_saved(opened, qtbot)
     assert newest_mm(records, visit) == 5.5
