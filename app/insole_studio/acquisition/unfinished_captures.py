@@ -7,6 +7,7 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
+from datetime import date, datetime
 from itertools import chain, count
 from pathlib import Path
 
@@ -21,6 +22,9 @@ from insole_studio.acquisition.draft import is_abandoned
 from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
 _GONE = "{folder} holds no unfinished capture; it was used or discarded, or never was one."
+KEPT_DAYS = 30
+"""How long a capture is kept after its last view, unless it is used or discarded before."""
+_DAY_S = 86_400
 _TARGET_LOCK = ".insole-studio-capture-"
 
 
@@ -44,6 +48,11 @@ class UnfinishedCapture:
     def order(self) -> tuple[str, ...]:
         """Return all requested views in order."""
         return self.request.plan().views
+
+    @property
+    def kept_until(self) -> date:
+        """Return the day on which it is removed."""
+        return datetime.fromtimestamp(_ends_at(self.folder)).date()
 
     @property
     def views(self) -> tuple[ViewStatus, ...]:
@@ -100,20 +109,41 @@ class Drafts:
             if (held := _free(self._folder / candidate)) is not None
         )
 
-    def newest(self) -> UnfinishedCapture | None:
-        """Return the latest unfinished capture that nobody works on; None if there is none."""
+    def left(self) -> list[UnfinishedCapture]:
+        """Return the unfinished captures that nobody works on, the latest first."""
         found = [
             draft
             for path in self._folder.glob("*/manifest.json")
             if (draft := read_unfinished(path.parent)) and not _is_held(path.parent)
         ]
-        return max(found, key=lambda draft: draft.manifest.recorded_at, default=None)
+        return sorted(found, key=lambda draft: draft.manifest.recorded_at, reverse=True)
 
-    def sweep(self) -> None:
-        """Remove what captures left that were killed before their first view was finished."""
+    def sweep(self) -> int:
+        """Remove what captures left that were killed before their first view, or are too old.
+
+        Returns
+        -------
+        int
+            How many with finished views were removed.
+        """
+        ended = 0
         for folder in self._folder.glob("*/"):
-            if is_abandoned(folder) and not _is_held(folder):
+            is_empty = is_abandoned(folder)
+            if (is_empty or _has_ended(folder)) and not _is_held(folder):
                 shutil.rmtree(folder, ignore_errors=True)
+                ended += not is_empty
+        return ended
+
+
+def _has_ended(folder: Path) -> bool:
+    """Return whether a folder is a draft, damaged or not, whose time is over."""
+    return (folder / "views").is_dir() and _ends_at(folder) < time.time()
+
+
+def _ends_at(folder: Path) -> float:
+    parts = (folder, folder / "views", folder / "manifest.json")
+    changed = max(path.stat().st_mtime for path in parts if path.exists())
+    return changed + KEPT_DAYS * _DAY_S
 
 
 def hold_draft(folder: Path) -> HeldDraft:

@@ -172,7 +172,9 @@ def _new_draft(
     views = request.plan().views
     manifest = replace(_manifest(arguments, source, setup), extra=request.as_extra())
     name = f"{manifest.recorded_at.replace(':', '')}-{manifest.side}"
-    begun = Drafts(drafts_folder_of_user()).begin(name)
+    drafts = Drafts(drafts_folder_of_user())
+    drafts.sweep()
+    begun = drafts.begin(name)
     held.callback(begun.release)
     return Draft(begun.folder, manifest, views)
 

@@ -108,10 +108,9 @@ def test_a_running_capture_is_not_offered_but_a_killed_one_is(
     drafts = Drafts(commands.drafts)
     with commands.started(tmp_path / "session"):
         commands.wait_for_view()
-        assert drafts.newest() is None
+        assert drafts.left() == []
         drafts.sweep()
-    left = drafts.newest()
-    assert left is not None
+    (left,) = drafts.left()
     assert left.views[0].frames == left.views[0].wanted == 10
 
 

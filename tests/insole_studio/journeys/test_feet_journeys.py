@@ -495,6 +495,7 @@ def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, paths: UserP
     gone = copy.with_stem("of-a-window-that-is-gone")
     gone.write_bytes(copy.read_bytes())
     (crashed,) = find_recovered(paths.autosave_folder)
+    two_feet.case.open(CaseRecord(), None)
     two_feet.features.case_files.recovery.offer([crashed])
     assert two_feet.case.record.feet[1].chosen == "B"
     assert two_feet.case.has_unsaved_changes

@@ -33,6 +33,7 @@ from insole_studio.acquisition.messages import (
 )
 from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.acquisition.unfinished_captures import (
+    KEPT_DAYS,
     Drafts,
     UnfinishedCapture,
     hold_draft,
@@ -144,12 +145,14 @@ class CapturePresenter:
         self._earlier: Scan | None = None
         """What comes back if the capture that is to replace it does not succeed."""
         self._is_earlier_back = False
-        self._drafts.sweep()
-        self._left = self._drafts.newest()
+        ended = self._drafts.sweep()
+        self._left = self._drafts.left()
         self.options = options
         self._connect(panel)
         panel.show_options(self.options)
         self._show()
+        if ended:
+            panel.show_sentence(_ended(ended))
 
     def _connect(self, panel: CapturePanel) -> None:
         panel.capture_requested.connect(self.capture)
@@ -220,11 +223,11 @@ class CapturePresenter:
 
     def resume(self) -> None:
         """Continue the unfinished capture that is offered; what is there now is offered in turn."""
-        if self._left is None or self._is_busy:
+        if not self._left or self._is_busy:
             return
         try:
-            self._use_setup(self._left.manifest.side)
-            held, left = hold_unfinished(self._left.folder)
+            self._use_setup(self._left[0].manifest.side)
+            held, left = hold_unfinished(self._left[0].folder)
         except InsoleError as error:
             self._offer_left()
             self._show_error(error)
@@ -247,8 +250,8 @@ class CapturePresenter:
     def discard(self) -> None:
         """Delete the unfinished capture that is offered."""
         try:
-            if self._left is not None:
-                hold_draft(self._left.folder).discard()
+            if self._left:
+                hold_draft(self._left[0].folder).discard()
         except InsoleError as error:
             self._show_error(error)
         self._offer_left()
@@ -441,7 +444,7 @@ class CapturePresenter:
         self._is_earlier_back = False
 
     def _offer_left(self) -> None:
-        self._left = self._drafts.newest()
+        self._left = self._drafts.left()
         self._show()
 
     def _turn_to(self, side: Side) -> None:
@@ -517,7 +520,7 @@ class CapturePresenter:
             can_use=not running and bool(self._finished),
             is_whole=not running and self._is_whole,
             waits_for_hand=self._waits_for_hand,
-            offer=_offer(self._left) if self._left is not None and not running else "",
+            offer=_offer(self._left) if self._left and not running else "",
         )
 
     def _status_sentence(self) -> str:
@@ -540,8 +543,18 @@ class CapturePresenter:
         return self._scan is not None and self._scan.is_whole
 
 
-def _offer(left: UnfinishedCapture) -> str:
-    """Return the text that offers to continue an unfinished capture."""
+def _ended(count: int) -> str:
+    """Return the text that tells of captures that were removed."""
+    if count == 1:
+        text = tr("A capture that was not used for {days} days was removed.")
+    else:
+        text = tr("{count} captures that were not used for {days} days were removed.")
+    return text.format(count=count, days=KEPT_DAYS)
+
+
+def _offer(all_left: Sequence[UnfinishedCapture]) -> str:
+    """Return the text that offers to continue the latest of the unfinished captures."""
+    left, *others = all_left
     begun = datetime.fromisoformat(left.manifest.recorded_at).astimezone()
     if left.manifest.side == BOTH:
         text = tr(
@@ -551,7 +564,12 @@ def _offer(left: UnfinishedCapture) -> str:
         text = tr(
             "The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there."
         )
+    if others:
+        text += " " + tr("Before it: {count} more, offered after it.")
+    text += " " + tr("It is kept until {day}.")
     return text.format(
+        count=len(others),
+        day=left.kept_until.isoformat(),
         time=begun.strftime("%Y-%m-%d %H:%M"),
         side=tr("left") if left.manifest.side is Side.LEFT else tr("right"),
         there=len(left.manifest.views),

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import shutil
+import time
 from collections.abc import Callable, Iterator, Sequence
+from datetime import date, timedelta
 from pathlib import Path
 
 import numpy as np
@@ -339,7 +343,10 @@ def offered(bench: Bench, small_session: Path) -> Bench:
 def test_an_unfinished_capture_is_offered_again(offered: Bench) -> None:
     offered.plug_in()
     assert offered.panel.capture.offer.startswith("The capture of ")
-    assert offered.panel.capture.offer.endswith("was not used; 1 of 2 views are there.")
+    kept_until = date.today() + timedelta(days=30)
+    assert offered.panel.capture.offer.endswith(
+        f"was not used; 1 of 2 views are there. It is kept until {kept_until}."
+    )
     offered.panel.resume_requested.emit()  # type: ignore[attr-defined]
     assert offered.panel.capture.offer == ""
     assert offered.panel.options == CaptureOptions(
@@ -364,15 +371,34 @@ def test_a_new_capture_leaves_the_unfinished_one_alone(offered: Bench) -> None:
     offered.presenter.capture()
     assert offered.started().plan.views == ("left", "right")
     assert offered.panel.capture.offer == ""
-    assert Drafts(offered.folder / "captures").newest() is not None
+    assert Drafts(offered.folder / "captures").left() != []
+
+
+def test_all_unfinished_captures_are_offered_and_end(offered: Bench, small_session: Path) -> None:
+    drafts, jobs = offered.folder / "captures", offered.presenter._jobs
+    (today,) = (path for path in drafts.iterdir() if path.is_dir())
+    for name in ("before", "damaged"):
+        shutil.copytree(today, drafts / name)
+    (drafts / "damaged" / "manifest.json").write_text("{")
+    offer = Bench(jobs, offered.folder, small_session).panel.capture.offer
+    assert "Before it: 1 more, offered after it." in offer
+    long_ago = time.time() - 31 * 86_400
+    for name in ("before", "damaged"):
+        for path in (drafts / name, *(drafts / name).rglob("*")):
+            os.utime(path, (long_ago, long_ago))
+    again = Bench(jobs, offered.folder, small_session)
+    assert again.panel.sentence == "2 captures that were not used for 30 days were removed."
+    assert [path for path in drafts.iterdir() if path.is_dir()] == [today]
+    again.panel.discard_requested.emit()  # type: ignore[attr-defined]
+    assert list(drafts.iterdir()) == []
 
 
 def test_what_is_no_draft_is_not_offered(tmp_path: Path, small_session: Path) -> None:
-    assert Drafts(tmp_path / "captures").newest() is None
+    assert Drafts(tmp_path / "captures").left() == []
     (tmp_path / "captures" / "b").mkdir(parents=True)
     write_session(read_session(small_session), tmp_path / "captures" / "a")
     (tmp_path / "captures" / "b" / "manifest.json").write_text("{")
-    assert Drafts(tmp_path / "captures").newest() is None
+    assert Drafts(tmp_path / "captures").left() == []
 
 
 def test_orders_go_to_the_sensor(bench: Bench) -> None:
