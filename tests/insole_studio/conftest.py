@@ -261,7 +261,9 @@ def settle(qtbot: QtBot, app: Application) -> Callable[[], None]:
     """Wait until all background work is done and delivered."""
 
     def wait() -> None:
-        qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=60_000)
+        qtbot.waitUntil(
+            lambda: not (app.jobs.is_running() or app.autosave.is_writing), timeout=60_000
+        )
 
     return wait
 

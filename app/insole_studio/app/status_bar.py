@@ -74,6 +74,11 @@ class StatusBar(QStatusBar):
         self._kept.setObjectName("warning" if warns else "quiet")
         self._kept.style().polish(self._kept)  # the style sheet depends on the name
 
+    @property
+    def kept_text(self) -> str:
+        """What is said of the open visit."""
+        return self._kept.text()
+
     def show_user(self, text: str) -> None:
         """Show who has signed in; empty where nobody has to."""
         self._user.setText(text)

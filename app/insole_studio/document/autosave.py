@@ -116,6 +116,10 @@ class _CopyOnDisk:
                     raise Cancelled
             self._number_on_disk, self._on_disk = snapshot.number, snapshot.record
 
+    def let_go(self) -> None:
+        """Hold the case no longer that was written last; the file stays."""
+        self._on_disk = None
+
     def remove(self) -> None:
         """Remove the journal, also one that is still being written."""
         with self._places:
@@ -155,13 +159,18 @@ class Autosave(QObject):
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._write_beside)
         case.changed.connect(self._write_soon)
-        case.opened.connect(self._write_soon)
+        case.opened.connect(self._note_opened)
         case.saved_changed.connect(self._note_saved)
 
     @property
     def is_kept(self) -> bool:
         """Whether the disk holds the case as it is now."""
         return self._copy.holds(self._case.record)
+
+    @property
+    def is_writing(self) -> bool:
+        """Whether a job writes the case."""
+        return self._jobs.is_running(CHANNEL)
 
     def write_now(self) -> None:
         """Write at once, in the calling thread.
@@ -229,7 +238,7 @@ class Autosave(QObject):
         """Stop; unsaved work stays on the disk unless discarded."""
         # A field that loses focus while the window closes still changes the case.
         self._case.changed.disconnect(self._write_soon)
-        self._case.opened.disconnect(self._write_soon)
+        self._case.opened.disconnect(self._note_opened)
         self._case.saved_changed.disconnect(self._note_saved)
         self._jobs.close()
         if self._wanted and self._case.has_unsaved_changes:
@@ -239,6 +248,10 @@ class Autosave(QObject):
         self._timer.stop()
         self._lock.release()
 
+    def _note_opened(self) -> None:
+        self._copy.let_go()
+        self._write_soon()
+
     def _write_soon(self) -> None:
         """Write in a moment, however many changes follow one another."""
         if not self._timer.isActive():
@@ -247,7 +260,7 @@ class Autosave(QObject):
 
     def _write_beside(self) -> None:
         """Write in a job; one that is under way looks at its end whether it has to go on."""
-        if not self._case.has_unsaved_changes or self._jobs.is_running(CHANNEL):
+        if not self._case.has_unsaved_changes or self.is_writing:
             return
         snapshot = self._snapshot()
 

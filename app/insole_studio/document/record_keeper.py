@@ -60,7 +60,7 @@ class PatientConflict:
 
 
 class RecordKeeper(QObject):
-    """Saves the open visit a moment after each change, and before it is left.
+    """Saves the open visit a moment after each change, however many follow, and before it is left.
 
     The autosaved copy on the disk (`Autosave`) is the journal: it holds what the record does not
     hold yet, with the versions that it is based on.
@@ -251,7 +251,7 @@ class RecordKeeper(QObject):
             return
         if self.state in (KeepState.SAVED, KeepState.REFUSED):
             self._set_state(KeepState.CHANGED)
-        if self.state is KeepState.CHANGED:
+        if self.state is KeepState.CHANGED and not self._timer.isActive():
             self._timer.start(SAVE_AFTER_MS)
 
     def _save_if_back(self) -> None:
