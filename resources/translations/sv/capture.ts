@@ -4,12 +4,20 @@
     <context>
         <name>studio</name>
         <message>
+            <source>A capture that was not used for {days} days was removed.</source>
+            <translation>En avbildning som inte hade använts på {days} dagar togs bort.</translation>
+        </message>
+        <message>
             <source>All views in order; a sensor is moved to those that have none</source>
             <translation>Alla vyer i ordning; en sensor flyttas till dem som saknar en</translation>
         </message>
         <message>
             <source>Almost nothing is measured; check distance and light</source>
             <translation>Nästan inget mäts; kontrollera avstånd och ljus</translation>
+        </message>
+        <message>
+            <source>Before it: {count} more, offered after it.</source>
+            <translation>Före den: {count} till, som erbjuds efter den.</translation>
         </message>
         <message>
             <source>Capture the view (F5)</source>
@@ -34,6 +42,10 @@
         <message>
             <source>Go on with it</source>
             <translation>Fortsätt med den</translation>
+        </message>
+        <message>
+            <source>It is kept until {day}.</source>
+            <translation>Den sparas till {day}.</translation>
         </message>
         <message>
             <source>Moved by hand</source>
@@ -138,6 +150,10 @@
         <message>
             <source>top</source>
             <translation>uppifrån</translation>
+        </message>
+        <message>
+            <source>{count} captures that were not used for {days} days were removed.</source>
+            <translation>{count} avbildningar som inte hade använts på {days} dagar togs bort.</translation>
         </message>
         <message>
             <source>{found:.0f} of {wanted:.0f} markers are hidden</source>

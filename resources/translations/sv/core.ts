@@ -2144,8 +2144,8 @@
             <translation>Kontakten är {length:.0f} mm lång på en fot på {foot:.0f} mm, för lite för att hitta dess plats; lägg den för hand.</translation>
         </message>
         <message>
-            <source>The copy {path} of unsaved work is damaged; it is kept as {kept}.</source>
-            <translation>Kopian {path} av osparat arbete är skadad; den sparas som {kept}.</translation>
+            <source>The copy {path} of unsaved work is damaged; it is kept as {kept} for {days} days.</source>
+            <translation>Kopian {path} av osparat arbete är skadad; den sparas som {kept} i {days} dagar.</translation>
         </message>
         <message>
             <source>The correction is {age}; calibrate the sensor again soon.</source>
@@ -7474,6 +7474,10 @@
         <message>
             <source>{path} was recorded with both feet; say which one, with --side left or --side right.</source>
             <translation>{path} spelades in med båda fötterna; ange vilken, med --side left eller --side right.</translation>
+        </message>
+        <message>
+            <source>{path}, a copy of unsaved work that is damaged, was kept for {days} days and is removed now.</source>
+            <translation>{path}, en skadad kopia av osparat arbete, har sparats i {days} dagar och tas nu bort.</translation>
         </message>
         <message>
             <source>{path}: "{text}" is no distance of sensors; write such as 5 or 5 x 7.</source>

@@ -264,6 +264,10 @@
             <translation>Behåll denna version</translation>
         </message>
         <message>
+            <source>Keeping your work here…</source>
+            <translation>Ditt arbete sparas undan här …</translation>
+        </message>
+        <message>
             <source>Kept</source>
             <translation>Behållen</translation>
         </message>
@@ -342,6 +346,10 @@
         <message>
             <source>Nobody of the work list</source>
             <translation>Ingen på arbetslistan</translation>
+        </message>
+        <message>
+            <source>Not saved and not kept here yet</source>
+            <translation>Varken sparat eller undansparat här än</translation>
         </message>
         <message>
             <source>Not saved in the record; your work is kept here</source>

@@ -1304,6 +1304,10 @@
             <translation>Öppna</translation>
         </message>
         <message>
+            <source>Open it as a case</source>
+            <translation>Öppna det som ett fall</translation>
+        </message>
+        <message>
             <source>Open mesh…</source>
             <translation>Öppna ytmodell…</translation>
         </message>
@@ -2008,6 +2012,10 @@
             <translation>Fönstret talar detta språk från nästa start.</translation>
         </message>
         <message>
+            <source>There is unsaved work on this computer. It is kept, and offered as soon as somebody who treats patients has signed in.</source>
+            <translation>På den här datorn finns arbete som inte är sparat. Det är bevarat och erbjuds så snart någon som behandlar patienter har loggat in.</translation>
+        </message>
+        <message>
             <source>Thickness</source>
             <translation>Tjocklek</translation>
         </message>
@@ -2322,6 +2330,10 @@
         <message>
             <source>{name} was not saved when Insole Studio ended last time. It is open again as it was on {time}.</source>
             <translation>{name} var inte sparat när Insole Studio senast avslutades. Det är öppet igen som det var {time}.</translation>
+        </message>
+        <message>
+            <source>{name}: what was changed on {time} is not in the record yet. It waits on this computer until the record takes it.</source>
+            <translation>{name}: det som ändrades {time} finns inte i journalen ännu. Det väntar på den här datorn tills journalen tar emot det.</translation>
         </message>
         <message>
             <source>{name}: {sure} % sure. Drag to move it</source>
