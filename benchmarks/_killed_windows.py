@@ -144,7 +144,9 @@ class _Window:
             assert design is not None
             self._note("opened", _number(design.thickness_mm))
             self._edit()
-        elif not self._has_asked and not list(self._station.paths.autosave_folder.glob("[!.]*.insole")):
+        elif not self._has_asked and not list(
+            self._station.paths.autosave_folder.glob("[!.]*.insole")
+        ):
             self._has_asked = True
             app.services.keeper.open_visit(self._station.visit_id, self._missed)
 

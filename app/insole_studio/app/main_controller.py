@@ -179,7 +179,9 @@ class MainController(QObject):
         keeper = self._services.keeper
         if keeper.state in (KeepState.WAITING, KeepState.REFUSED) and not self._autosave.is_kept:
             trouble = self._autosave.trouble
-            text = tr("Not saved and not kept here yet") if trouble else tr("Keeping your work here…")
+            text = (
+                tr("Not saved and not kept here yet") if trouble else tr("Keeping your work here…")
+            )
             self._window.status.show_kept(text, translate_core_message(trouble), warns=True)
             return
         text, warns = {
