@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import killed_windows
 import pytest
 from PySide6.QtCore import QLockFile, QTimer
 from PySide6.QtWidgets import QApplication
@@ -57,6 +58,16 @@ def test_a_killed_program_leaves_its_case(tmp_path: Path) -> None:
     (recovered,) = find_recovered(folder)
     assert recovered.record.patient.name == "Anna B."
     assert recovered.path is None
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(killed_windows.binaries() is None, reason="PostgreSQL is not installed")
+def test_windows_killed_while_the_database_goes_and_comes_lose_nothing_they_said_was_kept() -> None:
+    """The benchmark `autosave_kills` tries hundreds."""
+    call = [sys.executable, killed_windows.__file__, "3"]
+    done = subprocess.run(call, timeout=600, check=False, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "'kills': 3" in done.stdout
 
 
 @pytest.fixture
