@@ -20,6 +20,7 @@ from insole_core.errors import InputError
 from insole_core.given_file import read_given
 from insole_core.messages import Message, Value
 from insole_core.strict_json import MOST_BYTES, load_strictly
+from insole_core.visible_text import visible
 
 _Word = TypeVar("_Word", bound=str)
 
@@ -173,13 +174,13 @@ class JsonObject:
         return value
 
     def text(self, key: str, *, empty: bool = False) -> str:
-        """Return a string; an empty one only with `empty`."""
+        """Return a string as it may be shown (`visible`); an empty one only with `empty`."""
         value = self.value(key)
         if not isinstance(value, str):
             raise self.fail(key, "must be a text")
         if not (value or empty):
             raise self.fail(key, "must be a text that is not empty")
-        return value
+        return visible(value)
 
     def date(self, key: str) -> str:
         """Return a date, with or without a time, as ISO 8601."""
@@ -195,6 +196,8 @@ class JsonObject:
     def choice(self, key: str, allowed: Sequence[_Word]) -> _Word:
         """Return a string that must be one of `allowed`, as that item (a member of a `StrEnum`)."""
         value = self.value(key)
+        if isinstance(value, str):
+            value = visible(value)  # as `text` gives the words of the same file
         if value not in allowed:
             raise self.fail(
                 key,

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import PurePath
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
+from insole_core.visible_text import visible, visible_value
+
+_T = TypeVar("_T")
 Translate: TypeAlias = Callable[[str], str]
 """Returns a message in another language; `str` leaves it in English."""
 Value: TypeAlias = str | float | PurePath
@@ -26,7 +29,8 @@ class Message(str):
         The sentence, with placeholders as in `str.format`: ``"Known within {error_mm:.1f} mm."``
         Without values it is taken literally, and braces in it are only braces.
     values
-        Of the placeholders. Strings among them, messages included, are translated as well.
+        Of the placeholders. Strings among them, messages included, are translated as well. What
+        is no message may come from anywhere, and is kept as it may be shown (`visible_value`).
     """
 
     template: str
@@ -36,9 +40,11 @@ class Message(str):
         """Fill the placeholders; a message without further values is returned as it is."""
         if isinstance(template, cls) and not values:
             return template
-        message = super().__new__(cls, template.format(**values) if values else template)
+        template = visible(template)
+        shown = {name: shown_value(value) for name, value in values.items()}
+        message = super().__new__(cls, template.format(**shown) if values else template)
         message.template = str(template)
-        message.values = values
+        message.values = shown
         return message
 
     def __str__(self) -> str:
@@ -48,6 +54,18 @@ class Message(str):
     def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]:
         """Copy and pickle by template and values; `str` would fill the finished sentence again."""
         return (self.template,), dict(self.values)
+
+
+def shown_value(value: _T) -> _T | str:
+    """Return a value as it may stand in a sentence: a text or a path of anybody as `visible_value`.
+
+    Whatever is harmless comes back as the same object.
+    """
+    if isinstance(value, Message) or not isinstance(value, str | PurePath):
+        return value
+    text = str(value)
+    seen = visible_value(text)
+    return value if seen == text else seen
 
 
 def joined(parts: Iterable[str], between: str = ", ") -> Message:

@@ -8,16 +8,25 @@ from string import Formatter
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
-from insole_core.messages import Message, Translate
+from insole_core.messages import Message, Translate, shown_value
 from insole_core.resources import resource_path
 
 CONTEXT = "studio"
 CORE_CONTEXT = "core"
 
 
+class _Text(str):
+    """A text of the window; what is filled into it may come from anywhere, and is made visible."""
+
+    def format(self, *values: object, **named: object) -> str:
+        """Fill the placeholders."""
+        shown = {name: shown_value(value) for name, value in named.items()}
+        return super().format(*map(shown_value, values), **shown)
+
+
 def tr(text: str) -> str:
     """Return `text` in the language of the window."""
-    return QCoreApplication.translate(CONTEXT, text)
+    return _Text(QCoreApplication.translate(CONTEXT, text))
 
 
 class _Localised(Formatter):
@@ -33,7 +42,8 @@ class _Localised(Formatter):
 
 def fill(template: str, **values: object) -> str:
     """Fill the placeholders of a translated text, with numbers as the language writes them."""
-    return _Localised().vformat(template, (), values)
+    shown = {name: shown_value(value) for name, value in values.items()}
+    return _Localised().vformat(template, (), shown)
 
 
 def localised(value: float, spec: str = ".1f") -> str:

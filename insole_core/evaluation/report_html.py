@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table, head_line
 from insole_core.export.atomic import write_text
 from insole_core.recording.images import encode_png
+from insole_core.visible_text import visible
 
 _PLOT_IN = (7.2, 4.4)
 _DOTS_PER_IN = 130
@@ -39,7 +40,7 @@ def write_html(report: Report, path: Path) -> None:
     OutputError
         If the path cannot be written.
     """
-    write_text(_page(report), path)
+    write_text(visible(_page(report)), path)
 
 
 def _page(report: Report) -> str:

@@ -11,14 +11,13 @@ from typing import Final
 
 from insole_core.cases.days import EARLIEST, LATEST_AHEAD
 from insole_core.errors import InputError
+from insole_core.visible_text import is_control
 
 MOST_NAME: Final = 200
 """Characters of a name, of a shop, of a short text."""
 MOST_TEXT: Final = 20_000
 """Characters of a text of several lines."""
 _LINE_BREAKS: Final = "\n\t"
-_DIRECTIONS: Final = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
-"""Characters that turn the direction of what follows, and so can make a text read as another."""
 
 
 def check_name(text: str, what: str = "name") -> str:
@@ -112,7 +111,7 @@ def _checked(text: str, what: str, most: int, allowed: str) -> str:
             most=most,
         )
     text = unicodedata.normalize("NFC", text).strip()
-    wrong = next((c for c in text if c not in allowed and _is_control(c)), None)
+    wrong = next((c for c in text if c not in allowed and is_control(c)), None)
     if wrong is not None:
         raise InputError(
             "The {what} holds a character that cannot be seen (U+{code}) after “{before}”; delete "
@@ -122,10 +121,6 @@ def _checked(text: str, what: str, most: int, allowed: str) -> str:
             before=text[: text.index(wrong)][-20:],
         )
     return text
-
-
-def _is_control(character: str) -> bool:
-    return character in _DIRECTIONS or unicodedata.category(character) in ("Cc", "Cs", "Zl", "Zp")
 
 
 def _between(day: date | None, first: date, last: date, what: str) -> date | None:

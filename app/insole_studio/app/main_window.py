@@ -28,6 +28,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.visible_text import visible_value
 from insole_studio.app.menus import (
     BESIDE_KEYS,
     MAP_KEYS,
@@ -186,7 +187,7 @@ class MainWindow(QMainWindow):
         """List the recently opened files."""
         self._recent.clear()
         for name in names:
-            action = self._recent.addAction(name.replace("&", "&&"))
+            action = self._recent.addAction(visible_value(name).replace("&", "&&"))
             action.setData(name)
             action.triggered.connect(self._choose_recent)
         self._recent.setEnabled(bool(names))

@@ -7,6 +7,8 @@ import math
 import sys
 from typing import NoReturn
 
+from insole_core.visible_text import visible_line
+
 _MOST = 2**32
 _LONGEST, _LONGEST_NUMBER = 300, 20
 
@@ -17,7 +19,7 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Print the usage, what is wrong, and where help is, and exit with 2."""
         self.print_usage(sys.stderr)
-        said = message if len(message) <= _LONGEST else f"{message[:_LONGEST]}…"
+        said = visible_line(message[:_LONGEST]) + "…" * (len(message) > _LONGEST)
         self.exit(2, f"{self.prog}: {said}; {self.prog} --help says what can be given.\n")
 
 

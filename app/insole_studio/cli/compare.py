@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
 
@@ -69,7 +70,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             path and outputs.file(path)
             for path in (arguments.report, arguments.picture, arguments.surface, arguments.paper)
         )
-        names = arguments.a.name, arguments.b.name
+        names = visible_line(arguments.a.name), visible_line(arguments.b.name)
         a = _read(arguments.a, progress.part(0.0, 0.2))
         b = _read(arguments.b, progress.part(0.2, 0.4))
         difference = compare_surfaces(
@@ -122,5 +123,5 @@ def _read(path: Path, progress: Progress) -> ComparisonSource:
 
     source = read_source(path, progress, is_corrected)
     for note in source.notes:
-        print(f"{path.name}: {note}", file=sys.stderr)
+        print(visible_line(f"{path.name}: {note}"), file=sys.stderr)
     return source

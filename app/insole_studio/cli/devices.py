@@ -7,6 +7,7 @@ import json
 import sys
 
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 from insole_studio.cli.prescribed import clinic_catalogue, clinic_findings
 
 NAME = "devices"
@@ -51,4 +52,4 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
         return
     for item in listed:
         mark = ["default"] if item.get("default") else []
-        print(item["kind"], item["key"], item["name"], *mark, sep="\t")
+        print(item["kind"], item["key"], visible_line(item["name"]), *mark, sep="\t")

@@ -7,6 +7,7 @@ Exit codes: 0 success, 2 usage error, 128 + n stopped by signal n, 1 any other e
 from __future__ import annotations
 
 import argparse
+import logging
 import os
 import sys
 import traceback
@@ -16,6 +17,7 @@ from insole_core.errors import InsoleError, UsageError
 from insole_core.export.journal import settle_interrupted
 from insole_core.export.temporary import state_folder_of_user
 from insole_core.progress import Progress
+from insole_core.visible_text import VisibleRecord, visible_line
 from insole_studio.cli import (
     calibrate,
     capture,
@@ -40,6 +42,7 @@ from insole_studio.cli.path_arguments import check_paths
 from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, StopRequest
 from insole_studio.cli.subcommands import Command
+from insole_studio.cli.visible_streams import visible_streams
 from insole_studio.missing_library import missing_library_error
 from insole_studio.native_heap import share_one_heap
 
@@ -72,10 +75,16 @@ def run(arguments: list[str]) -> int:
     stop = StopRequest()
     stop.heed_signals()
     share_one_heap()
+    logging.setLogRecordFactory(VisibleRecord)
+    with visible_streams():
+        return _exit_code(arguments, stop)
+
+
+def _exit_code(arguments: list[str], stop: StopRequest) -> int:
     try:
         _run(arguments, stop)
     except InsoleError as error:
-        print(error, file=sys.stderr)
+        print(visible_line(str(error)), file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
     except Stopped as stopped:
         print(f"Stopped on request; {stopped.outcome}", file=sys.stderr)
@@ -97,7 +106,7 @@ def _run(arguments: list[str], stop: StopRequest) -> None:
     def print_progress(fraction: float, text: str) -> None:
         if fraction < 1:  # the last step tells what has been written
             stop.check()
-        print(f"{fraction:4.0%}  {text}", file=sys.stderr, flush=True)
+        print(f"{fraction:4.0%}  {visible_line(text)}", file=sys.stderr, flush=True)
 
     # NumPy takes long to import, and wrong arguments are reported before.
     from insole_studio.lean_numpy import unlist_parts_on_demand
@@ -137,7 +146,7 @@ def _report_unexpected(error: Exception) -> int:
 def _report(error: Exception, request: str) -> int:
     """Print where an unexpected error comes from, and ask the user to report it."""
     traceback.print_exception(error)
-    print(f"{request} with the lines above.", file=sys.stderr)
+    print(visible_line(f"{request} with the lines above."), file=sys.stderr)
     return 1
 
 

@@ -6,6 +6,7 @@ import re
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
+from insole_core.visible_text import visible_line
 from insole_studio.document.case import Case
 from insole_studio.texts import tr
 
@@ -13,7 +14,7 @@ from insole_studio.texts import tr
 def case_name(case: Case) -> str:
     """Return the name of the case's file, or of its patient."""
     if case.path is not None:
-        return case.path.stem
+        return visible_line(case.path.stem)
     return case.record.patient.name or tr("New case")
 
 

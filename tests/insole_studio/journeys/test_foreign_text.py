@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QAbstractItemModel, QObject, QPoint, Qt, QTimer
 from PySide6.QtGui import QImage, QTextDocument
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -35,6 +35,8 @@ from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import HeelLift, InsoleDesign
+from insole_core.messages import Message
+from insole_core.visible_text import is_control, visible_line
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.calibrate.rows import LookRow
 from insole_studio.features.calibrate.view import CalibrateView
@@ -43,6 +45,8 @@ from insole_studio.features.capture.view import CaptureView
 from insole_studio.services.questions import Questions
 
 MARK = "EVIL"
+STEERING = "\x1b[2J\u202egnp\x9b"
+"""What turns the direction of writing, or steers a terminal that a text is copied to."""
 MOST_COLUMNS = 12
 
 
@@ -62,25 +66,27 @@ def hostile(
     evil: str,
     tmp_path: Path,
 ) -> Application:
-    """A window on a case that has it in every text."""
+    """A window on a case that has it in every text, with what steers beside it."""
+    evil += STEERING
     feet = []
     for side in Side:
         lift = HeelLift(height_mm=9.0, author=evil, created_at="2026-11-20T10:00:00+00:00")
         design = InsoleDesign(side, corrections=(lift,), grid_mm=2.0)
-        source = ScanSource("mesh", f"/nowhere/<b>{MARK}<b>.ply", "0" * 64)
+        source = ScanSource("mesh", f"/nowhere/<b>{MARK}<b>{STEERING}.ply", "0" * 64)
         foot = FootRecord.begun(make_foot(side), source, design)
         marked = Annotations((KeyPoint(evil, (0.0, 120.0, 0.0)),))
         foot = replace(foot, annotations=marked, earlier=None)
         feet.append(foot.with_variant(Variant(evil, design)))
     patient = Patient(name=evil, born=evil, visit=evil, notes=evil)
-    path = tmp_path / f"<b>{MARK}<b>.insole"
+    path = tmp_path / f"<b>{MARK}<b>{STEERING}.insole"
     write_case(CaseRecord(patient, tuple(feet), Side.LEFT), path)
     app.window.resize(1366, 768)
     app.case.author = evil
     app.features.case_files.opener.open_path(path)
     settle()
-    app.services.notices.put("long", evil * 20, (evil, lambda: None))
-    app.services.messages.say(evil)
+    told = Message("{text}", text=evil)
+    app.services.notices.put("long", told * 20, (told, lambda: None))
+    app.services.messages.say(told)
     QTest.qWait(20)
     return app
 
@@ -132,8 +138,32 @@ def _tooltip_as_html(tip: str, widget: QWidget) -> Iterator[str]:
     QToolTip.hideText()
 
 
+def steered(root: QObject) -> Iterator[str]:
+    """Every text of a window, its menus and its lists that a control character is in."""
+    for shown in (root, *root.findChildren(QObject)):
+        kind = shown.metaObject()
+        texts = [kind.property(number) for number in range(kind.propertyCount())]
+        for text in (each for each in texts if each.metaType().name() == "QString"):
+            if _is_steered(str(shown.property(text.name()))):
+                yield f"{kind.className()}.{text.name()}: {shown.property(text.name())!r}"
+        if isinstance(shown, QAbstractItemModel):
+            yield from filter(_is_steered, _cells(shown))
+
+
+def _is_steered(text: str) -> bool:
+    return any(is_control(character) and character not in "\n\t" for character in text)
+
+
+def _cells(model: QAbstractItemModel) -> Iterator[str]:
+    for row in range(model.rowCount()):
+        for column in range(MOST_COLUMNS):
+            yield str(model.index(row, column).data() or "")
+
+
 def all_taken_for_html() -> list[str]:
-    return [text for window in QApplication.topLevelWidgets() for text in taken_for_html(window)]
+    """Every text of all windows that is shown as HTML, or that steers what is shown."""
+    windows = QApplication.topLevelWidgets()
+    return [text for window in windows for text in (*taken_for_html(window), *steered(window))]
 
 
 def test_the_window_shows_foreign_text_as_it_is(
@@ -150,7 +180,8 @@ def test_the_window_shows_foreign_text_as_it_is(
     hostile.stage.insole.show_warning(evil)
     hostile.controller.run_action("tool_key_point", True)
     assert all_taken_for_html() == []
-    assert hostile.window.windowTitle() == f"<b>{MARK}<b>[*] – Insole Studio"
+    name = f"<b>{MARK}<b>{visible_line(STEERING)}"
+    assert hostile.window.windowTitle() == f"{name}[*] – Insole Studio"
 
 
 def test_the_stages_show_foreign_text_as_it_is(
@@ -162,11 +193,11 @@ def test_the_stages_show_foreign_text_as_it_is(
     stage.view.show_error(stage.view.patient.text())
     hostile.controller.run_action("compare", False)
     hostile.features.compare.stage.view.show_error(stage.view.patient.text())
-    session = tmp_path / f"<b>{MARK}<b>.zip"
+    session = tmp_path / f"<b>{MARK}<b>{STEERING}.zip"
     session.write_bytes(small_session.read_bytes())
     hostile.features.foot.open_session(session, hand_over=False)
     foot_stage = hostile.features.foot.stage
-    foot_stage.view.show_session(session.stem, Side.LEFT)
+    foot_stage.view.show_session(f"<b>{MARK}<b>", Side.LEFT)
     foot_stage.view.show_sentences([f"<b>{MARK}</b>"])
     assert all_taken_for_html() == []
     foot_stage.presenter.cancel()
@@ -196,7 +227,7 @@ def inspect_dialog(found: list[str]) -> None:
     assert isinstance(dialog, QDialog)
     labels = [label for label in dialog.findChildren(QLabel) if MARK in label.text()]
     assert labels
-    found += taken_for_html(dialog)
+    found += [*taken_for_html(dialog), *steered(dialog)]
     dialog.reject()
 
 
@@ -204,7 +235,9 @@ ASKING: dict[str, Callable[[Questions, str], object]] = {
     "unsaved": lambda questions, evil: questions.about_unsaved(evil),
     "anyway": lambda questions, evil: questions.open_anyway(evil),
     "alone": lambda questions, evil: questions.make_alone(evil, Side.LEFT),
-    "replace": lambda questions, _evil: questions.may_replace([Path(f"<b>{MARK}<b>.stl")]),
+    "replace": lambda questions, _evil: questions.may_replace(
+        [Path(f"<b>{MARK}<b>{STEERING}.stl")]
+    ),
     "replace own": lambda questions, evil: questions.may_replace_own(evil),
     "discard": lambda questions, evil: questions.may_discard(evil),
     "text": lambda questions, evil: questions.text("Name", evil, evil),
@@ -240,7 +273,7 @@ def test_no_image_of_a_foreign_text_is_drawn(hostile: Application, evil: str) ->
 def test_an_archive_of_a_foreign_name_is_told_as_it_is(
     app: Application, settle: Callable[[], None], tmp_path: Path
 ) -> None:
-    path = tmp_path / f"<b>{MARK}<b>.zip"
+    path = tmp_path / f"<b>{MARK}<b>{STEERING}.zip"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("nothing", "")
     app.features.case_files.opener.open_path(path)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import number
 from insole_studio.cli.report_arguments import (
     add_limit_arguments,
@@ -120,5 +121,5 @@ def _scan(arguments: argparse.Namespace) -> KnownObject:
 
     read = read_mesh(arguments.scan, arguments.unit)
     for note in read.notes:
-        print(f"{arguments.scan.name}: {note}", file=sys.stderr)
+        print(visible_line(f"{arguments.scan.name}: {note}"), file=sys.stderr)
     return KnownScan(Scan(read.mesh), arguments.scan.name)

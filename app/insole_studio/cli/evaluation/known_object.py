@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 from insole_studio.cli.board_arguments import add_board_arguments, board_of
 from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
 from insole_studio.cli.report_arguments import check_reports, conclude
@@ -122,7 +123,7 @@ def _measure_spots(
                 paint=arguments.paint,
             )
         except CalibrationError as error:
-            print(f"Warning: {path.name} is left out: {error}.", file=sys.stderr)
+            print(visible_line(f"Warning: {path.name} is left out: {error}."), file=sys.stderr)
             continue
         names = [f"{path.stem}:{name}" for name in points.names]
         distances += evaluate_object(names, points.true_mm, measured).distances

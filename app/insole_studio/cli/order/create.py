@@ -13,6 +13,7 @@ from insole_core.errors import UsageError
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
+from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.language import add_language, wording_of
@@ -132,7 +133,7 @@ def _items(
         for sentence in dict.fromkeys(
             f.sentence for p in parts for f in p.findings if not f.passed
         ):
-            print(f"Warning: {path.name}: {sentence}", file=sys.stderr)
+            print(visible_line(f"Warning: {path.name}: {sentence}"), file=sys.stderr)
         added = {
             file: tuple(part.side for part in parts) if side is None else (side,)
             for side, file in arguments.add

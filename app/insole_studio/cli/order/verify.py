@@ -7,6 +7,7 @@ from pathlib import Path
 
 from insole_core.errors import InputError
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 
 NAME = "verify"
 HELP = "say what is missing, changed, added, or of a wrong side in an order; exit code 1 if so"
@@ -24,13 +25,13 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     verification = verify_order(arguments.order, progress)
     order = verification.order
     count = sum(item.terms.quantity for item in order.items)
-    print(
+    told = (
         f"Order {order.release.number}, revision {order.release.revision}, of {order.created_at}, "
         f"by {order.program}: "
         f"{len(order.items)} patients, {count} pieces or pairs, {len(order.files)} files"
     )
-    for problem in verification.problems:
-        print(problem)
+    for line in (told, *verification.problems):
+        print(visible_line(line))
     if verification.problems:
         raise InputError(
             "{order} is not as it was written: {count} problems, listed above; do not make it "
@@ -38,4 +39,4 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             order=arguments.order,
             count=len(verification.problems),
         )
-    print(f"The order is complete. {verification.compared()}")
+    print(visible_line(f"The order is complete. {verification.compared()}"))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import InsoleError
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.records.place import add_place, check_may_set_aside, place_of
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
@@ -69,7 +70,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         f"{report.files} settings; {report.kept_files} settings were there and stay"
     )
     if report.set_aside is not None:
-        print(f"the record before is kept as {report.set_aside}")
+        print(visible_line(f"the record before is kept as {report.set_aside}"))
     if report.erased_again:
         print(f"erased since the backup, and again now: {report.erased_again} persons")
     for sha256 in report.left_out:

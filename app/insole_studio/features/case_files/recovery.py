@@ -10,6 +10,7 @@ from PySide6.QtCore import QDateTime
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
+from insole_core.visible_text import visible_line
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.document.case_name import case_name
@@ -212,7 +213,7 @@ class Recovery:
 
 def _name(recovered: Recovered) -> str:
     if recovered.path is not None:
-        return recovered.path.stem
+        return visible_line(recovered.path.stem)
     return recovered.record.patient.name or tr("New case")
 
 

@@ -18,6 +18,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 from insole_core.workflows.compare_case import (
     Compared,
     Wanted,
@@ -198,7 +199,7 @@ class ComparePresenter:
                     (f"{number} foot {foot.side}", f"{before}{foot_text}"),
                     (f"{number} insole {foot.side}", f"{before}{insole_text}"),
                 ]
-        options += [(str(path), path.name) for path in self._paths]
+        options += [(str(path), visible_line(path.name)) for path in self._paths]
         options += [(FILE, tr("Mesh or archive…")), (FOLDER, tr("Session, also of a mould…"))]
         self._panel.show_sources(options, self._words)
 

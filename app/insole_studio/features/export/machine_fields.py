@@ -21,6 +21,7 @@ from insole_core.solids.print_presets import (
     USUAL_WEIGHT_KG,
     PrintPreset,
 )
+from insole_core.visible_text import visible_line
 from insole_core.workflows.mill import MillingChoice
 from insole_core.workflows.print_order import PrintChoice, ZoneSource
 from insole_studio.texts import fill, tr, translate_core_message
@@ -130,7 +131,9 @@ class MachineFields(QObject):
         self.zones.show_value(how.zones)
         self.above.show_value(how.above_kpa)
         self.pressed.show_value(how.pressed_percent)
-        self.file.setText(Path(how.file).name if how.file else tr("Choose a file of zones…"))
+        self.file.setText(
+            visible_line(Path(how.file).name) if how.file else tr("Choose a file of zones…")
+        )
         self.file.setToolTip(how.file)
         self._show_weight()
 

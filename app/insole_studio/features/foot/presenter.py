@@ -22,6 +22,7 @@ from insole_core.reconstruct.parallel import both, for_views
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
+from insole_core.visible_text import visible_line
 from insole_core.workflows.make_feet import DoubtfulFeetError, MissingFootError, make_feet
 from insole_core.workflows.make_foot import (
     MadeFoot,
@@ -367,7 +368,9 @@ class FootStagePresenter:
 
     def _show_session(self, read: _ReadSession) -> None:
         work, self._side = read.work, read.side
-        self._panel.show_session(work.opened.path.stem, work.opened.session.manifest.sides)
+        self._panel.show_session(
+            visible_line(work.opened.path.stem), work.opened.session.manifest.sides
+        )
         self._panel.show_side(self._side)
         self._mesh_box, self._meshes = self._foot(work).box, dict(read.meshes)
         self._panel.show_box(self._mesh_box)

@@ -22,6 +22,7 @@ from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.visible_text import visible_line
 from insole_studio.document.record_keeper import PatientConflict
 from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
 from insole_studio.features.records.conflict_dialog import (
@@ -500,7 +501,7 @@ class PatientRecords(QObject):
     def _show_recent_files(self) -> None:
         if self.start is not None:
             names = self._services.recent.names
-            self.start.show_recent_files([(name, Path(name).name) for name in names])
+            self.start.show_recent_files([(name, visible_line(Path(name).name)) for name in names])
 
     def _add(self, person: Person | None) -> None:
         """Add a person, unless there is one of the same number: then the user decides."""

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFormLayout, QScrollArea, QWidget
 from insole_core.records.person_columns import ColumnMapping, PersonField
 from insole_core.records.text_table import TextTable
 from insole_core.records.written_dates import DateOrder
+from insole_core.visible_text import visible_line, visible_value
 from insole_studio.features.records.import_dialog import ImportDialog
 from insole_studio.features.records.new_patient_dialog import number_kinds
 from insole_studio.texts import tr
@@ -78,7 +79,7 @@ class TableImportDialog(ImportDialog):
     def _lay_out(self, table: TextTable) -> None:
         form = QFormLayout()
         for number, (heading, box) in enumerate(zip(table.headings, self.columns, strict=True)):
-            label = heading or tr("Column {number}").format(number=number + 1)
+            label = visible_value(heading) or tr("Column {number}").format(number=number + 1)
             box.setAccessibleName(label)
             box.setToolTip(_example(table, number))
             form.addRow(_label(label, _example(table, number)), box)
@@ -137,7 +138,7 @@ def _reading(table: TextTable) -> str:
 def _example(table: TextTable, number: int) -> str:
     """Return the first cell of a column that is not empty, shortened."""
     cells = (row.cells[number].strip() for row in table.rows)
-    text = " ".join(next(filter(None, cells), "").split())
+    text = visible_line(" ".join(next(filter(None, cells), "").split()))
     return text if len(text) <= _LONGEST_EXAMPLE else f"{text[:_LONGEST_EXAMPLE]}…"
 
 

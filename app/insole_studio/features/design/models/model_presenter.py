@@ -20,6 +20,7 @@ from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
 from insole_core.insole.surface.rocker import rocker_line
 from insole_core.pressure.laid_map import PlantarLayers
+from insole_core.visible_text import visible_value
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
@@ -703,4 +704,5 @@ def _listed(path: Path) -> ListedRow:
     """Return the row of a recently opened file: its icon tells a case, a mesh and a session."""
     kinds = {CASE_SUFFIX: "open", **dict.fromkeys(MESH_SUFFIXES, "mesh")}
     name = path.stem if path.suffix == CASE_SUFFIX else path.name
-    return ListedRow(str(path), kinds.get(path.suffix.lower(), "session"), name, str(path.parent))
+    kind = kinds.get(path.suffix.lower(), "session")
+    return ListedRow(str(path), kind, visible_value(name), visible_value(str(path.parent)))
