@@ -52,4 +52,4 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
         return
     for item in listed:
         mark = ["default"] if item.get("default") else []
-        print(item["kind"], item["key"], visible_line(item["name"]), *mark, sep="\t")
+        print(item["kind"], item["key"], visible_line(str(item["name"])), *mark, sep="\t")
