@@ -319,6 +319,7 @@ class Accounts:
             _forgive(connection, found.id)
             if is_outdated(found.password_hash):
                 _store_password(connection, found.id, password)
+                AuditLog.append(connection, author, "changed password", _ACCOUNT, found.id)
             AuditLog.append(connection, author, "signed in", _ACCOUNT, found.id)
 
     def change_password(self, name: str, old: str, new: str) -> Author:

@@ -34,6 +34,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.records.author import Author, Proof
 from insole_core.records.database import Database
 from insole_core.records.rights import Right, require
+from insole_core.records.row_seals import ROW, SEALED, digests_of
 from insole_core.records.schema import FIRST_HASH, audit, audit_head
 from insole_core.records.times import utc_now
 
@@ -45,6 +46,12 @@ SIGNED_IN_BY: Final = "signed_in_by"
 _WORD: Final = re.compile(r"[a-z][a-z_ ]{0,39}")
 _HEAD_ROW: Final = 1
 _BATCH: Final = 5000
+SEALED_ROWS: Final = "sealed"
+_SEALS_OF_LINE: Final = 100
+_CHANGES_NOTHING: Final = frozenset(
+    {"seen", "exported", "signed in", "refused", "locked", "unlocked", "switched off"}
+)
+"""What is done to a row that stays what it is: its line vouches for nothing."""
 _ENCODER: Final = json.JSONEncoder(separators=(",", ":"))
 _COLUMNS: Final = (
     audit.c.seq,
@@ -170,26 +177,38 @@ class AuditLog:
         subject_ids: Sequence[str],
         **details: Detail,
     ) -> list[AuditLine]:
-        """Do the same as `append` for each of some subjects, at least one."""
+        """Do the same as `append` for each of some subjects, at least one.
+
+        The line about a change of a row holds its digest (`row_seals`).
+        """
         if author.proof is not Proof.NONE:
             details = {**details, SIGNED_IN_BY: str(author.proof)}
         for subject_id in subject_ids:
             _check_words(action, subject_kind, subject_id, details)
-        written = json.dumps(details, sort_keys=True, separators=(",", ":"), allow_nan=False)
-        seq, previous_hash = connection.execute(
-            select(audit_head.c.seq, audit_head.c.hash)
-            .where(audit_head.c.id == _HEAD_ROW)
-            .with_for_update()
-        ).one()
-        who, what = (author.name, author.station), (action, subject_kind)
-        lines: list[AuditLine] = []
-        for number, subject_id in enumerate(subject_ids, start=seq + 1):
-            fields = (number, utc_now(), *who, *what, subject_id, written, previous_hash)
-            lines.append(AuditLine(*fields, hash=hash_of_line(fields)))
-            previous_hash = lines[-1].hash
-        connection.execute(insert(audit), [vars(line) for line in lines])
-        connection.execute(update(audit_head).values(seq=lines[-1].seq, hash=lines[-1].hash))
-        return lines
+        table = None if action in _CHANGES_NOTHING else SEALED.get(subject_kind)
+        digests = {} if table is None else digests_of(connection, table, subject_ids)
+        written = [
+            _written({**details, ROW: digests[id_]} if id_ in digests else details)
+            for id_ in subject_ids
+        ]
+        return _append(connection, author, (action, subject_kind), subject_ids, written)
+
+    @staticmethod
+    def seal(connection: Connection, author: Author, kind: str, ids: Sequence[str]) -> None:
+        """Note the digests of rows that change with another one, or came without a line.
+
+        Parameters
+        ----------
+        kind
+            As lines call such rows, of `SEALED`.
+        ids
+            One that is not there any more is noted as removed.
+        """
+        for start in range(0, len(ids), _SEALS_OF_LINE):
+            some = ids[start : start + _SEALS_OF_LINE]
+            found = digests_of(connection, SEALED[kind], some)
+            content = _written({id_: found.get(id_, "") for id_ in some})
+            _append(connection, author, (SEALED_ROWS, kind), ["rows"], [content])
 
     def lines(
         self,
@@ -261,6 +280,34 @@ class AuditLog:
         with self._database.reading() as connection:
             require(connection, self._who, Right.READ_AUDIT)
             yield connection
+
+
+def _append(
+    connection: Connection,
+    author: Author,
+    what: tuple[str, str],
+    subject_ids: Sequence[str],
+    details: Sequence[str],
+) -> list[AuditLine]:
+    """Write lines behind the last one, which is locked from here on."""
+    seq, previous_hash = connection.execute(
+        select(audit_head.c.seq, audit_head.c.hash)
+        .where(audit_head.c.id == _HEAD_ROW)
+        .with_for_update()
+    ).one()
+    who = (author.name, author.station)
+    lines: list[AuditLine] = []
+    for number, (subject_id, written) in enumerate(zip(subject_ids, details, strict=True), seq + 1):
+        fields = (number, utc_now(), *who, *what, subject_id, written, previous_hash)
+        lines.append(AuditLine(*fields, hash=hash_of_line(fields)))
+        previous_hash = lines[-1].hash
+    connection.execute(insert(audit), [vars(line) for line in lines])
+    connection.execute(update(audit_head).values(seq=lines[-1].seq, hash=lines[-1].hash))
+    return lines
+
+
+def _written(details: Mapping[str, Detail]) -> str:
+    return json.dumps(details, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
 
 def head_of(connection: Connection) -> tuple[int, str]:

@@ -13,10 +13,11 @@ from sqlalchemy import CompoundSelect, Connection, Select, func, select, union_a
 
 from insole_core.errors import RecordsError
 from insole_core.progress import SILENT, Progress
-from insole_core.records.audit import AuditLine, AuditLog, AuditReport
+from insole_core.records.audit import SEALED_ROWS, AuditLine, AuditLog, AuditReport
 from insole_core.records.context import RecordsContext
 from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require
+from insole_core.records.row_seals import ROW
 from insole_core.records.schema import (
     accounts,
     audit,
@@ -199,7 +200,11 @@ def _details_of(line: AuditLine) -> dict[str, Any]:
         values = json.loads(line.details)
     except ValueError:
         return {"?": line.details}
-    return values if isinstance(values, dict) else {"?": line.details}
+    if not isinstance(values, dict):
+        return {"?": line.details}
+    if line.action == SEALED_ROWS:
+        return {"rows": len(values)}
+    return {key: value for key, value in values.items() if key != ROW}
 
 
 def _named(text: str, names: Mapping[str, str]) -> str:

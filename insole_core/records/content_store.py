@@ -12,6 +12,7 @@ import errno
 import hashlib
 import os
 import re
+import time
 import uuid
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
@@ -31,11 +32,15 @@ from insole_core.regular_file import blocks_of, open_regular
 
 IDENTITY_FILE: Final = "identity"
 """Names the store; a share that is not mounted leaves an empty folder, which has none."""
+HEAD_FILE: Final = "audit-head"
+"""The last line of the audit log, see `head_witness`."""
 IDENTITY_VALUE: Final = "contents_identity"
 """Key of the clinic's settings: the store that belongs to the database."""
 REMOVED_FOLDER: Final = "removed"
 GRACE_S: Final = 7 * 24 * 3600.0
 """Longer than any work between the writing of a file and of its row, and than a clock is wrong."""
+_IN_WORK_S: Final = 3600.0
+"""Longer than between the writing of a file and of its row, where nobody has stopped the clock."""
 MOST_BYTES: Final = 2**33
 """No session or mesh is larger."""
 _SHA256: Final = re.compile(r"[0-9a-f]{64}")
@@ -288,6 +293,27 @@ class ContentStore:
                 self._set_aside(path, now)
         return SweptContents(len(unused), deleted, brought_back)
 
+    def discard(self, digests: Collection[str]) -> None:
+        """Delete contents of somebody who was erased, to which no row refers any more.
+
+        One that was stored within the last hour is left to the sweeps: a row for it may be coming.
+
+        Raises
+        ------
+        Unreachable
+            When the folder does not answer.
+        OutputError
+            When a file cannot be deleted.
+        """
+        self._check_identity()
+        before = time.time() - _IN_WORK_S
+        with self._answering():
+            for sha256 in digests:
+                for path in (self.path(sha256), self._removed(sha256)):
+                    if path.is_file() and _is_before(path, before):
+                        with output_errors(path):
+                            path.unlink()
+
     def verify(self, used: Mapping[str, int], progress: Progress = SILENT) -> ContentReport:
         """Read every file and compare it with its name.
 
@@ -404,7 +430,8 @@ class ContentStore:
             folders[:] = [name for name in folders if name != REMOVED_FOLDER]
             for name in names:
                 path = Path(place, name)
-                if not is_temporary(name) and path != self.folder / IDENTITY_FILE:
+                own = (self.folder / IDENTITY_FILE, self.folder / HEAD_FILE)
+                if not is_temporary(name) and path not in own:
                     yield path
 
     def _is_in_place(self, path: Path) -> bool:

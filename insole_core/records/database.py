@@ -19,6 +19,7 @@ from sqlalchemy.pool import QueuePool
 from insole_core.errors import RecordsError
 from insole_core.messages import Message
 from insole_core.records.database_errors import DamagedDatabase, busy, described
+from insole_core.records.head_witness import HeadWitness
 from insole_core.records.place import RecordsPlace
 
 BUSY_S: Final = 10.0
@@ -59,6 +60,7 @@ class Database:
         """What the copy is called that was kept when this program changed the tables."""
         self._is_closed = False
         self._snapshots = threading.local()
+        self.witness = HeadWitness(place.contents)
         self.engine = _engine(place, self.is_read_only)
 
     @property
@@ -127,6 +129,9 @@ class Database:
         with self._transaction(**{_WRITES: True}) as connection:
             self._check_schema(connection)
             yield connection
+            head = None if self.schema is None else self.witness.coming(connection)
+        if head is not None:
+            self.witness.write(head)
 
     def close(self) -> None:
         """Close all connections; one that is in use is closed after its transaction."""
@@ -199,6 +204,7 @@ def _connect_file(path: Path, read_only: bool) -> sqlite3.Connection:
             connection.execute("PRAGMA journal_mode=WAL")
             # Every commit is synced: WAL with NORMAL may lose the last ones with the power.
             connection.execute("PRAGMA synchronous=FULL")
+            connection.execute("PRAGMA secure_delete=ON")  # else deleted text stays in the file
     except BaseException:
         connection.close()
         raise

@@ -10,7 +10,9 @@ from typing import Any, Final
 from sqlalchemy import Connection, Table, func, insert, select, update
 
 from insole_core.errors import RecordsError
+from insole_core.records.audit import AuditLog
 from insole_core.records.context import RecordsContext
+from insole_core.records.marks import Merged, empty_value, mark_of
 from insole_core.records.person import Person, new_id
 from insole_core.records.person_rows import (
     locked_person,
@@ -19,6 +21,7 @@ from insole_core.records.person_rows import (
     write_search_text,
 )
 from insole_core.records.rights import Right
+from insole_core.records.row_seals import ids_of_persons
 from insole_core.records.schema import follow_ups, merges, orders, persons, visits
 from insole_core.records.times import utc_now
 
@@ -27,7 +30,7 @@ _MOVED: Final[Mapping[str, Table]] = {
     "orders": orders,
     "follow_ups": follow_ups,
 }
-_FILLED: Final = ("birth_date", "personal_number", "number_kind", "contact", "consent_on")
+_FILLED: Final = tuple(c.name for c in persons.columns if mark_of(c).merged is Merged.FILLED)
 _MERGE_COLUMNS: Final = (
     merges.c.id,
     merges.c.kept_id,
@@ -134,6 +137,7 @@ def merge_persons(context: RecordsContext, keep_id: str, merge_id: str) -> Merge
         kept, merged = found[keep_id], found[merge_id]
         if kept.is_sample or merged.is_sample:
             raise RecordsError("The sample patient cannot be merged with anybody; remove it.")
+        changed = ids_of_persons(connection, [merge_id])
         moved = {
             name: _move(connection, table, _ids(connection, table, merge_id), keep_id)
             for name, table in _MOVED.items()
@@ -146,6 +150,7 @@ def merge_persons(context: RecordsContext, keep_id: str, merge_id: str) -> Merge
         connection.execute(row.values(merged_into=keep_id, revision=merged.revision + 1))
         touch_person(connection, keep_id)
         write_search_text(connection, keep_id)
+        _seal(connection, context, changed)
         context.log(connection, "merged", "person", keep_id, merged=merge_id, merge=merge.id)
     return merge
 
@@ -177,6 +182,7 @@ def undo_merge(context: RecordsContext, merge: Merge) -> None:
         touch_person(connection, merge.merged_id)
         for id_ in ids:
             write_search_text(connection, id_)
+        _seal(connection, context, ids_of_persons(connection, [merge.merged_id]))
         context.log(
             connection, "unmerged", "person", merge.kept_id, merged=merge.merged_id, merge=merge.id
         )
@@ -191,6 +197,14 @@ def merges_of(context: RecordsContext, person_id: str) -> list[Merge]:
     )
     with context.reading() as connection:
         return [Merge(**row._mapping) for row in connection.execute(query)]
+
+
+def _seal(
+    connection: Connection, context: RecordsContext, changed: Mapping[str, list[str]]
+) -> None:
+    """Note in the log that rows belong to another person now."""
+    for kind, ids in changed.items():
+        AuditLog.seal(connection, context.author, kind, ids)
 
 
 def _undoable(merge: Merge, stored: Any, rows: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -236,7 +250,7 @@ def _fillable(kept: Person, merged: Person) -> list[str]:
 def _empty(connection: Connection, kept: Any, merged: Any, filled: list[str]) -> None:
     """Empty again what was filled, unless it was changed since."""
     still = [n for n in filled if kept._mapping[n] == merged._mapping[n]]
-    values = {name: None if name.endswith(("_date", "_on")) else "" for name in still}
+    values = {name: empty_value(persons.c[name]) for name in still}
     _write(connection, kept.id, kept.revision, values)
 
 

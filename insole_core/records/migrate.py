@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import platform
 from collections.abc import Callable
 from typing import Final, TypeAlias
 
 from sqlalchemy import Connection, func, inspect, select
 
 from insole_core.errors import RecordsError
+from insole_core.records.author import Author
 from insole_core.records.database import MIGRATION_LOCK, SCHEMA_COLUMN, SCHEMA_TABLE, Database
+from insole_core.records.row_report import seal_everything
 
-SCHEMA: Final = "0003"
+SCHEMA: Final = "0004"
 """The newest revision in `migrations/versions`; revisions are numbered."""
+_FIRST_SEALED: Final = "0004"
+"""From which on the audit log keeps digests of rows."""
+PROGRAM: Final = "Insole Studio"
+"""Author of what the program does by itself."""
 Keep: TypeAlias = Callable[[Database, Connection, str], None]
 
 
@@ -71,6 +78,8 @@ def migrate(database: Database, schema: str = SCHEMA, keep: Keep | None = None) 
         if keep is not None and found is not None and found != schema:
             keep(database, connection, found)
         upgrade(connection, schema)
+        if found is not None and found < _FIRST_SEALED and schema == SCHEMA:
+            seal_everything(connection, Author(PROGRAM, platform.node() or "?"))
     return found != schema
 
 

@@ -22,6 +22,7 @@ from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
+from insole_core.records.audit import AuditLog
 from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import check_text
@@ -30,7 +31,7 @@ from insole_core.records.prescription import Base, VersionSummary
 from insole_core.records.program_version import program_version
 from insole_core.records.rights import Right
 from insole_core.records.schema import captures, prescription_versions, visits
-from insole_core.records.signing import Signature, sign
+from insole_core.records.signing import PRESCRIPTION, Signature, sign
 from insole_core.records.stored_contents import refer_to
 from insole_core.records.times import utc_now
 
@@ -140,11 +141,13 @@ class Prescriptions:
         with self._context.writing_visit(Right.WRITE, visit_id) as (connection, _):
             newest = _newest(connection, visit_id, mine.side)
             _check_base(newest, Base(theirs.id, theirs.revision), mine)
-            written = self._insert(connection, visit_id, newest, mine_content)
+            written = first = self._insert(connection, visit_id, newest, mine_content)
             if chosen is not mine:
                 _close(connection, written.version_id, _IN_CONFLICT)
                 last = _newest(connection, visit_id, mine.side)
                 written = self._insert(connection, visit_id, last, chosen_content)
+            author, beside = self._context.author, [] if chosen is mine else [first.version_id]
+            AuditLog.seal(connection, author, PRESCRIPTION, beside)
             self._log(connection, "settled", written, mine.side)
         return written
 

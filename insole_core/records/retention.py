@@ -10,7 +10,6 @@ everything goes but the pseudonym's row, so that the audit log still tells that 
 from __future__ import annotations
 
 from collections.abc import Collection
-from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, date, datetime
 from enum import StrEnum
@@ -20,12 +19,10 @@ from sqlalchemy import (
     Connection,
     Select,
     Table,
-    and_,
     delete,
     exists,
     func,
     select,
-    text,
     update,
 )
 
@@ -33,38 +30,33 @@ from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.errors import RecordsError
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
+from insole_core.records.bare_files import BareFiles
 from insole_core.records.clinic import setting_of
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
+from insole_core.records.deleted_text import forget_deleted
+from insole_core.records.erasure import Eraser, is_unused
 from insole_core.records.person import new_pseudonym
 from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require, require_signed_in
+from insole_core.records.rows_of_person import is_of_person, tables_of_persons
 from insole_core.records.schema import (
     captures,
     contents,
     follow_ups,
     order_events,
-    order_feet,
-    order_files,
     orders,
     persons,
     prescription_versions,
-    presence,
     visits,
 )
 from insole_core.records.signing import ERASED, PRESCRIPTION
-from insole_core.records.times import utc_now
 from insole_core.records.upgrade_copy import forget_copies
 
 YEARS_VALUE: Final = "retention_years"
 """Key of the clinic's settings."""
 LEAST_YEARS: Final = 10
 """Annex XIII, section 4, for devices that are not implanted."""
-_REFERRING: Final = (
-    captures.c.content_sha256,
-    prescription_versions.c.mesh_sha256,
-    order_files.c.content_sha256,
-)
 
 
 class ErasureReason(StrEnum):
@@ -243,35 +235,57 @@ def erase_person(
     RecordsError
         When there is no such person, or the person was merged into another one.
     """
+    with context.database.reading() as connection:
+        require(connection, context.author, Right.ERASE)
+        eraser = Eraser(connection, context.contents, person_id)
+        bare, files = eraser.prepared(), eraser.files()
     with context.database.writing() as connection:
         require(connection, context.author, Right.ERASE)
-        if context.database.is_sqlite:  # which else leaves deleted text in the file
-            connection.execute(text("PRAGMA secure_delete=ON"))
-        erasure = erase_in(connection, context.author, person_id, reason, today)
-    if context.database.is_sqlite:
-        with closing(context.database.engine.raw_connection()) as unbegun:
-            unbegun.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        erasure = erase_in(connection, context, person_id, reason, today, bare=bare)
+    with context.database.reading() as connection:
+        files.difference_update(connection.execute(select(contents.c.sha256)).scalars())
+    context.contents.discard(files)
+    forget_deleted(context.database)
     forget_copies(context.database)
     return erasure
 
 
 def erase_in(
-    connection: Connection, author: Author, person_id: str, reason: ErasureReason, today: date
+    connection: Connection,
+    context: RecordsContext,
+    person_id: str,
+    reason: ErasureReason,
+    today: date,
+    *,
+    bare: BareFiles | None = None,
 ) -> Erasure:
-    """Do the same in a transaction of the caller, who has the right to it."""
+    """Do the same in a transaction of the caller, who has the right to it.
+
+    Parameters
+    ----------
+    bare
+        With the files of the person, from `Eraser.prepared`.
+    """
+    author = context.author
     _lock(connection, person_id)
     until = kept_until(connection, person_id)
     is_sample = _is_sample(connection, person_id)
     if is_sample:  # so that it can come back
         row = update(persons).where(persons.c.id == person_id)
         connection.execute(row.values(pseudonym=new_pseudonym()))
-    erase_identity(connection, person_id)
+    eraser = Eraser(connection, context.contents, person_id, bare)
+    files, rows = eraser.files(), eraser.sealed_rows()
+    eraser.erase_persons()
     if until > today and not is_sample:
         erasure = Erasure(person_id, until)
         captured = _unused_captures(connection, person_id)
+        eraser.erase_rows(author)
     else:
         erasure = _remove_all(connection, author, person_id)
         captured = 0
+    connection.execute(delete(contents).where(contents.c.sha256.in_(files), is_unused()))
+    for kind, ids in rows.items():
+        AuditLog.seal(connection, author, kind, ids)
     AuditLog.append(
         connection,
         author,
@@ -286,39 +300,6 @@ def erase_in(
         orders=erasure.orders,
     )
     return erasure
-
-
-def erase_identity(connection: Connection, person_id: str) -> None:
-    """Remove what says who a person is, and free text, also of those merged into the person."""
-    now = utc_now()
-    connection.execute(
-        update(persons)
-        .where(persons.c.id.in_(ids_of_joined(person_id)))
-        .values(
-            name=persons.c.pseudonym,
-            search_text="",
-            sort_key="",
-            name_key="",
-            birth_date=None,
-            personal_number="",
-            number_kind="",
-            contact="",
-            notes="",
-            consent_on=None,
-            is_erased=True,
-            changed_at=now,
-            revision=persons.c.revision + 1,
-        )
-    )
-    texts: tuple[tuple[Table, dict[str, Any]], ...] = (
-        (visits, {"reason": "", "findings": "", "weight_kg": None, "changed_at": now}),
-        (orders, {"remarks": "", "changed_at": now}),
-        (follow_ups, {"notes": ""}),
-    )
-    for table, values in texts:
-        connection.execute(update(table).where(table.c.person_id == person_id).values(values))
-    of_person = order_events.c.order_id.in_(_ids(orders, person_id))
-    connection.execute(update(order_events).where(of_person).values(remarks=""))
 
 
 def sweep_contents(
@@ -337,9 +318,8 @@ def sweep_contents(
     before = datetime.fromtimestamp(now.timestamp() - grace_s, UTC).isoformat()
     with context.database.writing() as connection:
         require_signed_in(connection, context.author)
-        unused = and_(*(~exists().where(column == contents.c.sha256) for column in _REFERRING))
         old = contents.c.created_at < before
-        removed = connection.execute(delete(contents).where(unused, old)).rowcount
+        removed = connection.execute(delete(contents).where(is_unused(), old)).rowcount
         if removed:
             AuditLog.append(connection, context.author, "swept", "contents", "all", files=removed)
         used: Collection[str] = set(connection.execute(select(contents.c.sha256)).scalars())
@@ -390,25 +370,17 @@ def _unused_captures(connection: Connection, person_id: str) -> int:
 
 
 def _remove_all(connection: Connection, author: Author, person_id: str) -> Erasure:
-    of_visits, of_orders = _ids(visits, person_id), _ids(orders, person_id)
+    of_visits = _ids(visits, person_id)
     versions = prescription_versions.c
     signed = connection.execute(
         select(versions.id).where(versions.visit_id.in_(of_visits), versions.signed_at.is_not(None))
     ).scalars()
     signed_ids = signed.all()
-    counts = {}
-    for table, of_person in (
-        (order_feet, order_feet.c.order_id.in_(of_orders)),
-        (order_files, order_files.c.order_id.in_(of_orders)),
-        (order_events, order_events.c.order_id.in_(of_orders)),
-        (follow_ups, follow_ups.c.person_id == person_id),
-        (orders, orders.c.person_id == person_id),
-        (presence, presence.c.visit_id.in_(of_visits)),
-        (prescription_versions, versions.visit_id.in_(of_visits)),
-        (captures, captures.c.visit_id.in_(of_visits)),
-        (visits, visits.c.person_id == person_id),
-    ):
-        counts[table.name] = connection.execute(delete(table).where(of_person)).rowcount
+    ids = list(connection.execute(ids_of_joined(person_id)).scalars())
+    counts = {
+        table.name: connection.execute(delete(table).where(is_of_person(table, ids))).rowcount
+        for table in reversed(tables_of_persons())
+    }
     for version_id in signed_ids:
         AuditLog.append(connection, author, ERASED, PRESCRIPTION, version_id)
     return Erasure(

@@ -64,4 +64,4 @@ def remove_sample(context: RecordsContext) -> None:
         query = select(persons.c.id).where(persons.c.pseudonym == SAMPLE_PSEUDONYM)
         person_id = connection.execute(query).scalar()
         if person_id is not None:
-            erase_in(connection, context.author, person_id, ErasureReason.SAMPLE, date.today())
+            erase_in(connection, context, person_id, ErasureReason.SAMPLE, date.today())

@@ -8,6 +8,8 @@ numbers that only grow, never by a clock.
 
 from __future__ import annotations
 
+import secrets
+
 from sqlalchemy import (
     BigInteger,
     Boolean,
@@ -25,6 +27,27 @@ from sqlalchemy import (
 )
 from sqlalchemy.types import TypeEngine
 
+from insole_core.records.marks import (
+    BOOKKEEPING,
+    CONTENT,
+    DEVICE,
+    DOCUMENT,
+    EMPTIED,
+    FILE,
+    FILE_NAME,
+    KEY,
+    NOBODY,
+    PSEUDONYM,
+    STAFF,
+    STATE,
+    WHEN,
+    Info,
+    checked,
+    filled,
+    kept,
+    unsealed,
+)
+
 metadata = MetaData(
     naming_convention={
         "pk": "pk_%(table_name)s",
@@ -41,40 +64,63 @@ def _bytewise() -> TypeEngine[str]:
 
 
 def _id() -> Column[str]:
-    return Column("id", Text, primary_key=True)
+    return Column("id", Text, primary_key=True, info=KEY)
 
 
 def _times() -> tuple[Column[str], Column[str], Column[int]]:
     return (
-        Column("created_at", Text, nullable=False),
-        Column("changed_at", Text, nullable=False),
-        Column("revision", Integer, nullable=False),
+        Column("created_at", Text, nullable=False, info=WHEN),
+        Column("changed_at", Text, nullable=False, info=unsealed(WHEN)),
+        Column("revision", Integer, nullable=False, info=BOOKKEEPING),
     )
 
 
-def _text(name: str) -> Column[str]:
-    return Column(name, Text, nullable=False, server_default="")
+def _text(name: str, info: Info) -> Column[str]:
+    return Column(name, Text, nullable=False, server_default="", info=info)
 
+
+def _salt() -> str:
+    return secrets.token_hex(16)
+
+
+_CALIBRATION = checked("documents the device: by what it was measured (Annex XIII)")
 
 persons = Table(
     "persons",
     metadata,
     _id(),
-    Column("name", Text, nullable=False),
-    Column("search_text", _bytewise(), nullable=False),
-    Column("sort_key", _bytewise(), nullable=False, server_default="", index=True),
-    Column("name_key", _bytewise(), nullable=False, server_default=""),
-    Column("birth_date", Date),
-    _text("personal_number"),
-    _text("number_kind"),
-    _text("contact"),
-    _text("notes"),
-    Column("consent_on", Date),
-    Column("pseudonym", Text, nullable=False, unique=True),
-    Column("is_erased", Boolean, nullable=False, server_default=text("false")),
-    Column("merged_into", Text, ForeignKey("persons.id"), index=True),
+    Column("name", Text, nullable=False, info=PSEUDONYM),
+    Column("search_text", _bytewise(), nullable=False, info=unsealed(EMPTIED)),
+    Column(
+        "sort_key",
+        _bytewise(),
+        nullable=False,
+        server_default="",
+        index=True,
+        info=unsealed(EMPTIED),
+    ),
+    Column("name_key", _bytewise(), nullable=False, server_default="", info=unsealed(EMPTIED)),
+    Column("birth_date", Date, info=filled(EMPTIED)),
+    _text("personal_number", filled(EMPTIED)),
+    _text("number_kind", filled(EMPTIED)),
+    _text("contact", filled(EMPTIED)),
+    _text("notes", filled(EMPTIED)),
+    Column("consent_on", Date, info=filled(EMPTIED)),
+    Column(
+        "pseudonym",
+        Text,
+        nullable=False,
+        unique=True,
+        info=checked("stands for the name of whom the law keeps a device"),
+    ),
+    Column("is_erased", Boolean, nullable=False, server_default=text("false"), info=STATE),
+    Column("merged_into", Text, ForeignKey("persons.id"), index=True, info=KEY),
     # seq of the latest line of the audit log that concerns this person: the order of recent ones
-    Column("last_seq", BigInteger, nullable=False, server_default="0", index=True),
+    Column(
+        "last_seq", BigInteger, nullable=False, server_default="0", index=True, info=BOOKKEEPING
+    ),
+    # drawn for each person and erased with them: without it no digest tells what a row held
+    Column("salt", Text, nullable=False, server_default="", default=_salt, info=unsealed(EMPTIED)),
     *_times(),
     Index("ix_persons_personal_number", "personal_number"),
     Index("ix_persons_name_key_birth_date", "name_key", "birth_date"),
@@ -83,8 +129,8 @@ persons = Table(
 person_words = Table(
     "person_words",
     metadata,
-    Column("word", _bytewise(), primary_key=True),
-    Column("person_id", Text, ForeignKey("persons.id"), primary_key=True),
+    Column("word", _bytewise(), primary_key=True, info=unsealed(EMPTIED)),
+    Column("person_id", Text, ForeignKey("persons.id"), primary_key=True, info=KEY),
     sqlite_with_rowid=False,
 )
 """The words of each `persons.search_text`, written by triggers of the database."""
@@ -96,20 +142,28 @@ contents = Table(
     Column("size", BigInteger, nullable=False),
     Column("kind", Text, nullable=False),
     Column("created_at", Text, nullable=False),
+    info=CONTENT,
 )
 
 visits = Table(
     "visits",
     metadata,
     _id(),
-    Column("person_id", Text, ForeignKey("persons.id"), nullable=False),
-    Column("visited_on", Date, nullable=False, index=True),
-    _text("reason"),
-    _text("findings"),
-    Column("weight_kg", Float),
-    Column("shoe_size_eu", Float),
-    Column("measures", Text, nullable=False, server_default="{}"),
-    Column("capture_state", Text, nullable=False, server_default="none", index=True),
+    Column("person_id", Text, ForeignKey("persons.id"), nullable=False, info=KEY),
+    Column("visited_on", Date, nullable=False, index=True, info=WHEN),
+    _text("reason", EMPTIED),
+    _text("findings", EMPTIED),
+    Column("weight_kg", Float, info=EMPTIED),
+    Column("shoe_size_eu", Float, info=DEVICE),
+    Column("measures", Text, nullable=False, server_default="{}", info=EMPTIED),
+    Column(
+        "capture_state",
+        Text,
+        nullable=False,
+        server_default="none",
+        index=True,
+        info=unsealed(STATE),
+    ),
     *_times(),
     Index("ix_visits_person_id_visited_on", "person_id", "visited_on"),
 )
@@ -118,21 +172,29 @@ captures = Table(
     "captures",
     metadata,
     _id(),
-    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False),
-    Column("number", Integer, nullable=False),
-    Column("kind", Text, nullable=False),
-    Column("file_name", Text, nullable=False),
-    Column("content_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True),
+    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False, info=KEY),
+    Column("number", Integer, nullable=False, info=KEY),
+    Column("kind", Text, nullable=False, info=STATE),
+    Column("file_name", Text, nullable=False, info=FILE_NAME),
+    Column(
+        "content_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True, info=FILE
+    ),
     # as a case names its scan: of the manifest of a session's folder, or of the file
-    _text("source_sha256"),
-    _text("recorded_at"),
-    Column("sensor_serials", Text, nullable=False, server_default="[]"),
-    _text("calibrated_on"),
-    Column("calibration_residuals", Text, nullable=False, server_default="{}"),
-    Column("report", Text, nullable=False, server_default="{}"),
-    Column("program_version", Text, nullable=False),
-    Column("created_at", Text, nullable=False),
-    Column("author", Text, nullable=False),
+    _text("source_sha256", kept("tells which scan it was, and nothing of it")),
+    _text("recorded_at", checked("when the scan was made")),
+    Column("sensor_serials", Text, nullable=False, server_default="[]", info=_CALIBRATION),
+    _text("calibrated_on", _CALIBRATION),
+    Column("calibration_residuals", Text, nullable=False, server_default="{}", info=_CALIBRATION),
+    Column(
+        "report",
+        Text,
+        nullable=False,
+        server_default="{}",
+        info=checked("how well the scan was reconstructed"),
+    ),
+    Column("program_version", Text, nullable=False, info=DEVICE),
+    Column("created_at", Text, nullable=False, info=WHEN),
+    Column("author", Text, nullable=False, info=STAFF),
     UniqueConstraint("visit_id", "number"),
 )
 
@@ -140,21 +202,25 @@ prescription_versions = Table(
     "prescription_versions",
     metadata,
     _id(),
-    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False),
-    Column("side", Text, nullable=False),
-    Column("number", Integer, nullable=False),
-    Column("document", Text, nullable=False),
-    Column("mesh_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True),
-    Column("capture_id", Text, ForeignKey("captures.id")),
-    Column("author", Text, nullable=False),
-    Column("station", Text, nullable=False),
-    _text("reason"),
-    Column("program_version", Text, nullable=False),
+    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False, info=KEY),
+    Column("side", Text, nullable=False, info=DEVICE),
+    Column("number", Integer, nullable=False, info=KEY),
+    Column("document", Text, nullable=False, info=DOCUMENT),
+    Column(
+        "mesh_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True, info=CONTENT
+    ),
+    Column("capture_id", Text, ForeignKey("captures.id"), info=KEY),
+    Column("author", Text, nullable=False, info=STAFF),
+    Column("station", Text, nullable=False, info=STAFF),
+    _text("reason", EMPTIED),
+    Column("program_version", Text, nullable=False, info=DEVICE),
     *_times(),
-    Column("is_closed", Boolean, nullable=False, server_default=text("false")),
-    Column("signed_by", Text),
-    Column("signed_at", Text),
-    Column("signature", Text),
+    Column(
+        "is_closed", Boolean, nullable=False, server_default=text("false"), info=unsealed(STATE)
+    ),
+    Column("signed_by", Text, info=STAFF),
+    Column("signed_at", Text, info=WHEN),
+    Column("signature", Text, info=DEVICE),
     UniqueConstraint("visit_id", "side", "number"),
 )
 
@@ -162,13 +228,19 @@ orders = Table(
     "orders",
     metadata,
     _id(),
-    Column("number", Text, nullable=False, unique=True),
-    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False, index=True),
-    Column("person_id", Text, ForeignKey("persons.id"), nullable=False, index=True),
-    Column("state", Text, nullable=False),
-    _text("shop"),
-    Column("due_on", Date),
-    _text("remarks"),
+    Column(
+        "number",
+        Text,
+        nullable=False,
+        unique=True,
+        info=checked("by which the shop knows the device"),
+    ),
+    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False, index=True, info=KEY),
+    Column("person_id", Text, ForeignKey("persons.id"), nullable=False, index=True, info=KEY),
+    Column("state", Text, nullable=False, info=STATE),
+    _text("shop", checked("who made the device")),
+    Column("due_on", Date, info=WHEN),
+    _text("remarks", EMPTIED),
     *_times(),
     Index("ix_orders_state_due_on", "state", "due_on"),
 )
@@ -176,49 +248,52 @@ orders = Table(
 order_feet = Table(
     "order_feet",
     metadata,
-    Column("order_id", Text, ForeignKey("orders.id"), primary_key=True),
+    Column("order_id", Text, ForeignKey("orders.id"), primary_key=True, info=KEY),
     Column(
         "prescription_version_id",
         Text,
         ForeignKey("prescription_versions.id"),
         primary_key=True,
         index=True,
+        info=KEY,
     ),
 )
 
 order_files = Table(
     "order_files",
     metadata,
-    Column("order_id", Text, ForeignKey("orders.id"), primary_key=True),
-    Column("name", Text, primary_key=True),
-    Column("content_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True),
-    Column("size", BigInteger, nullable=False),
+    Column("order_id", Text, ForeignKey("orders.id"), primary_key=True, info=KEY),
+    Column("name", Text, primary_key=True, info=FILE_NAME),
+    Column(
+        "content_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True, info=FILE
+    ),
+    Column("size", BigInteger, nullable=False, info=DEVICE),
 )
 
 order_events = Table(
     "order_events",
     metadata,
-    Column("order_id", Text, ForeignKey("orders.id"), primary_key=True),
-    Column("seq", Integer, primary_key=True, autoincrement=False),
-    Column("at", Text, nullable=False),
-    Column("author", Text, nullable=False),
-    Column("from_state", Text),
-    Column("to_state", Text, nullable=False),
-    _text("remarks"),
+    Column("order_id", Text, ForeignKey("orders.id"), primary_key=True, info=KEY),
+    Column("seq", Integer, primary_key=True, autoincrement=False, info=KEY),
+    Column("at", Text, nullable=False, info=WHEN),
+    Column("author", Text, nullable=False, info=STAFF),
+    Column("from_state", Text, info=STATE),
+    Column("to_state", Text, nullable=False, info=STATE),
+    _text("remarks", EMPTIED),
 )
 
 follow_ups = Table(
     "follow_ups",
     metadata,
     _id(),
-    Column("person_id", Text, ForeignKey("persons.id"), nullable=False, index=True),
-    Column("order_id", Text, ForeignKey("orders.id"), index=True),
-    Column("visit_id", Text, ForeignKey("visits.id"), index=True),
-    Column("on_date", Date, nullable=False),
-    _text("outcome"),
-    _text("notes"),
-    Column("author", Text, nullable=False),
-    Column("created_at", Text, nullable=False),
+    Column("person_id", Text, ForeignKey("persons.id"), nullable=False, index=True, info=KEY),
+    Column("order_id", Text, ForeignKey("orders.id"), index=True, info=KEY),
+    Column("visit_id", Text, ForeignKey("visits.id"), index=True, info=KEY),
+    Column("on_date", Date, nullable=False, info=WHEN),
+    _text("outcome", EMPTIED),
+    _text("notes", EMPTIED),
+    Column("author", Text, nullable=False, info=STAFF),
+    Column("created_at", Text, nullable=False, info=WHEN),
 )
 
 audit = Table(
@@ -237,6 +312,7 @@ audit = Table(
     Index("ix_audit_subject_id", "subject_id"),
     Index("ix_audit_author_seq", "author", "seq"),
     Index("ix_audit_at_seq", "at", "seq"),
+    info=NOBODY,
 )
 
 audit_head = Table(
@@ -245,6 +321,7 @@ audit_head = Table(
     Column("id", Integer, primary_key=True, autoincrement=False),
     Column("seq", BigInteger, nullable=False),
     Column("hash", Text, nullable=False),
+    info=NOBODY,
 )
 """One row, id 1: the last line of the audit log. Locking it puts writers in a row."""
 
@@ -256,13 +333,14 @@ accounts = Table(
     Column("full_name", Text, nullable=False),
     Column("role", Text, nullable=False),
     Column("password_hash", Text, nullable=False),
-    Column("failures", Integer, nullable=False, server_default="0"),
-    Column("locked_until", Text),
+    Column("failures", Integer, nullable=False, server_default="0", info=unsealed(NOBODY)),
+    Column("locked_until", Text, info=unsealed(NOBODY)),
     Column("is_disabled", Boolean, nullable=False, server_default=text("false")),
-    Column("changed_at", Text, nullable=False),
+    Column("changed_at", Text, nullable=False, info=unsealed(NOBODY)),
     Column("must_change_password", Boolean, nullable=False, server_default=text("false")),
     Column("system_user", Text),
     Index("ix_accounts_system_user", "system_user", unique=True),
+    info=NOBODY,
 )
 
 merges = Table(
@@ -275,6 +353,7 @@ merges = Table(
     Column("at", Text, nullable=False),
     Column("author", Text, nullable=False),
     Column("undone_at", Text),
+    info=KEY,
 )
 
 presence = Table(
@@ -285,6 +364,7 @@ presence = Table(
     Column("author", Text, primary_key=True),
     Column("since", Text, nullable=False),
     Column("seen_at", Text, nullable=False),
+    info=unsealed(STAFF),
 )
 
 clinic = Table(
@@ -292,6 +372,7 @@ clinic = Table(
     metadata,
     Column("key", Text, primary_key=True),
     Column("value", Text, nullable=False),
+    info=NOBODY,
 )
 """Settings of the clinic, as JSON values."""
 

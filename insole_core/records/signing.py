@@ -1,7 +1,9 @@
 """Signing a version of a prescription, which makes it immutable.
 
 The signature is the SHA-256 of all that the version states, kept with the version and in the audit
-log. Changing one of them is told by the other, and changing the log by its chain.
+log. Changing one of them is told by the other, and changing the log by its chain. Where its person
+is erased, the version loses names and notes; the signature stays, and the log keeps the SHA-256 of
+what the version states from then on, if it was sound before.
 """
 
 from __future__ import annotations
@@ -24,6 +26,7 @@ from insole_core.records.times import utc_now
 
 SIGNED: Final = "signed"
 ERASED: Final = "erased"
+REDACTED: Final = "redacted"
 PRESCRIPTION: Final = "prescription"
 SIGNED_COLUMNS: Final = (
     "id",
@@ -133,6 +136,24 @@ def sign(connection: Connection, version_id: str, author: Author) -> Signature:
     return Signature(version_id, signed["signed_by"], signed["signed_at"], digest)
 
 
+def is_as_signed(connection: Connection, row: Row[Any]) -> bool:
+    """Return whether a signed version still states what was signed, without what was erased.
+
+    Parameters
+    ----------
+    row
+        Of `prescription_versions`.
+    """
+    return digest_of(row._asdict()) == _expected(row, _logged(connection, row.id).get(row.id))
+
+
+def note_redaction(connection: Connection, author: Author, row: Row[Any]) -> None:
+    """Note in the log what a signed version states after the erasure of its person."""
+    digest = digest_of(row._asdict())
+    details = {"signature": row.signature, "digest": digest}
+    AuditLog.append(connection, author, REDACTED, PRESCRIPTION, row.id, **details)
+
+
 def verify_signatures(connection: Connection, progress: Progress = SILENT) -> SignatureReport:
     """Compare every signed version with its signature, and that with the audit log.
 
@@ -146,11 +167,11 @@ def verify_signatures(connection: Connection, progress: Progress = SILENT) -> Si
         checked += 1
         if checked % _BATCH == 0:
             progress.step(0.0, "Verifying {count} signatures", count=checked)
-        if digest_of(row._asdict()) != row.signature or not row.is_closed:
+        known = logged.pop(row.id, None)
+        if digest_of(row._asdict()) != _expected(row, known) or not row.is_closed:
             changed.append(row.id)
-        elif logged.get(row.id) != row.signature:
+        elif known is None or known.signature != row.signature:
             unlogged.append(row.id)
-        logged.pop(row.id, None)
     return SignatureReport(checked, tuple(changed), tuple(unlogged), tuple(sorted(logged)))
 
 
@@ -165,17 +186,40 @@ def _signed(connection: Connection) -> Iterator[Row[Any]]:
         yield from result
 
 
-def _logged(connection: Connection) -> dict[str, str]:
-    """Return the signatures in the audit log by the id of their version, without erased ones."""
+@dataclass(frozen=True)
+class _Logged:
+    """What the audit log knows of a signed version.
+
+    Parameters
+    ----------
+    redacted
+        Digest of what the last erasure has left of it; empty without one.
+    """
+
+    signature: str
+    redacted: str
+
+
+def _expected(row: Row[Any], logged: _Logged | None) -> str:
+    """Return the digest that a signed version should have."""
+    return (logged.redacted if logged is not None else "") or str(row.signature)
+
+
+def _logged(connection: Connection, version_id: str | None = None) -> dict[str, _Logged]:
+    """Return what the audit log knows of signed versions, or of one, without removed ones."""
+    actions = [SIGNED, REDACTED, ERASED]
     query = (
         select(audit.c.subject_id, audit.c.action, audit.c.details)
-        .where(audit.c.subject_kind == PRESCRIPTION, audit.c.action.in_([SIGNED, ERASED]))
+        .where(audit.c.subject_kind == PRESCRIPTION, audit.c.action.in_(actions))
         .order_by(audit.c.seq)
     )
-    logged: dict[str, str] = {}
+    if version_id is not None:
+        query = query.where(audit.c.subject_id == version_id)
+    logged: dict[str, _Logged] = {}
     for row in connection.execute(query):
-        if row.action == SIGNED:
-            logged[row.subject_id] = json.loads(row.details).get("signature", "")
-        else:
+        if row.action == ERASED:
             logged.pop(row.subject_id, None)
+            continue
+        details = json.loads(row.details)
+        logged[row.subject_id] = _Logged(details.get("signature", ""), details.get("digest", ""))
     return logged

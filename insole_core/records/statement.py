@@ -33,7 +33,7 @@ from insole_core.records.schema import (
     prescription_versions,
     visits,
 )
-from insole_core.records.signing import digest_of
+from insole_core.records.signing import is_as_signed
 from insole_core.solids.prescription_paper import (
     Responsible,
     require_statement,
@@ -224,7 +224,7 @@ def _versions(connection: Connection, order_id: str) -> Iterator[Row[Any]]:
             raise RecordsError(
                 "The prescription of the {side} foot is not signed; sign it first.", side=row.side
             )
-        if digest_of(row._asdict()) != row.signature:
+        if not is_as_signed(connection, row):
             raise RecordsError(
                 "The prescription of the {side} foot is not what was signed; compare it with a "
                 "backup.",

@@ -13,6 +13,7 @@ from insole_core.records.audit import AuditReport, verify_chain
 from insole_core.records.content_store import ContentReport
 from insole_core.records.context import RecordsContext
 from insole_core.records.rights import Right, require
+from insole_core.records.row_report import RowReport, problems_of_rows, verify_rows
 from insole_core.records.schema import contents, metadata
 from insole_core.records.signing import SignatureReport, verify_signatures
 
@@ -25,6 +26,8 @@ class VerifyReport:
     ----------
     references
         Tables with rows that refer to something that is not there, and the number of such rows.
+    rows
+        Of persons, visits, captures, prescriptions, orders, follow-ups, accounts and settings.
     database_problem
         What the database itself says about its file; empty if all is well, or on a server.
     """
@@ -33,7 +36,23 @@ class VerifyReport:
     signatures: SignatureReport
     contents: ContentReport
     references: Mapping[str, int]
+    rows: RowReport
     database_problem: str = ""
+
+    def compared(self) -> Message:
+        """Return what was compared, and with what."""
+        return Message(
+            "Compared: {lines} lines of the audit log with each other and with the last one noted "
+            "beside the files; {rows} rows (persons, visits, captures, prescriptions, orders, "
+            "follow-ups, accounts with roles and passwords, settings) with what the log says of "
+            "their last change; whether accounts are on; {signatures} signatures; {files} files "
+            "with their SHA-256. Not compared: who works where just now, failed sign-ins, and what "
+            "is drawn from other rows, such as the words of the search.",
+            lines=self.audit.lines,
+            rows=self.rows.checked,
+            signatures=self.signatures.checked,
+            files=self.contents.checked,
+        )
 
     @property
     def is_sound(self) -> bool:
@@ -81,6 +100,7 @@ class VerifyReport:
         ):
             if ids:
                 found.append(Message(template, count=len(ids), first=ids[0][:12]))
+        found += problems_of_rows(self.rows)
         found += [
             Message(
                 "{count} rows of {table} refer to something that is not there; restore the record "
@@ -115,13 +135,15 @@ def verify_record(
     with context.database.reading() as connection:
         require(connection, context.author, Right.BACK_UP)
         problem = _problem_of_file(connection) if context.database.is_sqlite else ""
-        audit = verify_chain(connection, known, progress.part(0, 0.3))
+        noted = context.database.witness.read() | dict(known or {})
+        audit = verify_chain(connection, noted, progress.part(0, 0.2))
+        rows = verify_rows(connection, progress.part(0.2, 0.3))
         signatures = verify_signatures(connection, progress.part(0.3, 0.4))
         references = _dangling(connection)
         query = select(contents.c.sha256, contents.c.size)
         used = {row.sha256: row.size for row in connection.execute(query)}
     files = context.contents.verify(used, progress.part(0.4, 1))
-    return VerifyReport(audit, signatures, files, references, problem)
+    return VerifyReport(audit, signatures, files, references, rows, problem)
 
 
 def _problem_of_file(connection: Connection) -> str:

@@ -38,7 +38,9 @@ from insole_core.records.backup.portable_rows import insert_pieces, replace_piec
 from insole_core.records.backup.snapshot import OpenedSnapshot, open_snapshot
 from insole_core.records.clinic import write_setting
 from insole_core.records.content_store import IDENTITY_VALUE, ContentStore
+from insole_core.records.context import RecordsContext
 from insole_core.records.database import Database
+from insole_core.records.head_witness import HeadWitness
 from insole_core.records.migrate import check_schema, migrate, schema_of
 from insole_core.records.place import RecordsPlace
 from insole_core.records.retention import ErasureReason, erase_in
@@ -138,6 +140,7 @@ def restore(
         report = _restore_file(place, opened.manifest, fill, replace_existing=replace_existing)
     else:
         report = _restore_server(place, opened.manifest, fill)
+    HeadWitness(place.contents).forget()
     restored, kept = _restore_settings(opened, settings or {}, revise)
     return replace(report, files=restored, kept_files=kept)
 
@@ -206,18 +209,19 @@ def _fill(
         write_setting(connection, IDENTITY_VALUE, store.identity())
     migrate(database)
     with database.writing() as connection:
-        erased = _erase_again(connection, opened, who)
+        erased = _erase_again(connection, opened, RecordsContext(database, store, who))
         AuditLog.append(connection, who, RESTORED, "record", f"snapshot {opened.snapshot.number}")
     return replace(report, erased_again=erased)
 
 
-def _erase_again(connection: Connection, opened: OpenedSnapshot, who: Author) -> int:
+def _erase_again(connection: Connection, opened: OpenedSnapshot, context: RecordsContext) -> int:
     """Erase whoever was erased after this snapshot and before the newest one."""
     query = select(persons.c.id).where(~persons.c.is_erased, persons.c.merged_into.is_(None))
     there = set(connection.execute(query).scalars())
     coming = sorted(there.intersection(opened.newest.erased))
     for person_id in coming:
-        erase_in(connection, who, person_id, ErasureReason.REQUEST, datetime.now(UTC).date())
+        today = datetime.now(UTC).date()
+        erase_in(connection, context, person_id, ErasureReason.REQUEST, today)
     return len(coming)
 
 

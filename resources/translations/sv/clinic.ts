@@ -688,10 +688,6 @@
             <translation>Använd den här journalen</translation>
         </message>
         <message>
-            <source>Verified: lines of the audit log {lines}, signatures {signatures}, files {files} ({size_mb:.1f} MB).</source>
-            <translation>Kontrollerat: rader i loggen {lines}, signaturer {signatures}, filer {files} ({size_mb:.1f} MB).</translation>
-        </message>
-        <message>
             <source>Verify again</source>
             <translation>Kontrollera igen</translation>
         </message>

@@ -236,6 +236,14 @@
             <translation>En {side} fot enligt formen: {reason} (marginal {ratio:.1f} till 1).</translation>
         </message>
         <message>
+            <source>Accounts are off, although nobody has switched them off: anybody may do anything; switch them on again, and compare the record with a backup.</source>
+            <translation>Konton är avslagna, fast ingen har slagit av dem: vem som helst får göra allt; slå på dem igen och jämför journalen med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>Accounts are on, although nobody has switched them on; compare the record with a backup.</source>
+            <translation>Konton är påslagna, fast ingen har slagit på dem; jämför journalen med en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>Accounts are switched off; switch them on with the first administrator.</source>
             <translation>Kontona är avstängda; slå på dem med den första administratören.</translation>
         </message>
@@ -544,8 +552,16 @@
             <translation>Färglägger ytan</translation>
         </message>
         <message>
+            <source>Compared: {lines} lines of the audit log with each other and with the last one noted beside the files; {rows} rows (persons, visits, captures, prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with what the log says of their last change; whether accounts are on; {signatures} signatures; {files} files with their SHA-256. Not compared: who works where just now, failed sign-ins, and what is drawn from other rows, such as the words of the search.</source>
+            <translation>Jämfört: {lines} rader i loggen med varandra och med den sista som noterats bredvid filerna; {rows} rader (personer, besök, skanningar, ordinationer, beställningar, uppföljningar, konton med roller och lösenord, inställningar) med vad loggen säger om deras senaste ändring; om konton är påslagna; {signatures} signaturer; {files} filer med deras SHA-256. Inte jämfört: vem som arbetar var just nu, misslyckade inloggningar, och det som härleds ur andra rader, såsom sökorden.</translation>
+        </message>
+        <message>
             <source>Comparing the files</source>
             <translation>Jämför filerna</translation>
+        </message>
+        <message>
+            <source>Comparing the record with the audit log</source>
+            <translation>Jämför journalen med loggen</translation>
         </message>
         <message>
             <source>Comparing with the truth</source>
@@ -6528,6 +6544,18 @@
             <translation>{count} punkter stack ut ur ytan som taggar och har dragits tillbaka.</translation>
         </message>
         <message>
+            <source>{count} rows of {kind} are gone that the audit log knows, the first is {first}; compare the record with a backup.</source>
+            <translation>{count} rader av slaget {kind} som loggen känner till är borta, den första är {first}; jämför journalen med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} rows of {kind} are in no line of the audit log, the first is {first}; compare the record with a backup.</source>
+            <translation>{count} rader av slaget {kind} finns inte i någon rad i loggen, den första är {first}; jämför journalen med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} rows of {kind} are not what the audit log says was stored, the first is {first}; compare them with a backup.</source>
+            <translation>{count} rader av slaget {kind} är inte vad loggen säger att de var, den första är {first}; jämför dem med en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{count} rows of {table} refer to something that is not there; restore the record from a backup.</source>
             <translation>{count} rader i {table} hänvisar till något som inte finns; återställ registret från en säkerhetskopia.</translation>
         </message>
@@ -7862,6 +7890,14 @@
         <message>
             <source>“{zone}”</source>
             <translation>”{zone}”</translation>
+        </message>
+        <message>
+            <source>sealed</source>
+            <translation>förseglad</translation>
+        </message>
+        <message>
+            <source>redacted</source>
+            <translation>avidentifierad</translation>
         </message>
     </context>
 </TS>

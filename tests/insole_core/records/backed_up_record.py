@@ -18,6 +18,7 @@ from insole_core.records.context import RecordsContext
 from insole_core.records.database import Database
 from insole_core.records.migrate import SCHEMA
 from insole_core.records.place import RecordsPlace
+from insole_core.records.row_report import seal_everything
 from insole_core.records.signing import sign
 
 ANNA = Author("anna", "desk")
@@ -78,6 +79,7 @@ def fill(context: RecordsContext, mesh: str, session: str) -> None:
     with context.database.writing() as connection:
         for table, values in rows:
             connection.execute(insert(table).values(values))
+        seal_everything(connection, context.author)
         context.log(connection, "added", "person", "kept")
         sign(connection, "left", context.author)
 

@@ -4,18 +4,30 @@ from __future__ import annotations
 
 import sqlite3
 from contextlib import closing
+from datetime import date
+from typing import Any
 
 import pytest
 from backed_up_record import MESH, SESSION, fill
-from sqlalchemy import text
+from sqlalchemy import Boolean, Column, Date, Text, func, select, text, update
 from stations import Stations
 from tampering import without_triggers
 
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
+from insole_core.records.author import Author, Role
 from insole_core.records.context import RecordsContext
+from insole_core.records.follow_up import FollowUp
+from insole_core.records.marks import mark_of
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.records.retention import ErasureReason, erase_person
+from insole_core.records.row_report import problems_of_rows, verify_rows
+from insole_core.records.row_seals import SEALED, digests_of
+from insole_core.records.schema import persons
 from insole_core.records.verify import verify_record
+from insole_core.records.visit import Visit
 
 
 @pytest.fixture
@@ -47,8 +59,117 @@ def test_everything_that_is_wrong_is_named(context: RecordsContext) -> None:
         "1 signed prescriptions are not what was signed",
         "1 files were changed since the record stored them",
         "1 files of the record are missing",
+        "1 rows of prescription are not what the audit log says was stored",
     ]
     assert digests[0][:12] in others[1]
+
+
+def set_up(stations: Stations) -> Records:
+    """A record in which everything was done through the program, with accounts on."""
+    records = stations.open()
+    eva = records.persons.add(Person("Eva Berg", date(1971, 4, 2), notes="shy"))
+    visit = records.visits.add(Visit(eva.id, date(2026, 11, 22), findings="flat foot"))
+    follow_up = FollowUp(eva.id, date(2026, 11, 22), "better", visit_id=visit.id)
+    records.follow_ups.add(follow_up)
+    records.clinic.set("name", "Foot clinic")
+    other = records.persons.add(Person("Eva Berg", contact="Storgatan 1"))
+    records.visits.add(Visit(other.id, date(2026, 11, 21)))
+    records.persons.undo_merge(records.persons.merge(eva.id, other.id))
+    records.persons.merge(eva.id, other.id)
+    accounts = Accounts(records.context.database, records.who)
+    accounts.switch_on("chef", "Carla", "vier Schuhe gehen")
+    return records.for_author(Author("chef", "desk", Role.ADMINISTRATOR))
+
+
+@pytest.mark.parametrize(
+    ("told", "change"),
+    [
+        ("1 rows of account are not what", "UPDATE accounts SET role = 'technician'"),
+        ("1 rows of account are not what", "UPDATE accounts SET password_hash = 'mine'"),
+        ("1 rows of person are not what", "UPDATE persons SET name = 'Ida' WHERE notes = 'shy'"),
+        ("1 rows of clinic are not what", "UPDATE clinic SET value = '1' WHERE key = 'name'"),
+        ("1 rows of visit are not what",
+         "UPDATE visits SET findings = 'none' WHERE findings <> ''"),
+        ("1 rows of follow up are gone", "DELETE FROM follow_ups"),
+        ("1 rows of account are in no line",
+         "INSERT INTO accounts (id, name, full_name, role, password_hash, changed_at) "
+         "VALUES ('x', 'x', 'x', 'administrator', 'x', 'x')"),
+        ("Accounts are off, although nobody", "DELETE FROM clinic WHERE key = 'accounts_on'"),
+    ],
+)  # fmt: skip
+def test_what_was_done_behind_the_back_of_the_program_is_told(
+    stations: Stations, told: str, change: str
+) -> None:
+    context = set_up(stations).context
+    assert verify_record(context).problems() == []
+    with without_triggers(context.database) as connection:
+        connection.execute(text(change))
+    # Accounts are looked at by their owner: whoever has lost the role may not verify any more.
+    with context.database.reading() as connection:
+        rows = verify_rows(connection)
+    (problem,) = problems_of_rows(rows)
+    assert told in problem
+
+
+def test_a_log_whose_end_was_cut_off_is_told(stations: Stations) -> None:
+    records = set_up(stations)
+    context, lines = records.context, records.audit.head()[0]
+    for cut in (1, 3):
+        with without_triggers(context.database) as connection:
+            connection.execute(text(f"DELETE FROM audit WHERE seq > {lines - cut}"))
+            connection.execute(text(
+                f"UPDATE audit_head SET seq = {lines - cut}, "
+                f"hash = (SELECT hash FROM audit WHERE seq = {lines - cut})"
+            ))  # fmt: skip
+        told = verify_record(context).problems()[0]
+        assert f"ends with line {lines - cut}, but {lines} lines" in told
+    # Whoever goes on with such a log is told as well.
+    for name in ("anna", "ben", "cleo", "dora"):
+        records.accounts.add(name, name, Role.ORTHOPEDIST, "vier Schuhe gehen")
+    assert f"Line {lines} of the audit log" in verify_record(context).problems()[0]
+
+
+def test_a_change_of_any_column_is_found(context: RecordsContext) -> None:
+    """But of those that say on themselves that nothing vouches for them."""
+    changed = set()
+    with without_triggers(context.database) as connection:
+        for kind, table in SEALED.items():
+            for column in table.columns:
+                if not mark_of(column).is_sealed or column.primary_key or column.foreign_keys:
+                    continue
+                if connection.execute(select(column)).first() is None or column.unique:
+                    continue
+                with connection.begin_nested() as step:
+                    connection.execute(update(table).values({column: another(column)}))
+                    report = verify_rows(connection)
+                    step.rollback()
+                assert list(report.changed) == [kind], column
+                changed.add(column)
+        assert verify_rows(connection).changed == {}
+    assert len(changed) > 40
+
+
+def another(column: Column[Any]) -> Any:
+    if isinstance(column.type, Date):
+        return date(1999, 1, 1)
+    if isinstance(column.type, Boolean):
+        return ~column
+    if isinstance(column.type, Text):
+        return func.coalesce(column, "").concat("'")
+    return 77
+
+
+def test_digests_do_not_tell_what_was_erased(stations: Stations) -> None:
+    records = stations.open()
+    person = records.persons.add(Person("Eva Berg"))
+    before = records.audit.lines(subject_id=person.id)[0].details
+    with records.context.database.reading() as connection:
+        assert digests_of(connection, persons, [person.id])[person.id] in before
+    erase_person(records.context, person.id, ErasureReason.REQUEST, date(2026, 11, 22))
+    with records.context.database.writing() as connection:  # by somebody who guesses the name
+        connection.execute(update(persons).values(name="Eva Berg", is_erased=False))
+        guess = digests_of(connection, persons, [person.id])[person.id]
+    assert guess not in before
 
 
 def test_rows_that_refer_to_nothing_are_counted(context: RecordsContext) -> None:

@@ -40,9 +40,9 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     with opened(arguments, Right.BACK_UP) as records:
         report = verify_record(records.context, known, progress.part(0.5, 1))
     problems += report.problems()
+    print(report.compared())
     print(
-        f"{report.audit.lines} lines of the audit log, {report.signatures.checked} signatures, "
-        f"{report.contents.checked} files ({report.contents.checked_bytes / 1e6:.1f} MB); "
+        f"{report.contents.checked_bytes / 1e6:.1f} MB of files; "
         f"{len(report.contents.unused)} files are not in use"
     )
     for path in report.contents.foreign:

@@ -27,6 +27,7 @@ _FIELDS = {
     "personal_number": "personal number",
     "contact": "contact",
     "consent_on": "date of the consent",
+    "notes": "notes",
 }
 _MERGE_TAB = 0
 

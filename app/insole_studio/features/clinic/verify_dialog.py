@@ -11,7 +11,7 @@ from insole_core.progress import Progress
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.verifying_dialog import VerifyingDialog
 from insole_studio.jobs import Jobs
-from insole_studio.texts import fill, tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.message_label import MessageLabel
 
 if TYPE_CHECKING:
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 _WIDTH_PX = 560
 _VERIFY = "verify"
-_MEGABYTE = 1e6
 
 
 class VerifyDialog(VerifyingDialog):
@@ -43,19 +42,10 @@ class VerifyDialog(VerifyingDialog):
         self.run_verification(_verification(context), self._show)
 
     def _show(self, report: VerifyReport) -> None:
-        sentences = fill(
-            tr(
-                "Verified: lines of the audit log {lines}, signatures {signatures}, files {files} "
-                "({size_mb:.1f} MB)."
-            ),
-            lines=report.audit.lines,
-            signatures=report.signatures.checked,
-            files=report.contents.checked,
-            size_mb=report.contents.checked_bytes / _MEGABYTE,
-        )
+        compared = translate_core_message(report.compared())
         problems = report.problems()
         sound = [] if problems else [tr("Everything is what was stored.")]
-        self.verdict.say_all([*sound, sentences])
+        self.verdict.say_all([*sound, compared])
         self.say_all(list(problems), warns=True)
 
 
