@@ -70,6 +70,10 @@ class Unreachable(RecordsError):  # noqa: N818
     """The database or the folder of the record does not answer at present."""
 
 
+class PersonErased(RecordsError):  # noqa: N818 - as the other errors of the record
+    """The person was erased: nothing can be added to them, and nothing may be kept of them."""
+
+
 class Conflict(RecordsError):  # noqa: N818
     """Somebody else has changed the same thing meanwhile; nothing was overwritten.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Literal, get_type_hints
 
@@ -86,6 +86,11 @@ class Settings:
             return
         others = [name for name in self.recent if name != str(path)]
         self.recent = [str(path), *others][:RECENT_COUNT]
+
+
+def folder_names() -> list[str]:
+    """Return the names of the settings that hold the folder of a file dialog or of backups."""
+    return [each.name for each in fields(Settings) if each.name.endswith("_folder")]
 
 
 def load_settings(path: Path, complain: Complain = log.warning, *, leave: bool = False) -> Settings:

@@ -58,6 +58,11 @@ class UserPaths:
         return self.data_folder / "records"
 
     @property
+    def fetched_folder(self) -> Path:
+        """The folder of copies of captures that were opened from the record."""
+        return self.data_folder / "from-record"
+
+    @property
     def crashes_folder(self) -> Path:
         """The folder of reports of errors in the program itself."""
         return self.data_folder / "crashes"

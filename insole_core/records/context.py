@@ -12,7 +12,7 @@ from insole_core.records.audit import AuditLog, Detail
 from insole_core.records.author import Author
 from insole_core.records.content_store import ContentStore
 from insole_core.records.database import Database
-from insole_core.records.person_rows import touch_person
+from insole_core.records.person_rows import locked_person, touch_person
 from insole_core.records.rights import Right, require
 from insole_core.records.visit import Visit
 from insole_core.records.visit_rows import visit_of
@@ -69,11 +69,15 @@ class RecordsContext:
         NotAllowed
             When the account does not have the right.
         RecordsError
-            Whatever else goes wrong, or when there is no such visit; then nothing was written.
+            Whatever else goes wrong, or when there is no such visit or its person was erased; then
+            nothing was written.
         """
         with self.database.writing() as connection:
             require(connection, self.author, right)
-            touch_person(connection, visit_of(connection, visit_id).person_id)
+            person_id = visit_of(connection, visit_id).person_id
+            touch_person(connection, person_id)
+            if right is not Right.SEE:
+                locked_person(connection, person_id)
             yield connection, visit_of(connection, visit_id, locked=True)
 
     def log(

@@ -46,6 +46,7 @@ from insole_core.records.schema import (
 from insole_core.records.signing import is_as_signed, note_redaction
 from insole_core.records.stored_contents import refer_to
 from insole_core.records.times import utc_now
+from insole_core.records.traces import Traces
 from insole_core.scans.scan_folder import side_of_name
 from insole_core.solids.order_number import new_order_number
 
@@ -87,6 +88,7 @@ class Eraser:
         names = {row.id: row.name for row in connection.execute(joined)}
         self._connection = connection
         self._ids = list(names)
+        self._names = tuple(names.values())
         self._words: Set[str] = {
             word for name in names.values() for word in identifying_words(name)
         }
@@ -130,6 +132,13 @@ class Eraser:
             key = prescription_versions.c.id == version_id
             row = self._connection.execute(select(prescription_versions).where(key)).one()
             note_redaction(self._connection, author, row)
+
+    def traces(self) -> Traces:
+        """Return by what leftovers of the person are known outside the record."""
+        rows = self.sealed_rows()
+        return Traces(
+            self._names, self._words, frozenset(rows["visit"]), frozenset(rows["capture"])
+        )
 
     def sealed_rows(self) -> dict[str, list[str]]:
         """Return the ids of all rows of which the audit log keeps digests."""

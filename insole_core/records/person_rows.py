@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from sqlalchemy import Connection, Select, select, update
 
-from insole_core.errors import RecordsError
+from insole_core.errors import PersonErased, RecordsError
 from insole_core.records.person import Person
 from insole_core.records.schema import audit_head, orders, persons
 from insole_core.records.search_text import MOST_KEY, name_key_of, search_text_of, sort_key_of
@@ -43,7 +43,7 @@ def locked_person(connection: Connection, person_id: str) -> Person:
     if person.merged_into is not None:
         raise RecordsError("This person was merged with another one meanwhile; open the other one.")
     if person.is_erased:
-        raise RecordsError("The data of this person were erased; nothing can be added to them.")
+        raise PersonErased("The data of this person were erased; nothing can be added to them.")
     return person
 
 

@@ -10,7 +10,7 @@ everything goes but the pseudonym's row, so that the audit log still tells that 
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from datetime import UTC, date, datetime
 from enum import StrEnum
 from typing import Any, Final
@@ -51,6 +51,7 @@ from insole_core.records.schema import (
     visits,
 )
 from insole_core.records.signing import ERASED, PRESCRIPTION
+from insole_core.records.traces import Traces
 from insole_core.records.upgrade_copy import forget_copies
 
 YEARS_VALUE: Final = "retention_years"
@@ -78,6 +79,8 @@ class Erasure:
         Until when the law keeps the devices, now under the pseudonym; None when nothing is left.
     visits, prescriptions, captures, orders
         Numbers of rows that were removed.
+    traces
+        By what leftovers on this computer are known, to be removed next.
     """
 
     person_id: str
@@ -86,6 +89,7 @@ class Erasure:
     prescriptions: int = 0
     captures: int = 0
     orders: int = 0
+    traces: Traces = field(default_factory=Traces, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -238,7 +242,7 @@ def erase_person(
     with context.database.reading() as connection:
         require(connection, context.author, Right.ERASE)
         eraser = Eraser(connection, context.contents, person_id)
-        bare, files = eraser.prepared(), eraser.files()
+        bare, files, traces = eraser.prepared(), eraser.files(), eraser.traces()
     with context.database.writing() as connection:
         require(connection, context.author, Right.ERASE)
         erasure = erase_in(connection, context, person_id, reason, today, bare=bare)
@@ -247,7 +251,7 @@ def erase_person(
     context.contents.discard(files)
     forget_deleted(context.database)
     forget_copies(context.database)
-    return erasure
+    return replace(erasure, traces=traces)
 
 
 def erase_in(

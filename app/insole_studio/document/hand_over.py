@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import CaseRecord, Patient
-from insole_core.errors import InsoleError, Unreachable
+from insole_core.errors import InsoleError, PersonErased, Unreachable
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.document.journal import Recovered, find_recovered
 from insole_studio.texts import tr
@@ -112,6 +112,12 @@ class HandOver(QObject):
             self._waiting.insert(0, self._under_way)
             self._under_way = None
 
+    def _forget_under_way(self, journal: Recovered) -> None:
+        """Remove a journal that is in the record, or whose person was erased."""
+        self._under_way = None
+        self._refusals.pop(journal, None)
+        journal.discard()
+
     def _note_author(self) -> None:
         """Look again for what was set aside when somebody else has signed in."""
         before, self._author = self._author, self._clinic.author
@@ -133,14 +139,16 @@ class HandOver(QObject):
             if change.trouble is not None:
                 missed(change.trouble)
                 return
-            self._under_way = None
-            self._refusals.pop(journal, None)
-            journal.discard()
+            self._forget_under_way(journal)
             collided = bool(change.conflicts or change.collided)
             self.handed_over.emit(journal.record.patient.name, collided)
             then()
 
         def missed(error: Exception) -> None:
+            if isinstance(error, PersonErased):
+                self._forget_under_way(journal)
+                then()
+                return
             self._put_back()
             if not isinstance(error, InsoleError):
                 raise error

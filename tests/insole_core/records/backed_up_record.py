@@ -91,10 +91,15 @@ def add_person(context: RecordsContext, name: str) -> None:
         context.log(connection, "added", "person", name)
 
 
+def _in_order(row: tuple[Any, ...]) -> tuple[int, str]:
+    """Sort numbers by their size, and all else in any order that is always the same."""
+    return (row[0] if isinstance(row[0], int) else 0, repr(row))
+
+
 def all_rows(context: RecordsContext) -> dict[str, list[tuple[Any, ...]]]:
     """Return everything that the tables hold."""
     with context.database.reading() as connection:
         return {
-            table.name: sorted(map(tuple, connection.execute(select(table))), key=repr)
+            table.name: sorted(map(tuple, connection.execute(select(table))), key=_in_order)
             for table in tables_of(connection)
         }

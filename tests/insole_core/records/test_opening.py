@@ -27,8 +27,8 @@ from insole_core.records.migrate import SCHEMA, schema_of
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.schema import metadata
 from insole_core.records.row_report import verify_rows
+from insole_core.records.schema import metadata
 
 
 def test_a_new_record_is_private(tmp_path: Path) -> None:

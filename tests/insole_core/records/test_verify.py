@@ -16,7 +16,7 @@ from tampering import without_triggers
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author, Role
+from insole_core.records.author import Role
 from insole_core.records.context import RecordsContext
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import mark_of
@@ -78,7 +78,7 @@ def set_up(stations: Stations) -> Records:
     records.persons.merge(eva.id, other.id)
     accounts = Accounts(records.context.database, records.who)
     accounts.switch_on("chef", "Carla", "vier Schuhe gehen")
-    return records.for_author(Author("chef", "desk", Role.ADMINISTRATOR))
+    return records.for_author(accounts.sign_in("chef", "vier Schuhe gehen"))
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
@@ -21,6 +21,7 @@ from insole_studio.widgets.row_table import RowTable, TableRow
 if TYPE_CHECKING:
     from insole_core.records.records import Records
     from insole_core.records.retention import Erasable, Erasure
+    from insole_core.records.traces import Traces
 
 _SIZE = (680, 520)
 _MOST_LETTERS = 60
@@ -50,11 +51,20 @@ class EraseDialog(RecordDialog):
     ----------
     pseudonym
         Of the patient whose page is shown; empty for none.
+    forget
+        Removes what this computer holds of somebody erased.
     """
 
-    def __init__(self, clinic: ClinicRecord, pseudonym: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        clinic: ClinicRecord,
+        pseudonym: str,
+        forget: Callable[[Traces], None],
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(tr("Erase a patient"), clinic, parent)
         self.resize(*_SIZE)
+        self._forget_leftovers = forget
         self._found: Erasable | None = None
         self._over: list[Erasable] = []
         self._is_asked = False
@@ -165,7 +175,10 @@ class EraseDialog(RecordDialog):
             return
         listed, today = self._over, self._today
 
-        def done(shown: _Shown) -> None:
+        def done(answer: tuple[list[Erasure], _Shown]) -> None:
+            erasures, shown = answer
+            for erasure in erasures:
+                self._forget_leftovers(erasure.traces)
             self._show_over(shown)
             self.say(tr("Patients erased: {count}.").format(count=len(listed)))
 
@@ -209,6 +222,7 @@ class EraseDialog(RecordDialog):
 
         def done(answer: tuple[Erasure, _Shown]) -> None:
             erasure, shown = answer
+            self._forget_leftovers(erasure.traces)
             self._forget()
             self.pseudonym.clear()
             self._show_over(shown)
@@ -230,13 +244,14 @@ def _read(records: Records) -> _Shown:
     return _Shown(years, over_retention_named(records.context, date.today(), _MOST_LISTED))
 
 
-def _erase_listed(records: Records, listed: Sequence[Erasable], today: date) -> _Shown:
+def _erase_listed(
+    records: Records, listed: Sequence[Erasable], today: date
+) -> tuple[list[Erasure], _Shown]:
     from insole_core.records.retention import erase_person
 
-    for erasable in listed:
-        reason = ErasureReason.RETENTION_OVER
-        erase_person(records.context, erasable.person_id, reason, today)
-    return _read(records)
+    reason = ErasureReason.RETENTION_OVER
+    erased = [erase_person(records.context, one.person_id, reason, today) for one in listed]
+    return erased, _read(records)
 
 
 def _over_text(count: int) -> str:

@@ -94,7 +94,7 @@ class VisitCaptures(QObject):
         )
 
     def _fetch(self, capture: Capture) -> None:
-        folder = self._services.paths.data_folder / "from-record"
+        folder = self._services.paths.fetched_folder
 
         def copy(records: Records) -> Path:
             from insole_core.export.atomic import make_private_folder

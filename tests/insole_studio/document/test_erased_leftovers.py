@@ -1,0 +1,61 @@
+"""What a computer holds outside the record of somebody erased goes with them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.records.traces import Traces
+from insole_studio.document.erased_leftovers import forget_leftovers
+from insole_studio.document.journal import Origin, find_recovered, new_journal, write_journal
+from insole_studio.document.unkept_visit import UnkeptVisit
+from insole_studio.settings import Settings, folder_names, load_settings
+from insole_studio.user_paths import UserPaths
+
+NAME = "Zaphodina Uniqname"
+CAPTURE = "0a1b2c3d-0000-4000-8000-000000000000"
+TRACES = Traces((NAME,), {"uniqname"}, {"visit-1"}, {CAPTURE})
+
+
+@pytest.fixture
+def paths(tmp_path: Path) -> UserPaths:
+    paths = UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
+    for folder in (paths.settings_folder, paths.autosave_folder, paths.fetched_folder):
+        folder.mkdir(parents=True)
+    return paths
+
+
+def leave(paths: UserPaths, patient: Patient, visit_id: str = "") -> None:
+    """Leave unsaved work, as a window does whose program was killed."""
+    origin = Origin()
+    if visit_id:
+        origin = Origin(visit=UnkeptVisit(visit_id, patient, {}))
+    write_journal(CaseRecord(patient), origin, new_journal(paths.autosave_folder))
+
+
+def bytes_of(folder: Path) -> bytes:
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    return b"\n".join(str(path).encode() + path.read_bytes() for path in files)
+
+
+def test_the_leftovers_of_one_person_go_and_those_of_others_stay(paths: UserPaths) -> None:
+    leave(paths, Patient(NAME, notes="flat foot"), "visit-1")
+    leave(paths, Patient("Uniqname, Zaphodina"))  # of a file, not of the record
+    leave(paths, Patient("Eva Berg"), "visit-2")
+    leave(paths, Patient("Eva Berg"))
+    for capture in (CAPTURE, CAPTURE.replace("0a", "ff")):
+        (paths.fetched_folder / f"mesh-{capture[:8]}.stl").write_bytes(NAME.encode())
+    settings = Settings(recent=[f"/home/{NAME}.insole", "/home/eva.insole"])
+    for name in folder_names():
+        setattr(settings, name, f"/home/{NAME}/{name}")
+    settings.scans_folder = "/home/Eva"
+    forget_leftovers(TRACES, paths, settings)
+    left = find_recovered(paths.autosave_folder)
+    assert [journal.record.patient.name for journal in left] == ["Eva Berg", "Eva Berg"]
+    assert [path.name for path in paths.fetched_folder.iterdir()] == ["mesh-ff1b2c3d.stl"]
+    assert NAME.encode() not in bytes_of(paths.settings_folder)
+    assert NAME.encode() not in bytes_of(paths.autosave_folder)
+    stored = load_settings(paths.settings_file)
+    assert (stored.recent, stored.scans_folder) == (["/home/eva.insole"], "/home/Eva")
