@@ -5632,6 +5632,10 @@
             <translation>journal</translation>
         </message>
         <message>
+            <source>redacted</source>
+            <translation>avidentifierad</translation>
+        </message>
+        <message>
             <source>refused</source>
             <translation>avvisade</translation>
         </message>
@@ -5738,6 +5742,10 @@
         <message>
             <source>running</source>
             <translation>löpning</translation>
+        </message>
+        <message>
+            <source>sealed</source>
+            <translation>förseglad</translation>
         </message>
         <message>
             <source>see patients</source>
@@ -7890,14 +7898,6 @@
         <message>
             <source>“{zone}”</source>
             <translation>”{zone}”</translation>
-        </message>
-        <message>
-            <source>sealed</source>
-            <translation>förseglad</translation>
-        </message>
-        <message>
-            <source>redacted</source>
-            <translation>avidentifierad</translation>
         </message>
     </context>
 </TS>

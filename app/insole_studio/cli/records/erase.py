@@ -33,6 +33,9 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Say what erasing means, and erase."""
     from insole_core.records.retention import ErasureReason, erase_person, find_erasable
     from insole_core.records.rights import Right
+    from insole_studio.document.erased_leftovers import forget_leftovers
+    from insole_studio.settings import peek_settings
+    from insole_studio.user_paths import UserPaths
 
     today = date.today()
     with opened(arguments, Right.ERASE) as records:
@@ -49,5 +52,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             raise UsageError("Nothing was erased; give --yes, and it cannot be taken back.")
         is_over = arguments.reason == "retention"
         reason = ErasureReason.RETENTION_OVER if is_over else ErasureReason.REQUEST
-        erase_person(records.context, found.person_id, reason, today)
+        erasure = erase_person(records.context, found.person_id, reason, today)
+    paths = UserPaths.of_user()
+    forget_leftovers(erasure.traces, paths, peek_settings(paths.settings_file))
     progress.step(1.0, "Done: {pseudonym} is erased", pseudonym=found.pseudonym)
