@@ -115,6 +115,7 @@ def put_back(context: RecordsContext, name: str) -> str:
     if name not in copies_of(database):
         raise RecordsError("There is no copy {name} of the record; choose one that is.", name=name)
     if not database.is_sqlite:
+        database.witness.forget()  # the log of the copy ends earlier
         return _put_back_schema(database, name)
     path = database.place.database_file
     with database.writing() as connection:  # nobody else writes meanwhile
@@ -127,6 +128,7 @@ def put_back(context: RecordsContext, name: str) -> str:
         output_errors(path),
     ):
         source.backup(target)
+    database.witness.forget()
     return kept
 
 
