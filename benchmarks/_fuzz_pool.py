@@ -89,7 +89,8 @@ def preload() -> None:
 
     for package in (insole_core, insole_studio.acquisition, insole_studio.cli):
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
-            importlib.import_module(module.name)
+            if ".migrations." not in module.name:  # which only Alembic runs
+                importlib.import_module(module.name)
     for name in ("matplotlib.pyplot", "trimesh.exchange.load", "scipy.spatial", "reportlab.pdfgen"):
         importlib.import_module(name)
 

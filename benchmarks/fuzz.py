@@ -17,11 +17,8 @@ import json
 import os
 import random
 import struct
-import sys
 import tempfile
-import time
 import zipfile
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
@@ -45,91 +42,22 @@ from benchmarks._fuzz_pool import (
     MOST_SECONDS_WITH_PROGRESS,
     Expected,
     Trial,
-    preload,
     run_command,
-    run_trials,
-    stay_within,
 )
-from benchmarks._measure import print_table
+from benchmarks._fuzz_report import run_families
 
-FAULTS = (
-    "traceback",
-    "hang",
-    "memory",
-    "wrongly accepted",
-    "wrongly refused",
-    "input changed",
-    "not tried",
-)
-_MOST_S = 570.0
 _MOST_PER_FAMILY = 420
 
 Read = Callable[[Path, Path], None]
 
 
 def main() -> None:
-    seed = int(os.environ.get("FUZZ_SEED", "1"))
-    only = [name for name in os.environ.get("FUZZ_ONLY", "").split(",") if name]
-    sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
-    with tempfile.TemporaryDirectory(prefix="fuzz-") as root:
-        stay_within(Path(root))
-        _run_all(seed, only)
+    run_families(_FAMILIES, _prepare)
 
 
-def _run_all(seed: int, only: list[str]) -> None:
-    start = time.monotonic()
-    preload()
+def _prepare() -> None:
     samples.foot()
     samples.design()
-    counts: Counter[tuple[str, str]] = Counter()
-    slowest: dict[str, float] = {}
-    largest: dict[str, float] = {}
-    for outcome in run_trials(_trials(seed, only), until=start + _MOST_S):
-        family = outcome.trial.family
-        if family not in slowest:
-            print(f"{family}: begins after {time.monotonic() - start:.0f} s")
-        counts[family, "inputs"] += 1
-        counts[family, outcome.verdict] += 1
-        slowest[family] = max(slowest.get(family, 0), outcome.seconds)
-        largest[family] = max(largest.get(family, 0), outcome.peak_bytes / 2**20)
-        for fault in outcome.faults:
-            counts[family, fault] += 1
-            if fault == "not tried":
-                continue
-            print(f"{fault}: {family}: {outcome.trial.name}: {outcome.sentence[-600:]}")
-        if os.environ.get("FUZZ_SAY"):
-            print(f"{family} | {outcome.trial.name} | {outcome.verdict} | {outcome.sentence[:200]}")
-        sys.stdout.flush()
-    families = list(dict.fromkeys(family for family, _ in counts))
-    rows = [
-        [
-            family,
-            counts[family, "inputs"],
-            counts[family, "refused"],
-            counts[family, "accepted"],
-            *(counts[family, fault] for fault in FAULTS),
-            f"{slowest[family]:.1f}",
-            f"{max(largest[family], 0):.0f}",
-        ]
-        for family in families
-    ]
-    total = [
-        "all",
-        *(sum(int(str(row[column])) for row in rows) for column in range(1, 4 + len(FAULTS))),
-        "",
-        "",
-    ]
-    head = ["family", "inputs", "refused", "accepted", *FAULTS, "seconds", "MB"]
-    print_table(head, [*rows, total])
-    print(f"seed {seed}, {time.monotonic() - start:.0f} s")
-    if any(counts[family, fault] for family in families for fault in FAULTS):
-        raise SystemExit(1)
-
-
-def _trials(seed: int, only: list[str]) -> Iterator[Trial]:
-    for name, family in _FAMILIES.items():
-        if not only or name in only:
-            yield from family(random.Random(f"{seed} {name}"))
 
 
 def _sampled(mutations: Iterable[Mutation], rng: random.Random, most: int) -> list[Mutation]:

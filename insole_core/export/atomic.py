@@ -17,6 +17,7 @@ from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
 from insole_core.export.temporary import is_temporary, is_unfinished, make_folder, release, remove
 from insole_core.export.transaction import FindForeign, Transaction, any_file
 from insole_core.export.write_errors import describe, output_errors
+from insole_core.regular_file import open_regular
 
 __all__ = [
     "PRIVATE_FILE",
@@ -84,7 +85,17 @@ def copy_into(folder: Path, source: Path) -> None:
             (within / name).mkdir(exist_ok=True)
         for name in files:
             if not is_temporary(name):
-                shutil.copyfile(Path(place, name), within / name)
+                _copy(Path(place, name), within / name)
+
+
+def _copy(path: Path, target: Path) -> None:
+    """Copy a file; a pipe or a device in its place has no end."""
+    try:
+        source = open_regular(path)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error
+    with source, target.open("wb") as written:
+        shutil.copyfileobj(source, written)
 
 
 @contextmanager

@@ -116,7 +116,7 @@ class ObjectList:
             if values["format"] != FORMAT:
                 raise damaged(name)
             return cls(frozenset(values["objects"]), int(values["damaged"]))
-        except (ValueError, KeyError, TypeError) as error:
+        except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
             raise damaged(name) from error
 
 
@@ -209,7 +209,7 @@ class BackupFolder:
         for folder in _subfolders(self.path / OBJECTS):
             for entry in os.scandir(folder):
                 match = _OBJECT.fullmatch(entry.name)
-                if match is not None and entry.stat().st_size == int(match[2]):
+                if match is not None and _has_size(entry, int(match[2])):
                     found[match[1]] = Path(entry.path)
         return found
 
@@ -219,7 +219,7 @@ class BackupFolder:
             for path in sorted(folder.iterdir()):
                 match = _OBJECT.fullmatch(path.name)
                 if match is not None and not is_cancelled():
-                    yield path, _digest(path) == match[3]
+                    yield path, _has_digest(path, match[3])
 
 
 def _snapshot_of(name: str) -> SnapshotName | None:
@@ -479,10 +479,7 @@ class BackupReader:
         """
         path = self._path(sha256)
         decrypted = self._key.decrypt(read_given(path, _SNAPSHOT_BYTES), path.name)
-        try:
-            content = zlib.decompress(decrypted)
-        except zlib.error as error:
-            raise damaged(path.name) from error
+        content = _inflated(decrypted, path.name)
         if hashlib.sha256(content).hexdigest() != sha256:
             raise damaged(path.name)
         return content
@@ -584,11 +581,45 @@ def unsealed(content: bytes, mac_key: str, name: str) -> bytes:
     mac, compressed = content[:64], content[64:]
     if authenticate(mac_key, compressed).encode("ascii") != mac:
         raise damaged(name)
-    return zlib.decompress(compressed)
+    return _inflated(compressed, name)
+
+
+def _inflated(compressed: bytes, name: str) -> bytes:
+    """Return what was compressed; nothing larger than any snapshot.
+
+    Raises
+    ------
+    DamagedBackup
+    """
+    inflating = zlib.decompressobj()
+    try:
+        content = inflating.decompress(compressed, _SNAPSHOT_BYTES)
+    except zlib.error as error:
+        raise damaged(name) from error
+    if not inflating.eof:
+        raise damaged(name)
+    return content
 
 
 def _subfolders(folder: Path) -> list[Path]:
     return sorted(path for path in folder.iterdir() if path.is_dir()) if folder.is_dir() else []
+
+
+def _has_size(entry: os.DirEntry[str], size: int) -> bool:
+    """Return whether something is a file of a size; a link may lead nowhere."""
+    try:
+        return entry.is_file() and entry.stat().st_size == size
+    except OSError:
+        return False
+
+
+def _has_digest(path: Path, digest: str) -> bool:
+    """Return whether a file can be read, and is what was written."""
+    try:
+        return _digest(path) == digest
+    except OSError as error:
+        log.warning("%s cannot be read: %s", path, error)
+        return False
 
 
 def _digest(path: Path) -> str:

@@ -171,8 +171,11 @@ def open_key(locked: str, secret: str) -> OpenedKey:
         else:
             content = pyrage.passphrase.decrypt(sealed, secret)
         values = json.loads(content)
-        return OpenedKey(values["identity"], values["mac_key"])
-    except (pyrage.DecryptError, pyrage.IdentityError, ValueError, KeyError) as error:
+        opened = OpenedKey(values["identity"], values["mac_key"])
+        opened.identities()
+        bytes.fromhex(opened.mac_key)
+        return opened
+    except (pyrage.DecryptError, pyrage.IdentityError, ValueError, KeyError, TypeError) as error:
         raise WrongSecret(
             "The passphrase or private key does not open this backup; check how it is written, and "
             "that it is that of this backup."

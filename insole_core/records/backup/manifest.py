@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import asdict, dataclass
 from typing import Any, Self
 
@@ -10,6 +11,9 @@ from insole_core.errors import RecordsError
 from insole_core.records.backup.backup_key import damaged
 
 FORMAT = 1
+_SHA256 = re.compile(r"[0-9a-f]{64}")
+_SCHEMA = re.compile(r"(?!0000)[0-9]{4}")
+_LONGEST_TEXT = 4096
 
 
 @dataclass(frozen=True)
@@ -104,9 +108,37 @@ class Manifest:
                 )
             tables = [TableContent(**_tuples(table)) for table in values.pop("tables")]
             files = [SavedFile(**file) for file in values.pop("files")]
-            return cls(tables=tuple(tables), files=tuple(files), **_tuples(values))
-        except (ValueError, KeyError, TypeError) as error:
+            manifest = cls(tables=tuple(tables), files=tuple(files), **_tuples(values))
+            is_sound = manifest._is_sound()
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
             raise damaged(name) from error
+        if not is_sound:
+            raise damaged(name)
+        return manifest
+
+    def _is_sound(self) -> bool:
+        """Return whether all values are of their kinds: only the key says who has written them."""
+        tables, files = self.tables, self.files
+        sha256 = (
+            *(piece for table in tables for piece in table.pieces),
+            *(file.sha256 for file in files),
+            *self.damaged,
+        )
+        texts = (
+            self.made_at, self.program_version, self.audit_hash, *self.erased,
+            *(text for table in tables for text in (table.name, *table.columns)),
+            *(text for file in files for text in (file.group, file.name)),
+        )  # fmt: skip
+        counts = (
+            self.audit_seq, self.contents, self.contents_bytes,
+            *(table.rows for table in tables), *(file.size for file in files),
+        )  # fmt: skip
+        return (
+            all(map(_SHA256.fullmatch, sha256))
+            and all(len(text) <= _LONGEST_TEXT and text.isprintable() for text in texts)
+            and all(type(count) is int and 0 <= count < 2**63 for count in counts)
+            and _SCHEMA.fullmatch(self.schema) is not None
+        )
 
 
 def _tuples(values: dict[str, Any]) -> dict[str, Any]:

@@ -51,6 +51,8 @@ log = logging.getLogger(__name__)
 
 _NO_CHANGE = (BACKED_UP, RESTORED, "signed in", "refused", "seen", "exported", "swept")
 """What the audit log tells without a change of the record."""
+_LONGEST_NAME = 200
+"""In bytes: temporary names beside it are longer."""
 _BESIDE = ("-wal", "-shm")
 """Files that SQLite keeps beside a database."""
 
@@ -134,6 +136,8 @@ def restore(
     """
     opened = open_snapshot(folder, secret, number)
     check_schema(opened.manifest.schema, opened.snapshot.file_name)
+    for file in opened.manifest.files:
+        _inner_path(file)
     store = ContentStore(place.contents)
     fill = partial(_fill, opened=opened, store=store, who=who, progress=progress.part(0, 0.95))
     if place.is_local:
@@ -289,8 +293,9 @@ def _restore_settings(
 
 def _inner_path(file: SavedFile) -> PurePosixPath:
     path = PurePosixPath(file.name)
-    if path.is_absolute() or ".." in path.parts:
-        raise damaged(file.name)
+    is_long = any(len(part.encode()) > _LONGEST_NAME for part in path.parts)
+    if not path.parts or path.is_absolute() or ".." in path.parts or is_long:
+        raise damaged(file.name[:_LONGEST_NAME])
     return path
 
 

@@ -145,3 +145,18 @@ def test_a_folder_of_another_sensor(tmp_path: Path) -> None:
 def test_what_a_killed_program_left_is_no_sensor(tmp_path: Path) -> None:
     SensorStore(tmp_path).save(SENSOR).rename(tmp_path / ".insole-studio-77-0123456789ab")
     assert SensorStore(tmp_path).serials() == []
+
+
+@pytest.mark.parametrize("place", ["/dev/zero", "sensor.json"])
+@pytest.mark.parametrize("name", ["sensor.json", "before/sensor.json", "notes.txt"])
+def test_what_has_no_end_is_not_copied(tmp_path: Path, name: str, place: str) -> None:
+    store = SensorStore(tmp_path)
+    store.save(SENSOR)
+    folder = store.save(replace(SENSOR, correction=None))
+    path = folder / name
+    path.unlink(missing_ok=True)
+    path.symlink_to(place if place == "/dev/zero" else path.name)
+    before = sorted(path.relative_to(tmp_path) for path in tmp_path.rglob("*"))
+    with pytest.raises(InputError, match="cannot be read"):
+        store.undo(SENSOR.serial)
+    assert sorted(path.relative_to(tmp_path) for path in tmp_path.rglob("*")) == before
