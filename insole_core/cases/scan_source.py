@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
 from insole_core.imprints.form import Form
@@ -32,3 +32,10 @@ class ScanSource:
     recorded_at: str = ""
     form: Form = Form.FOOT
     choice: ImportChoice = NOTHING_SAID
+
+    def without_place(self) -> ScanSource:
+        """Return the source without where its file lay: folders and files are named after patients.
+
+        Its kind stands there instead.
+        """
+        return replace(self, path=self.kind)

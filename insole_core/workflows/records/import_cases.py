@@ -245,8 +245,9 @@ class _Planner:
             self._add_scan(visit, source)
         number = found.case.patient.pseudonym
         reason = f"Imported from {name}" + (f", {number}" if number else "")
-        for foot in found.feet:
-            self._records.prescriptions.save(visit.id, foot, None, reason[:MOST_REASON])
+        for foot in found.feet:  # the scan is in the record by now, or where the file tells
+            placeless = replace(foot, source=foot.source.without_place())
+            self._records.prescriptions.save(visit.id, placeless, None, reason[:MOST_REASON])
 
     def _add_scan(self, visit: Visit, source: ScanSource) -> None:
         """Store the scan of a foot, which the case holds anyhow, if it can be had."""
@@ -355,7 +356,11 @@ class _Planner:
         is_same_mesh = np.array_equal(a.vertices, b.vertices) and np.array_equal(
             a.triangles, b.triangles
         )
-        return is_same_mesh and foot_to_json(stored) == foot_to_json(foot)
+        one, other = (
+            foot_to_json(replace(each, source=each.source.without_place()))
+            for each in (stored, foot)
+        )
+        return is_same_mesh and one == other
 
 
 def _person(patient: Patient) -> Person:

@@ -189,7 +189,7 @@ def pseudonymous_foot(foot: FootRecord, name: str) -> FootRecord:
     """
     texts = " ".join(_typed_texts(foot_to_json(foot)))
     require_nameless(Patient(name=name), {"prescription": texts})
-    return replace(foot, source=replace(foot.source, path=foot.source.kind))
+    return replace(foot, source=foot.source.without_place())
 
 
 def _typed_texts(values: Any, key: str = "") -> Iterator[str]:

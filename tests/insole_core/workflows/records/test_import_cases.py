@@ -80,6 +80,10 @@ def test_the_scan_comes_along_where_it_still_lies_as_it_was(records, folder, fee
     assert capture.source_sha256 == sources[0].sha256
     (version,) = records.prescriptions.versions(visit.id, Side.LEFT)
     assert version.capture_id == capture.id
+    assert [foot.source.path for foot in records.visits.open_case(visit.id).record.feet] == [
+        "mesh",
+        "mesh",
+    ]  # no folder that is named after somebody
 
 
 def test_a_dry_run_changes_nothing_and_importing_twice_adds_nothing(records, folder, feet):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import date
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ from insole_core.geometry.side import Side
 from insole_core.records.field_merge import FieldChoice
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.records import Records
+from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import record_keeper
@@ -318,6 +320,26 @@ def test_a_journal_left_by_a_crash_is_handed_over(
     opened.hand_over.take(find_recovered(paths.autosave_folder))
     qtbot.waitUntil(lambda: newest_mm(records, visit) == 5.5, timeout=10_000)
     qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")), timeout=10_000)
+
+
+def test_a_journal_of_somebody_erased_meanwhile_goes_without_bringing_them_back(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    away: Callable[[bool], None],
+    paths: UserPaths,
+    qtbot: QtBot,
+) -> None:
+    away(True)
+    thicken(opened, 5.5)
+    opened.autosave.set_aside()
+    opened.case.undo()
+    erase_person(records.context, visit.person_id, ErasureReason.REQUEST, date.today())
+    away(False)
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")), timeout=10_000)
+    assert newest_mm(records, visit) != 5.5
+    assert records.persons.get(visit.person_id).name != "Anna Berg"
 
 
 def test_a_journal_of_what_is_stored_already_is_no_conflict(
