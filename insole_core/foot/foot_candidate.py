@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+
+import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid
 from insole_core.messages import Message
-from insole_core.scans.units import Unit
+from insole_core.scans.units import Unit, UnitReading
 
 Point = tuple[float, float, float]
 
@@ -42,6 +45,13 @@ class PoseClicks:
         """Return the points of the scan that was made larger about its origin."""
         heel, toe, sole = (
             (x * factor, y * factor, z * factor) for x, y, z in (self.heel, self.toe, self.sole)
+        )
+        return PoseClicks(heel, toe, sole)
+
+    def moved(self, by: FloatArray) -> PoseClicks:
+        """Return the points of the scan that was moved by a way (3,), mm."""
+        heel, toe, sole = (
+            (x + by[0], y + by[1], z + by[2]) for x, y, z in (self.heel, self.toe, self.sole)
         )
         return PoseClicks(heel, toe, sole)
 
@@ -97,6 +107,25 @@ class FootCandidate:
     second_toe_found: bool = True
     leg: CutLeg | None = None
 
+    @property
+    def is_length_known(self) -> bool:
+        """Whether the surface reaches from the heel to the toes."""
+        return self.covered >= 1
+
+    @property
+    def surface_mm(self) -> float:
+        """Length of what was scanned of the foot."""
+        return self.length_mm * self.covered
+
+    @property
+    def length_text(self) -> Message:
+        """The length, or what is known of it."""
+        if self.is_length_known:
+            return Message("{length_mm:.0f} mm long", length_mm=self.length_mm)
+        return Message(
+            "{surface_mm:.0f} mm of it scanned, without toes", surface_mm=self.surface_mm
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class FoundFoot:
@@ -120,6 +149,8 @@ class FoundFoot:
         Its file, where the scan is a folder; None for the file that was examined.
     unit
         Of its file, as given or concluded; None where a known size gave the scale.
+    unit_readings
+        The units in which its file may be, where that has to be asked; the likeliest first.
     clicks
         The points that were clicked in its file, on it or on the other foot there.
     """
@@ -132,6 +163,7 @@ class FoundFoot:
     warnings: tuple[Message, ...] = ()
     path: Path | None = None
     unit: Unit | None = None
+    unit_readings: tuple[UnitReading, ...] = ()
     clicks: PoseClicks | None = None
 
     @property
@@ -142,6 +174,18 @@ class FoundFoot:
         if other is None or other.dissimilarity >= CLEAR * nearest.dissimilarity:
             return nearest.side
         return None
+
+    def moved(self, by: FloatArray) -> FoundFoot:
+        """Return the foot in the scan that was moved by a way (3,), mm."""
+        there, back = rigid(np.eye(3), by), rigid(np.eye(3), -by)
+        return replace(
+            self,
+            mesh=self.mesh.transformed(there),
+            even=self.even.transformed(there),
+            candidates=tuple(
+                replace(one, source2insole=one.source2insole @ back) for one in self.candidates
+            ),
+        )
 
     def best(self, side: Side) -> FootCandidate | None:
         """Return the most likely candidate of a side; None when there is none."""

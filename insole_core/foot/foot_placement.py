@@ -12,18 +12,13 @@ from insole_core.errors import InputError, InsoleError
 from insole_core.foot.clicked_pose import clicked_frames
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import CLEAR, NO_FOOT, FootCandidate, FoundFoot, PoseClicks
-from insole_core.foot.foot_proportions import (
-    check_length,
-    check_proportions,
-    proportion_doubts,
-    proportions,
-)
+from insole_core.foot.foot_doubts import HELD_DEG, differ, foot_doubts
+from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
 from insole_core.foot.front_height import rated_pose
 from insole_core.foot.leg import is_leg, leg_of, without_leg
 from insole_core.foot.levelling import (
     OUTLINE_HEIGHT_MM,
     at_origin,
-    is_cut_before,
     is_cut_behind,
     level,
 )
@@ -39,6 +34,7 @@ from insole_core.foot.pose import (
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
+from insole_core.geometry.far_away import far_origin
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
@@ -49,8 +45,6 @@ Frame = Literal["reference", "unknown"]
 
 _TOE_YAWS_DEG = (4.0, -4.0)
 _MOST_WAYS = 4
-_HELD_DEG = 45.0
-"""Largest rotation of a foot in a frame whose directions are known."""
 
 
 class DoubtfulScanError(InputError):
@@ -139,6 +133,9 @@ def find_foot(
     InputError
         When the surface does not look like a foot in any pose, or has no sole.
     """
+    if (origin := far_origin(mesh.vertices)).any():
+        near = mesh.transformed(rigid(np.eye(3), -origin))
+        return find_foot(near, side, None if pose is None else pose.moved(-origin)).moved(origin)
     mesh, scraps = without_scraps(mesh)
     standing = _standing_foot(mesh)
     if standing is not None:
@@ -160,7 +157,7 @@ def find_foot(
     return replace(
         found,
         candidates=tuple(_with_leg(found, one) for one in found.candidates),
-        doubts=tuple(_doubts(found, side)),
+        doubts=tuple(foot_doubts(found, side)),
         warnings=() if standing is None else (_no_sole(),),
     )
 
@@ -185,6 +182,9 @@ def find_pressed_foot(mesh: TriangleMesh, dorsal: FloatArray) -> FoundFoot:
     InputError
         When the surface does not look like a foot either way.
     """
+    if (origin := far_origin(mesh.vertices)).any():
+        near = mesh.transformed(rigid(np.eye(3), -origin))
+        return find_pressed_foot(near, dorsal).moved(origin)
     points = surface_points(mesh)
     return _found(mesh, points, _foot_poses(mesh, points, dorsal))
 
@@ -230,6 +230,11 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
         None for what looks like no foot or has no size of one, tells no side, or faces into the
         foot as an insole does.
     """
+    origin = far_origin(mesh.vertices)
+    if origin.any():
+        near = recognised_foot(mesh.transformed(rigid(np.eye(3), -origin)))
+        back = rigid(np.eye(3), -origin)
+        return None if near is None else replace(near, source2insole=near.source2insole @ back)
     whole, _ = without_scraps(mesh)
     points = surface_points(whole)
     try:
@@ -341,7 +346,7 @@ def _with_other_ways(
     for pose in poses:
         if len(tried) == _MOST_WAYS or pose.side_dissimilarity > limit:
             break
-        if _differ(pose.source2rough, tried):
+        if differ(pose.source2rough, tried):
             tried.append(pose.source2rough)
             try:
                 way = _best(found.even, points, [pose], pose.side, normals, shows_pulps=shows_pulps)
@@ -356,51 +361,6 @@ def _with_leg(found: FoundFoot, candidate: FootCandidate) -> FootCandidate:
     """Return a candidate with the leg that is to be cut off."""
     placed = found.even.transformed(at_origin(found.mesh, candidate.source2insole))
     return replace(candidate, leg=leg_of(placed, candidate.length_mm))
-
-
-def _differ(source2rough: FloatArray, frames: list[FloatArray]) -> bool:
-    """Return whether a frame (4, 4) is turned far from all of some others."""
-    turns = (source2rough[:3, :3] @ frame[:3, :3].T for frame in frames)
-    return all(rotation_angle_deg(turn) > _HELD_DEG for turn in turns)
-
-
-def _doubts(found: FoundFoot, side: Side | None) -> Iterator[Message]:
-    """Say what has to be asked before the most likely candidate is taken, a sentence each."""
-    likely = found.candidates[0] if side is None else found.best(side) or found.candidates[0]
-    mesh = found.mesh.transformed(at_origin(found.mesh, likely.source2insole))
-    yield from proportion_doubts(proportions(mesh, likely.length_mm))
-    placed = found.even.transformed(at_origin(found.mesh, likely.source2insole))
-    if likely.covered < 1 or is_cut_before(placed.points):
-        yield Message(
-            "The toes seem to be missing, so that the foot's length of {length_mm:.0f} mm is a "
-            "guess; scan the foot with its toes, or see that the length is right.",
-            length_mm=likely.length_mm,
-        )
-    limit = CLEAR * likely.dissimilarity
-    others = [one for one in found.candidates if _differ(one.source2insole, [likely.source2insole])]
-    others = [one for one in others if side in (None, one.side) and one.dissimilarity < limit]
-    for other in others:
-        yield Message(
-            "The foot may lie in another way as well: taken is a {side} foot of {length_mm:.0f} "
-            "mm, turned otherwise it is a {other_side} one of {other_mm:.0f} mm; see that heel, "
-            "toes and sole are right.",
-            side=likely.side,
-            length_mm=likely.length_mm,
-            other_side=other.side,
-            other_mm=other.length_mm,
-        )
-    if side is None and found.told_side is None:
-        lengths = {one: found.best(one) for one in Side}
-        yield Message(
-            "The shape does not tell left from right (a left foot of {left_mm:.0f} mm, or a right "
-            "one of {right_mm:.0f} mm); say which foot it is.",
-            left_mm=_length(lengths[Side.LEFT]),
-            right_mm=_length(lengths[Side.RIGHT]),
-        )
-
-
-def _length(candidate: FootCandidate | None) -> float:
-    return np.nan if candidate is None else candidate.length_mm
 
 
 def _pose_note(clicks: PoseClicks | None) -> Message:
@@ -434,14 +394,14 @@ def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
 
 
 def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
-    """Return the poses of a surface that lies as its frame says, or up to `_HELD_DEG` off."""
+    """Return the poses of a surface that lies as its frame says, or up to `HELD_DEG` off."""
     poses = _as_it_lies(points, np.eye(4))
     if poses[0].side_dissimilarity <= NO_FOOT:
         return poses
     held = [
         pose
         for pose in find_poses(mesh, points)
-        if rotation_angle_deg(pose.source2rough[:3, :3]) < _HELD_DEG
+        if rotation_angle_deg(pose.source2rough[:3, :3]) < HELD_DEG
     ]
     return held if held and held[0].side_dissimilarity < poses[0].side_dissimilarity else poses
 
@@ -531,14 +491,8 @@ def _reason(side: Side) -> str:
 
 def _candidate_notes(found: FootCandidate) -> Iterator[str]:
     """Say what was missing to decide the pose."""
-    if found.covered < 1:
-        yield (
-            Message(
-                "The toes are missing; the foot's length was estimated as {length_mm:.0f} mm "
-                "from the rest.",
-                length_mm=found.length_mm,
-            )
-        )
+    if not found.is_length_known:
+        yield "The toes are missing; the foot's length is a guess from the rest."
     elif not found.second_toe_found:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
     if found.leg is not None:

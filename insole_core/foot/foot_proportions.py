@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,19 +12,17 @@ from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.pose import surface_samples
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.messages import Message
 
 LENGTH_MM = (90.0, 350.0)
 """EU 16 to 52, and somewhat more."""
 _FORCED_LENGTH_MM = (50.0, 500.0)
 """What a case can hold."""
 _BALL_SHARES, _HEEL_SHARES = (0.60, 0.75), (0.08, 0.20)
-_BALL_TO_LENGTH, _USUAL_BALL_TO_LENGTH = (0.26, 0.52), (0.31, 0.47)
-_HEEL_TO_BALL, _USUAL_HEEL_TO_BALL = (0.40, 0.88), (0.52, 0.84)
-_MIDFOOT_SHARES, _MOST_MIDFOOT_TO_BALL = (0.40, 0.50), 1.0
-USUAL_LENGTH_MM = (110.0, 320.0)
-"""EU 17 to 49."""
+_BALL_TO_LENGTH = (0.26, 0.52)
+_HEEL_TO_BALL = (0.40, 0.88)
+_MIDFOOT_SHARES = (0.40, 0.50)
 _BORDERS = (0.5, 99.5)
+_WHOLE = 0.95  # share of the length, less of which shows that an end is missing
 _LEAST_HEIGHT_TO_LENGTH = 0.07
 """Mean thickness of a closed surface; of a foot it is 0.13 or more, of an insole 0.04."""
 
@@ -40,11 +37,16 @@ class Proportions:
 
     Parameters
     ----------
+    length_mm
+        From the heel to the toes, estimated where they are missing.
+    scanned_mm
+        The same, or what was scanned of it.
     toe_height
         Where the toes lie, in shares of the length.
     """
 
     length_mm: float
+    scanned_mm: float
     ball_mm: float
     heel_mm: float
     midfoot_mm: float
@@ -70,7 +72,10 @@ def proportions(mesh: TriangleMesh, length_mm: float) -> Proportions:
     thickness = np.nan
     if mesh.is_closed and ball > 0:
         thickness = abs(mesh.volume_mm3) / (length_mm * ball)
-    return Proportions(length_mm, ball, heel, midfoot, toe_height, float(thickness))
+    scanned_mm = float(np.ptp(low[:, 1]))
+    if scanned_mm > _WHOLE * length_mm:
+        scanned_mm = length_mm
+    return Proportions(length_mm, scanned_mm, ball, heel, midfoot, toe_height, float(thickness))
 
 
 def check_length(length_mm: float, *, force: bool = False) -> None:
@@ -103,51 +108,28 @@ def check_proportions(sizes: Proportions) -> None:
     ball, heel = sizes.ball_mm / length_mm, sizes.heel_mm / max(sizes.ball_mm, 1e-9)
     if not (is_within(ball, _BALL_TO_LENGTH) and is_within(heel, _HEEL_TO_BALL)):
         raise ProportionsError(
-            "The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm "
+            "The surface has no proportions of a foot: {scanned_mm:.0f} mm long, {ball_mm:.0f} mm "
             "wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole "
             "foot or its sole, and nothing else.",
-            length_mm=length_mm,
+            scanned_mm=sizes.scanned_mm,
             ball_mm=sizes.ball_mm,
             heel_mm=sizes.heel_mm,
         )
     if sizes.thickness_mm < _LEAST_HEIGHT_TO_LENGTH * length_mm:
         raise ProportionsError(
             "The surface is only {thickness_mm:.0f} mm thick on average at a length of "
-            "{length_mm:.0f} mm, as if it were an insole; choose the scan of the foot.",
+            "{scanned_mm:.0f} mm, as if it were an insole; choose the scan of the foot.",
             thickness_mm=sizes.thickness_mm,
-            length_mm=length_mm,
+            scanned_mm=sizes.scanned_mm,
         )
     if sizes.toe_height > MOST_FRONT_HEIGHT:
         raise ProportionsError(
-            "The surface is no foot by its shape: {length_mm:.0f} mm long, but {toe_mm:.0f} mm "
+            "The surface is no foot by its shape: {scanned_mm:.0f} mm long, but {toe_mm:.0f} mm "
             "high where the toes would be, and feet are {usual_mm:.0f} mm there at most; check "
             "that the file holds one whole foot or its sole, and nothing else.",
-            length_mm=length_mm,
+            scanned_mm=sizes.scanned_mm,
             toe_mm=sizes.toe_height * length_mm,
             usual_mm=MOST_FRONT_HEIGHT * length_mm,
-        )
-
-
-def proportion_doubts(sizes: Proportions) -> Iterator[Message]:
-    """Say what about a placed surface is unusual for a foot, a sentence each."""
-    length_mm = sizes.length_mm
-    if not is_within(length_mm, USUAL_LENGTH_MM):
-        yield Message(
-            "The foot would be {length_mm:.0f} mm long, which few feet are; check the unit.",
-            length_mm=length_mm,
-        )
-    ball, heel = sizes.ball_mm / length_mm, sizes.heel_mm / max(sizes.ball_mm, 1e-9)
-    narrow_waist = sizes.midfoot_mm <= _MOST_MIDFOOT_TO_BALL * sizes.ball_mm
-    usual = is_within(ball, _USUAL_BALL_TO_LENGTH) and is_within(heel, _USUAL_HEEL_TO_BALL)
-    if not (usual and narrow_waist):
-        yield Message(
-            "The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm "
-            "wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; "
-            "see that it is one whole foot.",
-            length_mm=length_mm,
-            ball_mm=sizes.ball_mm,
-            midfoot_mm=sizes.midfoot_mm,
-            heel_mm=sizes.heel_mm,
         )
 
 

@@ -116,8 +116,18 @@ def _settled(
 
 def _low_part(surface: EvenSurface, source2rough: FloatArray) -> EvenSurface:
     """Leave out the leg, with a margin for a tilt of the pose."""
+    if len(surface.points) == 0:
+        raise _no_sole()
     height = surface.points @ source2rough[2, :3]
     return surface.part(height < height.min() + 2 * OUTLINE_HEIGHT_MM)
+
+
+def _no_sole() -> InputError:
+    """Return the error of a surface with nothing to stand on, for the caller to raise."""
+    return InputError(
+        "The surface has no sole: nothing of it faces the ground;"
+        " check that the scan shows the foot from below."
+    )
 
 
 class _Marks:
@@ -137,10 +147,7 @@ class _Marks:
         self.sole_areas = surface.area_mm2[sole]
         self._low, self._areas, self._facing_up = low, surface.area_mm2, facing_up
         if not sole.any():
-            raise InputError(
-                "The surface has no sole: nothing of it faces the ground;"
-                " check that the scan shows the foot from below."
-            )
+            raise _no_sole()
         y, area_mm2 = self.outline[:, 1], surface.area_mm2[low]
         self.back = -reach(-y, area_mm2)
         self.length = (reach(y, area_mm2) - self.back) / covered

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_proportions import is_within
 from insole_core.foot.landmarks import TOE_TIPS, Landmarks
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.rear_axes import Axis
@@ -92,6 +93,7 @@ DEFINITIONS = {
     "mondopoint": Definition("mm", "foot length, rounded up to 5 mm"),
 }
 _NO_LENGTH = "the heel or the toes were not scanned"
+_NO_SIZE = "the heel or the toes were not scanned, or no shoe of adults is as long"
 _NO_BALL = "the sides of the ball were not scanned"
 _NO_SOLE = "the sole was not scanned under heel, ball and arch"
 MISSING = {
@@ -110,9 +112,9 @@ MISSING = {
     "achilles_angle_deg": "the leg was not scanned",
     "achilles_lean_deg": "the leg was not scanned, or the scan does not stand upright",
     "forefoot_angle_deg": _NO_SOLE,
-    "shoe_size_eu": _NO_LENGTH,
-    "shoe_size_uk": _NO_LENGTH,
-    "shoe_size_us": _NO_LENGTH,
+    "shoe_size_eu": _NO_SIZE,
+    "shoe_size_uk": _NO_SIZE,
+    "shoe_size_us": _NO_SIZE,
     "mondopoint": _NO_LENGTH,
 }
 
@@ -133,6 +135,7 @@ _STANDS_ON = {
     "shoe_size_us": _LENGTH,
     "mondopoint": _LENGTH,
 }
+_SIZES_EU, _SIZES_UK = (15.0, 55.0), (1.0, 17.0)  # that exist; children's English are others
 _DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.2
 _SIZES = ("foot_length", "ball_width", "ball_width_across", "ball_length", "heel_width")
 _PLACING_MM = 0.5  # of the views against each other, in every size
@@ -207,11 +210,12 @@ def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
 def _sizes(length: float | None) -> dict[str, float | None]:
     if length is None:
         return dict.fromkeys(("shoe_size_eu", "shoe_size_uk", "shoe_size_us", "mondopoint"))
-    english = (length + _SHOE_ALLOWANCE_MM) / _ENGLISH_MM - 25
+    english = round(2 * ((length + _SHOE_ALLOWANCE_MM) / _ENGLISH_MM - 25)) / 2
+    continental = shoe_size_eu(length)
     return {
-        "shoe_size_eu": shoe_size_eu(length),
-        "shoe_size_uk": round(2 * english) / 2,
-        "shoe_size_us": round(2 * english) / 2 + 1,
+        "shoe_size_eu": continental if is_within(continental, _SIZES_EU) else None,
+        "shoe_size_uk": english if is_within(english, _SIZES_UK) else None,
+        "shoe_size_us": english + 1 if is_within(english, _SIZES_UK) else None,
         "mondopoint": float(np.ceil(length / _MONDOPOINT_MM) * _MONDOPOINT_MM),
     }
 

@@ -96,9 +96,17 @@ def side_dissimilarity(drawn: FloatArray, side: Side) -> float:
     return float(np.abs(drawn - usual).sum() / (HEIGHT_LIMIT - usual).sum())
 
 
+def foot_borders(share: FloatArray) -> FloatArray:
+    """Return medial and lateral x (2, ...) of a usual left foot at shares of its length; medial +x.
+
+    All in shares of the length.
+    """
+    return np.stack([np.interp(share, _BORDERS[:, 0], _BORDERS[:, side]) for side in (1, 2)])
+
+
 def _left_foot(middle: float) -> FloatArray:
     x, y = np.meshgrid(_X_AXIS + middle, _Y_AXIS)
-    medial, lateral = (np.interp(y, _BORDERS[:, 0], _BORDERS[:, side]) for side in (1, 2))
+    medial, lateral = foot_borders(y)
     across = (medial - x) / (medial - lateral)  # 0 at the medial border, 1 at the lateral one
     arch = _ARCH_HEIGHT * np.exp(-(((y - _ARCH_Y) / _ARCH_WIDTH) ** 2)) * np.clip(1 - across, 0, 1)
     rim = _RIM_HEIGHT * np.abs(2 * across - 1) ** 6

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.foot.outermost import reach
-from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray
 
 _STRIP_MM = 1.5
 _BAND = (0.13, 0.015)  # shares of the length behind the tip, between which a pulp lies
@@ -45,7 +45,8 @@ def pulp_line(
     if not near.any():
         return None
     x, z = _lower_envelope(sole[near])
-    summits = _summits(-z, _PROMINENCE_MM)
+    found = prominences(-z)
+    summits = np.array([at for at in found if found[at] >= _PROMINENCE_MM], dtype=np.int64)
     summits = summits[np.abs(x[summits] - tip[0]) < search_mm]
     if len(summits) == 0:
         return None
@@ -53,15 +54,14 @@ def pulp_line(
     return _summit(sole[near], area_mm2[near], float(x[best]), search_mm / 2)
 
 
-def _summits(heights: FloatArray, prominence: float) -> IntArray:
-    """Return the peaks of a profile (n,) with at least this prominence.
+def prominences(heights: FloatArray) -> dict[int, float]:
+    """Return the prominence of each peak of a profile (n,), by its place.
 
     Like SciPy's `find_peaks`, whose import alone takes longer than a reconstruction.
     """
     inner = heights[1:-1]
     rising = np.flatnonzero((inner > heights[:-2]) & (inner >= heights[2:])) + 1
-    far = [int(at) for at in rising if _prominence(heights, int(at)) >= prominence]
-    return np.array(far, dtype=np.int64)
+    return {int(at): _prominence(heights, int(at)) for at in rising}
 
 
 def _prominence(heights: FloatArray, at: int) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
+from insole_core.foreign_files import check_no_pointer
 from insole_core.given_file import read_given
 
 MOST_BYTES = 64 * 2**20
@@ -30,6 +31,7 @@ def read_text(path: Path) -> str:
         When it is no text, or cannot be read.
     """
     content = read_given(path, MOST_BYTES)
+    check_no_pointer(path, content)
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         encoding = "utf-16"
     else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.errors import InputError
+from insole_core.foreign_files import HEAD_BYTES, UNREAD_DEVICES, pressure_device
 from insole_core.pressure.emed import is_emed, read_emed
 from insole_core.pressure.export_text import read_text
 from insole_core.pressure.footscan import is_footscan, read_footscan
@@ -35,6 +36,14 @@ def read_pressure(path: Path) -> tuple[PressureRecording, ...]:
         When it is no map of pressures, is cut off or damaged.
     """
     text = read_text(path)
+    device = pressure_device(text[:HEAD_BYTES].encode())
+    if device in UNREAD_DEVICES:
+        raise InputError(
+            "{path} is an export of {device}, a device that is not read; save the map as a table "
+            "with a row of numbers for each row of sensors, and open that.",
+            path=path,
+            device=device,
+        )
     reader = next((read for is_it, read in _READERS if is_it(text)), read_grid)
     recordings = reader(path, text)
     for recording in recordings:

@@ -6,18 +6,21 @@ import binascii
 import json
 import struct
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Final
 from xml.parsers import expat
 
 from insole_core.errors import InputError
+from insole_core.foreign_files import HEAD_BYTES, check_no_other_kind, pressure_device
 from insole_core.messages import Message
 from insole_core.scans.gltf import read_gltf
+from insole_core.scans.number_text import BYTE_ORDER_MARKS, DecimalCommaError
 from insole_core.scans.obj import read_obj
 from insole_core.scans.off import read_off
 from insole_core.scans.ply import read_ply
 from insole_core.scans.point_text import read_point_text
 from insole_core.scans.raw_surface import RawSurface
-from insole_core.scans.scan_content import ScanContent, unreadable
+from insole_core.scans.scan_content import ScanContent, padding_note, unreadable
 from insole_core.scans.stl import read_stl
 from insole_core.scans.three_mf import read_three_mf
 
@@ -40,11 +43,6 @@ _SIGNATURES: Final = (
     (b"PK\x03\x04", "zip archive", {".3mf"}),
     (b"solid ", "STL", {".stl"}),
     (b"OFF\n", "OFF", {".off"}),
-    (b"%PDF", "PDF", set[str]()),
-    (b"\x89PNG", "picture", set[str]()),
-    (b"\xff\xd8\xff", "picture", set[str]()),
-    (b"\x1f\x8b", "gzip archive", set[str]()),
-    (b"ISO-10303-21", "STEP", set[str]()),
 )
 _UNREADABLE = (
     ValueError, LookupError, TypeError, AttributeError, struct.error, OverflowError, MemoryError,
@@ -62,6 +60,16 @@ def read_raw(source: ScanContent) -> RawSurface:
     """
     if not source.content.strip(b" \t\r\n\0"):
         raise InputError("{path} is empty; export it again.", path=source.path)
+    head = source.content[:HEAD_BYTES]
+    check_no_other_kind(source.path, head)
+    device = pressure_device(head)
+    if device is not None:
+        raise InputError(
+            "{path} is a pressure map of {device}, and no scan of a foot; choose the scan, and "
+            "open the map under Pressure.",
+            path=source.path,
+            device=device,
+        )
     for signature, name, suffixes in _SIGNATURES:
         if source.content.startswith(signature) and source.suffix not in suffixes:
             raise InputError(
@@ -71,10 +79,30 @@ def read_raw(source: ScanContent) -> RawSurface:
                 format=name,
                 suffix=source.suffix,
             )
+    text = _without_padding(source)
+    padding = len(source.content) - len(text.content)
     try:
-        return _READERS[source.suffix](source)
+        raw = _READERS[source.suffix](text)
+    except DecimalCommaError as error:
+        raise InputError(
+            "{path} is written with decimal commas, which a {format} file does not have; choose "
+            "decimal points in the program or the system that wrote it, and export it again.",
+            path=source.path,
+            format=source.suffix[1:].upper(),
+        ) from error
     except _UNREADABLE as error:
         raise unreadable(source, _reason(error)) from error
+
+    return replace(raw, notes=(*raw.notes, padding_note(padding))) if padding else raw
+
+
+def _without_padding(source: ScanContent) -> ScanContent:
+    """Return a text without the zero bytes that some programs write behind it."""
+    content = source.content
+    if not content.endswith(b"\0") or content.startswith(tuple(BYTE_ORDER_MARKS)):
+        return source
+    text = content.rstrip(b"\0")
+    return source if b"\0" in text else replace(source, content=text)
 
 
 def _reason(error: BaseException) -> Message:

@@ -9,31 +9,38 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.errors import InputError
+from insole_core.geometry.far_away import coordinate_step, far_origin
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.thinning import thinned
+from insole_core.geometry.transforms import rigid
 from insole_core.messages import Message
 from insole_core.scans.facing import INSIDE_OUT, faces_outwards
 from insole_core.scans.formats import read_raw
 from insole_core.scans.length_unit import checked_length, stated_or_likely_unit
-from insole_core.scans.point_surface import surface_through, without_outliers
+from insole_core.scans.point_surface import even_points, surface_through, without_outliers
 from insole_core.scans.raw_surface import RawSurface
 from insole_core.scans.scale import KnownSize, provisional_mm_per_unit
 from insole_core.scans.scan_folder import ScanPart, part_content, scan_parts
 from insole_core.scans.spikes import without_spikes
 from insole_core.scans.units import MM_PER_UNIT, UNIT_NAMES, Unit, UnitError
-from insole_core.scans.vertex_merging import merged, without_flat_triangles
+from insole_core.scans.vertex_merging import (
+    merged,
+    without_double_triangles,
+    without_flat_triangles,
+)
 
 __all__ = ["ReadMesh", "Unit", "UnitError", "read_mesh", "read_part"]
 
 _MOST_AREA_MM2 = 3e6  # ten times a foot with its lower leg
 _LEAST_DEPTH_MM = 4.0  # anything flatter has no shape to design on
 _MOST_TRIANGLES = 4_000_000
-_MOST_POINTS = 10_000_000
+_LEAST_POINTS, _MOST_POINTS = 1000, 10_000_000
 _SAMPLED_TRIANGLES = 200_000
 _FINE_TRIANGLES = 600_000  # more of them show the scanner's noise, not the foot
 _MOST_CUBES = 2**20  # along an axis, so that their numbers stay below 2**63
 _MOST_COORDINATE = 1e9  # in any unit; beyond it the numbers are no lengths
+_FINE_STEP_MM, _MOST_STEP = 0.1, 0.005  # of coordinates far away; the latter of the extent
 _THIN_VERTICES = 100_000  # of a thinned scan: 0.9 mm apart on a foot, < 0.01 mm off where it bends
 
 
@@ -49,7 +56,7 @@ class ReadMesh:
     mm_per_unit
         What the file's numbers were multiplied with, by their unit or by a known size.
     scale_note
-        Its scale, and the length that follows.
+        What its scale follows from.
     corrections
         What else was assumed or corrected, a sentence each.
     was_turned
@@ -59,8 +66,12 @@ class ReadMesh:
         Where it was read from.
     second
         The other scan of a folder or archive with both feet.
-    is_unit_concluded
-        Whether only the size tells the unit: neither the file nor the user has.
+    stated
+        The unit that the file or its format states.
+    is_unit_said
+        Whether the user has said the unit, or a size in its place.
+    warnings
+        What the user has to know of it although nothing has to be decided, a sentence each.
     """
 
     mesh: TriangleMesh
@@ -71,18 +82,27 @@ class ReadMesh:
     was_turned: bool = False
     part: ScanPart | None = None
     second: ReadMesh | None = None
-    is_unit_concluded: bool = False
+    stated: Unit | None = None
+    is_unit_said: bool = False
+    warnings: tuple[Message, ...] = ()
 
     def scaled(self, factor: float) -> ReadMesh:
         """Correct the scale of a scan whose foot has been found and is of a known length."""
         mesh = _in_mm(self.mesh, factor)
-        note = _scale_note(mesh, self.unit, is_known=True)
-        return replace(self, mesh=mesh, mm_per_unit=factor * self.mm_per_unit, scale_note=note)
+        return replace(self, mesh=mesh, mm_per_unit=factor * self.mm_per_unit)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was assumed or corrected, a sentence each."""
         return (self.scale_note, *self.corrections)
+
+    @property
+    def extent_note(self) -> Message:
+        """How long all of the surface is, for where no foot is found in it."""
+        return Message(
+            "The surface is {length_mm:.0f} mm long.",
+            length_mm=float(np.ptp(self.mesh.vertices, axis=0).max()),
+        )
 
 
 def read_mesh(
@@ -125,11 +145,15 @@ def read_part(
 ) -> ReadMesh:
     """Read one scan of a file, folder or archive, as `read_mesh` does."""
     raw, path = _checked(_raw(part), part.path), part.path
-    points, count = len(raw.vertices), len(raw.triangles)
+    origin = far_origin(raw.vertices)
+    raw = raw.moved(-origin)
+    step = _checked_step(raw, path) if origin.any() else 0.0
+    count = len(raw.triangles)
+    cloud_notes: tuple[Message, ...] = ()
     if count:
         surface, pitch = _sound_surface(raw, path)
     else:
-        raw = _without_outliers(raw)
+        raw, cloud_notes = _even_cloud(raw, path)
         surface, pitch = TriangleMesh(raw.vertices, raw.triangles, raw.colors), 0.0
     is_said = known_size is not None or unit is not None
     unit, mm_per_unit = _scale(surface, raw, unit, known_size, path)
@@ -139,10 +163,10 @@ def read_part(
         _check_area(mesh, path)
     else:
         mesh = _through_points(raw, mm_per_unit, path)
-    scale_note = _scale_note(mesh, unit, is_known=known_size is not None)
+    scale_note = _scale_note(unit, is_known=known_size is not None)
     corrections = [
         *raw.notes,
-        *_cloud_notes(raw, points),
+        *cloud_notes,
         *_mesh_notes(mesh, count, pitch * mm_per_unit, spikes),
     ]
     was_turned = not faces_outwards(mesh)
@@ -150,14 +174,16 @@ def read_part(
         mesh = mesh.flipped()
         corrections.append(Message(INSIDE_OUT))
     return ReadMesh(
-        mesh,
+        mesh.transformed(rigid(np.eye(3), origin * mm_per_unit)) if origin.any() else mesh,
         unit,
         mm_per_unit,
         scale_note,
         tuple(corrections),
         was_turned=was_turned,
         part=part,
-        is_unit_concluded=not is_said and raw.unit != unit,
+        stated=raw.unit,
+        is_unit_said=is_said,
+        warnings=tuple(_step_warnings(step * mm_per_unit)),
     )
 
 
@@ -178,12 +204,8 @@ def _checked(raw: RawSurface, path: Path) -> RawSurface:
     if len(raw.triangles) > _MOST_TRIANGLES or len(raw.vertices) > 3 * _MOST_TRIANGLES:
         raise _too_large(path)
     if len(raw.triangles) == 0:
-        if len(raw.vertices) < 1000:
-            raise InputError(
-                "{path} holds no surface that can be read, as if it were cut off or held a few "
-                "points only; export it again as a triangle mesh.",
-                path=path,
-            )
+        if len(raw.vertices) < _LEAST_POINTS:
+            raise _no_surface(path)
         if len(raw.vertices) > _MOST_POINTS:
             raise _too_large(path)
     elif raw.triangles.min() < 0 or raw.triangles.max() >= len(raw.vertices):
@@ -208,6 +230,14 @@ def _are_numbers(raw: RawSurface) -> bool:
     return len(raw.triangles) > 0 and bool(is_number[raw.triangles].all())
 
 
+def _no_surface(path: Path) -> InputError:
+    return InputError(
+        "{path} holds no surface that can be read, as if it were cut off or held points in a few "
+        "places only; export it again as a triangle mesh.",
+        path=path,
+    )
+
+
 def _too_large(path: Path) -> InputError:
     return InputError(
         "{path} is too large for a foot (more than {millions} million triangles or {points} "
@@ -229,7 +259,7 @@ def _sound_surface(raw: RawSurface, path: Path) -> tuple[TriangleMesh, float]:
         )
     if pitch > 0:
         surface = thinned(surface, pitch)
-    surface = without_flat_triangles(surface)
+    surface = without_double_triangles(without_flat_triangles(surface))
     if not len(surface.triangles):
         raise InputError("{path} holds only triangles without area; export it again.", path=path)
     return surface, pitch
@@ -241,14 +271,20 @@ def _about_area(mesh: TriangleMesh) -> float:
     return step * replace(mesh, triangles=mesh.triangles[::step]).area_mm2
 
 
-def _without_outliers(raw: RawSurface) -> RawSurface:
-    kept = without_outliers(raw.vertices)
-    return replace(
-        raw,
-        vertices=raw.vertices[kept],
-        colors=None if raw.colors is None else raw.colors[kept],
-        normals=None if raw.normals is None else raw.normals[kept],
-    )
+def _even_cloud(raw: RawSurface, path: Path) -> tuple[RawSurface, tuple[Message, ...]]:
+    """Return the points that a surface is laid through, and what was left out."""
+    even = raw.at_points(even_points(raw.vertices))
+    if len(even.vertices) < _LEAST_POINTS:
+        raise _no_surface(path)
+    kept = even.at_points(np.flatnonzero(without_outliers(even.vertices)))
+    notes = [Message("A surface was laid through {points} points.", points=len(kept.vertices))]
+    if far := len(even.vertices) - len(kept.vertices):
+        notes.append(Message("{count} points far from all others were left out.", count=far))
+    if more := len(raw.vertices) - len(even.vertices):
+        notes.append(
+            Message("{count} points were left out that lie close beside others.", count=more)
+        )
+    return kept, tuple(notes)
 
 
 def _scale(
@@ -267,6 +303,28 @@ def _scale(
             "{path} is flat, which is no surface of a foot; export it again.", path=path
         )
     return found
+
+
+def _checked_step(raw: RawSurface, path: Path) -> float:
+    """Return the step to which coordinates far away are rounded; refuse one that is no foot's."""
+    step = coordinate_step(raw.vertices)
+    if step > _MOST_STEP * float(np.ptp(raw.vertices, axis=0).max()):
+        raise InputError(
+            "{path} lies so far from the origin that the last digits of its coordinates are lost: "
+            "they are rounded to steps of {step:g}; export it near the origin.",
+            path=path,
+            step=step,
+        )
+    return step
+
+
+def _step_warnings(step_mm: float) -> Iterator[Message]:
+    if step_mm > _FINE_STEP_MM:
+        yield Message(
+            "The scan lies so far from the origin that its coordinates are rounded to steps of "
+            "{step_mm:.2f} mm; export it near the origin.",
+            step_mm=step_mm,
+        )
 
 
 def _through_points(raw: RawSurface, mm_per_unit: float, path: Path) -> TriangleMesh:
@@ -290,28 +348,10 @@ def _check_area(mesh: TriangleMesh, path: Path) -> None:
         )
 
 
-def _scale_note(mesh: TriangleMesh, unit: Unit, *, is_known: bool) -> Message:
-    length_mm = float(np.ptp(mesh.vertices, axis=0).max())
+def _scale_note(unit: Unit, *, is_known: bool) -> Message:
     if is_known:
-        return Message(
-            "Scaled by the size that is known: the surface is {length_mm:.0f} mm long.",
-            length_mm=length_mm,
-        )
-    return Message(
-        "Read in {unit}: the surface is {length_mm:.0f} mm long.",
-        unit=UNIT_NAMES[unit],
-        length_mm=length_mm,
-    )
-
-
-def _cloud_notes(raw: RawSurface, points: int) -> Iterator[Message]:
-    if len(raw.triangles):
-        return
-    yield Message("A surface was laid through {points} points.", points=len(raw.vertices))
-    if points > len(raw.vertices):
-        yield Message(
-            "{count} points far from all others were left out.", count=points - len(raw.vertices)
-        )
+        return Message("Scaled by the size that is known.")
+    return Message("Read in {unit}.", unit=UNIT_NAMES[unit])
 
 
 def _mesh_notes(mesh: TriangleMesh, count: int, pitch_mm: float, spikes: int) -> Iterator[Message]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 
 import numpy as np
@@ -12,7 +13,13 @@ from insole_core.messages import Message
 LINE_FEED = ord("\n")
 _MOST_RUNS = 20_000
 """Of neighbouring lines that are copied one by one."""
-_BYTE_ORDER_MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
+BYTE_ORDER_MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
+
+_DECIMAL_COMMA = re.compile(rb"(?<![^\s+-])\d+,\d")
+
+
+class DecimalCommaError(ValueError):
+    """The numbers of a text have commas where points must stand."""
 
 
 def plain_text(content: bytes) -> bytes:
@@ -23,7 +30,7 @@ def plain_text(content: bytes) -> bytes:
     ValueError
         When it is no text: it holds zero bytes, or half characters of UTF-16.
     """
-    for mark, code in _BYTE_ORDER_MARKS.items():
+    for mark, code in BYTE_ORDER_MARKS.items():
         if content.startswith(mark):
             content = content.decode(code).encode()
             break
@@ -39,8 +46,10 @@ def floats(text: bytes) -> FloatArray:
 
     Raises
     ------
+    DecimalCommaError
+        When its numbers have commas for points.
     ValueError
-        When something in it is no number.
+        When something else in it is no number.
     """
     return np.asarray(_numbers(text, np.float64), dtype=float)
 
@@ -62,6 +71,8 @@ def _numbers(text: bytes, kind: type) -> FloatArray | IntArray:
         try:
             return np.fromstring(text, dtype=kind, sep=" ")
         except (ValueError, DeprecationWarning) as error:
+            if _DECIMAL_COMMA.search(text):
+                raise DecimalCommaError from error
             raise ValueError(Message("it holds a word where a number must stand")) from error
 
 

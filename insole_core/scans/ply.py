@@ -20,8 +20,10 @@ from insole_core.scans.number_text import Lines, floats, plain_text, words_per_l
 from insole_core.scans.polygons import MOST_CORNERS, as_indices, fans
 from insole_core.scans.raw_surface import RawSurface
 from insole_core.scans.scan_content import ScanContent
+from insole_core.scans.units import MM_PER_UNIT, Unit
 
 _HEAD_BYTES = 64 * 1024
+_UNIT = re.compile(r"comment\b.*\bunits?[ :=]+(mm|cm|m|inch)", re.IGNORECASE)
 _ELEMENT = re.compile(r"element\s+(\S+)\s+(\d{1,12})")
 _FORMATS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 _TYPES = {
@@ -78,7 +80,18 @@ def read_ply(source: ScanContent) -> RawSurface:
     if polygons is not None:
         triangles = as_indices(polygons.corners[fans(polygons.corners, polygons.counts)])
     normals = None if len(triangles) else _columns(vertex, _NORMAL)
-    return RawSurface(vertices, triangles, _colors(vertex), normals, _touches(tables))
+    return RawSurface(
+        vertices, triangles, _colors(vertex), normals, _touches(tables), _stated_unit(source)
+    )
+
+
+def _stated_unit(source: ScanContent) -> Unit | None:
+    """Return the unit of a comment of the header, as this program writes one."""
+    head = source.content[:_HEAD_BYTES].partition(b"end_header")[0].decode("utf-8", "replace")
+    named = {
+        found[1].lower() for line in head.splitlines() if (found := _UNIT.fullmatch(line.strip()))
+    }
+    return next((unit for unit in MM_PER_UNIT if named == {unit}), None)
 
 
 def _header(source: ScanContent) -> tuple[str, list[_Element], memoryview]:

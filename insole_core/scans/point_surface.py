@@ -10,25 +10,67 @@ from __future__ import annotations
 import numpy as np
 import scipy
 
-from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_nets import surface_nets
 from insole_core.messages import Message
+from insole_core.scans.vertex_merging import first_of_each_place
 
 _PLANE_NEIGHBOURS, _LINKED_NEIGHBOURS, _BLENDED_NEIGHBOURS = 16, 8, 8
-_LEAST_CELL_MM, _MOST_POINTS = 1.0, 150_000
+_LEAST_CELL_MM, _MOST_POINTS = 1.0, 100_000
 _MOST_NODES = 12_000_000
 _SPACING_NEIGHBOUR = 6  # 1.4 times the distance of neighbours on a grid, as in a random sample
 _CELL_SHARE, _REACH_SHARE = 0.72, 1.6
 """Edge of the grid's cells, and how far from a point the surface goes on, in these spacings."""
 _BAND_CELLS = 3
+_BOX, _CROSS = np.ones((3, 3, 3), dtype=bool), scipy.ndimage.generate_binary_structure(3, 1)
 _MOST_ONE_SIDED = 0.7
 """Of the mean distance to the nearest points, that their middle lies off within the surface."""
 _OUTLIER_NEIGHBOURS, _OUTLIER_FACTOR = 6, 4.0
+_FAR_SHARE, _CUBES, _ROUNDS = 0.005, 600, 8
+"""Share of the points at either end beyond which some may lie far away; cubes along the rest."""
+
+
+def even_points(points: FloatArray) -> IntArray:
+    """Return which points (n,) are enough for a surface: one of each place, or of each cube.
+
+    Parameters
+    ----------
+    points : (n, 3) float64
+        In any unit.
+    """
+    if len(points) <= _MOST_POINTS:
+        return first_of_each_place(points)
+    sample = points[:: len(points) // 20_000]
+    low, high = np.quantile(sample, (_FAR_SHARE, 1 - _FAR_SHARE), axis=0)
+    size = float((high - low).max())
+    inside = np.clip(points, low - size, high + size) - (low - size)  # what is far does not count
+    if size == 0:
+        return first_of_each_place(points)
+    pitch = size / _CUBES
+    for _ in range(_ROUNDS):
+        chosen = _one_of_each(np.floor(inside / pitch).astype(np.int64))
+        if len(chosen) <= _MOST_POINTS:
+            break
+        pitch *= 1.05 * np.sqrt(len(chosen) / _MOST_POINTS)  # as of a surface
+    return chosen
+
+
+def _one_of_each(cubes: IntArray) -> IntArray:
+    """Return the first point of each cube (n, 3), in their order."""
+    reach = cubes.max(axis=0) + 1
+    keys = (cubes[:, 0] * reach[1] + cubes[:, 1]) * reach[2] + cubes[:, 2]
+    return np.sort(np.unique(keys, return_index=True)[1])
 
 
 def without_outliers(points: FloatArray) -> BoolArray:
-    """Return which points (n,) lie among others: not much farther from them than most are."""
+    """Return which points (n,) lie among others: not much farther from them than most are.
+
+    Parameters
+    ----------
+    points : (n, 3) float64
+        In places of their own, in any unit.
+    """
     tree = scipy.spatial.cKDTree(points)
     sample = points[:: max(1, len(points) // 20_000)]
     reach = min(_OUTLIER_NEIGHBOURS + 1, len(points))
@@ -61,7 +103,6 @@ def surface_through(
     """
     if len(points) < 4 * _PLANE_NEIGHBOURS:
         raise ValueError(Message("they are too few for a surface"))
-    points, normals, colors = _thinned(points, normals, colors)
     tree = scipy.spatial.cKDTree(points)
     spacing = float(np.median(_nearest(tree, points, _SPACING_NEIGHBOUR + 1)[0][:, -1]))
     cell = max(_LEAST_CELL_MM, _CELL_SHARE * spacing)
@@ -80,28 +121,6 @@ def _unit_vectors(vectors: FloatArray) -> FloatArray | None:
     if not np.isfinite(length).all() or (length == 0).any():
         return None
     return np.asarray(vectors / length)
-
-
-def _thinned(
-    points: FloatArray, normals: FloatArray | None, colors: ByteArray | None
-) -> tuple[FloatArray, FloatArray | None, ByteArray | None]:
-    """Keep one point in each cube, so that not many more than are needed are left."""
-    if len(points) <= _MOST_POINTS:
-        return points, normals, colors
-    pitch = _LEAST_CELL_MM / 2
-    while True:
-        cube = np.floor((points - points.min(axis=0)) / pitch).astype(np.int64)
-        reach = cube.max(axis=0) + 1
-        keys = (cube[:, 0] * reach[1] + cube[:, 1]) * reach[2] + cube[:, 2]
-        chosen = np.unique(keys, return_index=True)[1]
-        if len(chosen) <= _MOST_POINTS:
-            break
-        pitch *= 1.3
-    return (
-        points[chosen],
-        None if normals is None else normals[chosen],
-        None if colors is None else colors[chosen],
-    )
 
 
 def _normals(points: FloatArray, tree: scipy.spatial.cKDTree) -> FloatArray:
@@ -123,22 +142,36 @@ def _turns(points: FloatArray, normals: FloatArray, near: IntArray) -> FloatArra
     weights = 1.001 - np.abs(cosines)
     graph = scipy.sparse.csr_array((weights, (starts, ends)), shape=(count, count))
     tree = scipy.sparse.csgraph.minimum_spanning_tree(graph.maximum(graph.T))
-    pieces, piece = scipy.sparse.csgraph.connected_components(tree, directed=False)
-    turn = np.ones(count)
-    for number in range(pieces):
-        members = np.flatnonzero(piece == number)
-        order, before = scipy.sparse.csgraph.breadth_first_order(tree, members[0], directed=False)
-        agree = np.einsum("ij,ij->i", normals[order[1:]], normals[before[order[1:]]]) >= 0
-        signs = turn.tolist()
-        for vertex, parent, same in zip(
-            order[1:].tolist(), before[order[1:]].tolist(), agree.tolist(), strict=True
-        ):
-            signs[vertex] = signs[parent] if same else -signs[parent]
-        turn = np.array(signs)
-        offsets = points[members] - points[members].mean(axis=0)
-        if np.einsum("ij,ij,i->", offsets, normals[members], turn[members]) < 0:
-            turn[members] *= -1
-    return turn
+    _, piece = scipy.sparse.csgraph.connected_components(tree, directed=False)
+    turn = _along_tree(tree, piece, normals)
+    sizes = np.bincount(piece)
+    middle = np.stack([np.bincount(piece, column) for column in points.T], axis=1) / sizes[:, None]
+    outwards = np.einsum("ij,ij->i", points - middle[piece], normals) * turn
+    return np.where(np.bincount(piece, outwards)[piece] < 0, -turn, turn)
+
+
+def _along_tree(tree: scipy.sparse.csr_array, piece: IndexArray, normals: FloatArray) -> FloatArray:
+    """Return +1 or -1 for each normal (n,), so that all agree with the first of their piece.
+
+    Each knows how it compares with the one before it, and takes over what that one knows: in every
+    round the way that is known of doubles.
+    """
+    count = len(normals)
+    firsts = np.unique(piece, return_index=True)[1]
+    root = scipy.sparse.csr_array(
+        (np.ones(len(firsts)), (np.full(len(firsts), count), firsts)), shape=(count + 1, count + 1)
+    )
+    rooted = scipy.sparse.block_diag((tree, [[0.0]]), format="csr") + root
+    _, before = scipy.sparse.csgraph.breadth_first_order(rooted, count, directed=False)
+    before[count] = count
+    before[firsts] = count
+    with_root = np.vstack([normals, np.zeros(3)])
+    agree = np.einsum("ij,ij->i", with_root, with_root[before]) >= 0  # with the root, all do
+    turn = np.where(agree, 1.0, -1.0)
+    while (before != count).any():
+        turn *= turn[before]
+        before = before[before]
+    return turn[:count]
 
 
 def _zero_level(
@@ -149,9 +182,8 @@ def _zero_level(
     shape = np.ceil(np.ptp(points, axis=0) / cell).astype(int) + 2 * margin + 1
     near = np.zeros(shape, dtype=bool)
     near[tuple(np.rint((points - origin) / cell).astype(int).T)] = True
-    near = scipy.ndimage.binary_dilation(
-        near, np.ones((3, 3, 3), dtype=bool), iterations=_BAND_CELLS
-    )
+    for step in (_BOX, _CROSS, _BOX):  # nearly a ball of `_BAND_CELLS`
+        near = scipy.ndimage.binary_dilation(near, step)
     nodes = np.argwhere(near)
     places = origin + cell * nodes
     distance, index = _nearest(tree, places, _BLENDED_NEIGHBOURS)
@@ -183,5 +215,5 @@ def _nearest(
 ) -> tuple[FloatArray, IntArray]:
     """Return distances and indices (n, count) of the nearest points, inf where there is none."""
     wanted = np.arange(1, count + 1)
-    distance, index = tree.query(places, wanted, distance_upper_bound=within)
+    distance, index = tree.query(places, wanted, distance_upper_bound=within, workers=-1)
     return np.asarray(distance), np.asarray(index)

@@ -13,6 +13,8 @@ from insole_core.scans.raw_surface import RawSurface
 from insole_core.scans.scan_content import ScanContent
 
 _MOST_HEAD_LINES = 50
+_MOST_LINE_BYTES, _MOST_COLUMNS = 4096, 64
+"""More than a point with its colour, its normal and what else a scanner says of it."""
 _NUMBERS = re.compile(rb"[-+.,;\d\seE]*")
 _UNIT_TOLERANCE = 0.02
 _LEAST_SHARE = 0.9
@@ -34,6 +36,8 @@ def read_point_text(source: ScanContent) -> RawSurface:
     columns = columns[columns > 0]
     if len(columns) == 0:
         raise ValueError(Message("it holds no points"))
+    if columns.max() > _MOST_COLUMNS:
+        raise _long_line()
     if columns.min() < 3 or columns.min() != columns.max():
         raise ValueError(Message("its lines do not hold the same number of columns, three or more"))
     if count is not None and count != len(columns):
@@ -46,9 +50,17 @@ def read_point_text(source: ScanContent) -> RawSurface:
 
 
 def _body(text: bytes) -> tuple[bytes, int | None]:
-    """Return the lines of numbers, and how many a PTS declares before them."""
+    """Return the lines of numbers, and how many a PTS declares before them.
+
+    Raises
+    ------
+    ValueError
+        When it has no lines of points.
+    """
     count = None
     for _ in range(_MOST_HEAD_LINES):
+        if text.find(b"\n", 0, _MOST_LINE_BYTES) < 0 and len(text) > _MOST_LINE_BYTES:
+            raise _long_line()
         line, _, rest = text.partition(b"\n")
         words = line.split()
         is_numbers = _NUMBERS.fullmatch(line) and words
@@ -60,6 +72,12 @@ def _body(text: bytes) -> tuple[bytes, int | None]:
             break
         text = rest
     return (text if text.endswith(b"\n") else text + b"\n"), count
+
+
+def _long_line() -> ValueError:
+    return ValueError(
+        Message("a line of it is longer than a point with its colours; each point has its own line")
+    )
 
 
 def _with_points(text: bytes) -> bytes:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray
+from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.geometry.transforms import rigid
 from insole_core.scans.units import Unit
 
 
@@ -44,6 +45,22 @@ class RawSurface:
     touches: ContourConstraints | None = None
     unit: Unit | None = None
     notes: tuple[str, ...] = ()
+
+    def moved(self, by: FloatArray) -> RawSurface:
+        """Return the surface moved by a way (3,), in its unit."""
+        if not by.any():
+            return self
+        touches = None if self.touches is None else self.touches.transformed(rigid(np.eye(3), by))
+        return replace(self, vertices=self.vertices + by, touches=touches)
+
+    def at_points(self, chosen: IntArray) -> RawSurface:
+        """Return some of the points (m,) of a cloud."""
+        return replace(
+            self,
+            vertices=self.vertices[chosen],
+            colors=None if self.colors is None else self.colors[chosen],
+            normals=None if self.normals is None else self.normals[chosen],
+        )
 
 
 def placed(vertices: FloatArray, a2b: FloatArray) -> FloatArray:

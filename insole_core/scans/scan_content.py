@@ -109,6 +109,11 @@ def _inner_name(name: str) -> str | None:
     return None if ".." in parts.parts else str(parts)
 
 
+def padding_note(count: int) -> Message:
+    """Say that zero bytes behind a scan do not count."""
+    return Message("{count} zero bytes at the end of the file were left out.", count=count)
+
+
 def unreadable(source: ScanContent, reason: Message) -> InputError:
     """Return the error of a file that is not what its name says, for the caller to raise."""
     return InputError(

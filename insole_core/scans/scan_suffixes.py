@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from insole_core.errors import InputError
+from insole_core.foreign_files import kind_by_ending
 from insole_core.messages import joined
 
 SCAN_SUFFIXES: Final = (
@@ -21,9 +22,13 @@ def check_suffix(path: Path) -> None:
     ------
     InputError
     """
-    if path.suffix.lower() not in SCAN_SUFFIXES:
-        raise InputError(
-            "{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.",
-            path=path,
-            suffixes=joined(SCAN_SUFFIXES),
-        )
+    if path.suffix.lower() in SCAN_SUFFIXES:
+        return
+    kind = kind_by_ending(path)
+    if kind is not None:
+        raise InputError("{path} is no scan that can be read: {kind}.", path=path, kind=kind)
+    raise InputError(
+        "{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.",
+        path=path,
+        suffixes=joined(SCAN_SUFFIXES),
+    )

@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.messages import Message
 from insole_core.scans.number_text import Lines, floats, plain_text
 from insole_core.scans.raw_surface import RawSurface
-from insole_core.scans.scan_content import ScanContent
+from insole_core.scans.scan_content import ScanContent, padding_note
 
 _HEAD, _TAIL = 84, 512
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -28,9 +28,14 @@ def read_stl(source: ScanContent) -> RawSurface:
     ValueError
         When it is no STL.
     """
-    corners = _text_corners(source) if _is_text(source.content) else _binary_corners(source)
+    notes: tuple[Message, ...] = ()
+    if _is_text(source.content):
+        corners = _text_corners(source)
+    else:
+        corners, behind = _binary_corners(source)
+        notes = (padding_note(behind),) if behind else ()
     triangles = np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
-    return RawSurface(corners, triangles)
+    return RawSurface(corners, triangles, notes=notes)
 
 
 def _is_text(content: bytes) -> bool:
@@ -47,13 +52,16 @@ def _is_text(content: bytes) -> bool:
     return b"facet" in content[: _HEAD + _TAIL].lower()
 
 
-def _binary_corners(source: ScanContent) -> FloatArray:
+def _binary_corners(source: ScanContent) -> tuple[FloatArray, int]:
+    """Return the corners (n, 3), and the number of zero bytes behind the triangles."""
     content = source.content
     if len(content) < _HEAD:
         raise ValueError(Message("it is shorter than its header"))
     declared = int.from_bytes(content[80:_HEAD], "little")
     held = (len(content) - _HEAD) // _FACET.itemsize
-    if declared != held:
+    behind = content[_HEAD + declared * _FACET.itemsize :]
+    is_padding = not behind.strip(b"\0")
+    if declared > held or (declared < held and not is_padding):
         raise InputError(
             "{path} declares {declared} triangles and holds {held}; it is damaged or cut off, "
             "so export it again.",
@@ -62,7 +70,8 @@ def _binary_corners(source: ScanContent) -> FloatArray:
             held=held,
         )
     facets = np.frombuffer(content, _FACET, declared, _HEAD)
-    return facets["corners"].reshape(-1, 3).astype(float)
+    corners = facets["corners"].reshape(-1, 3).astype(float)
+    return corners, len(behind) if is_padding else 0
 
 
 def _text_corners(source: ScanContent) -> FloatArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 from insole_core.errors import InputError
@@ -12,6 +13,14 @@ MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25
 UNIT_NAMES: dict[Unit, str] = {
     "mm": "millimetres", "cm": "centimetres", "m": "metres", "inch": "inches",
 }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class UnitReading:
+    """A unit in which a file may be, and how long the foot in it would be."""
+
+    unit: Unit
+    length_mm: float
 
 
 class UnitError(InputError):

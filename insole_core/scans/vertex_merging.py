@@ -27,6 +27,11 @@ def merged(mesh: TriangleMesh) -> TriangleMesh:
     return TriangleMesh(mesh.vertices[first], kind[mesh.triangles], colors, mesh.touches)
 
 
+def first_of_each_place(points: FloatArray) -> IntArray:
+    """Return the first (m,) of the points (n, 3) in each place, in their order."""
+    return _equal_vertices(points)[0]
+
+
 def without_flat_triangles(mesh: TriangleMesh) -> TriangleMesh:
     """Drop triangles without area, and vertices without triangle."""
     solid = mesh.triangle_areas_mm2 > 0
@@ -35,6 +40,17 @@ def without_flat_triangles(mesh: TriangleMesh) -> TriangleMesh:
     if solid.all() and used.all():
         return mesh
     return replace(mesh, triangles=mesh.triangles[solid]).part(used)
+
+
+def without_double_triangles(mesh: TriangleMesh) -> TriangleMesh:
+    """Keep the first of the triangles with the same corners, as of a surface with two sides."""
+    corners = np.sort(mesh.triangles.astype(np.int64), axis=1)
+    count = len(mesh.vertices)  # below 2 million, so that the keys are below 2**63
+    keys = (corners[:, 0] * count + corners[:, 1]) * count + corners[:, 2]
+    first = np.unique(keys, return_index=True)[1]
+    if len(first) == len(keys):
+        return mesh
+    return replace(mesh, triangles=mesh.triangles[np.sort(first)])
 
 
 def _equal_vertices(vertices: FloatArray) -> tuple[IntArray, IndexArray]:

@@ -7,7 +7,7 @@ be asked.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -20,11 +20,13 @@ from insole_core.foot.foot_placement import placed_foot
 from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.imprints.form import Form
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, read_mesh
 from insole_core.workflows.foot_said import FootSaid
-from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes, with_rimless_doubt
-from insole_core.workflows.scanned_feet import find_scanned_feet, from_file, with_name_doubts
+from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
+from insole_core.workflows.scan_doubts import with_name_doubts, with_rimless_doubt, with_toe_doubt
+from insole_core.workflows.scanned_feet import find_scanned_feet, from_file
 from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
@@ -133,6 +135,7 @@ def examine_surface(
         read, left_out, feet = find_scanned_feet(read, said, form is Form.FOOT)
         if form is None and len(feet) == 1:
             feet = (with_rimless_doubt(read, feet[0]),)
+        feet = tuple(with_toe_doubt(found, form) for found in feet)
         form = form or Form.FOOT
     else:
         read, form, feet, left_out = box.read, box.form, box.feet, box.left_out
@@ -174,11 +177,17 @@ def take_foot(
     if not choice.force:
         check_proportions(proportions(foot.mesh, foot.length_mm))
     form = examination.form
-    notes = (*examination.notes, *foot.notes, *examination.left_out, *form_notes(form))
+    length = _length_notes(candidate)
+    notes = (*examination.notes, *length, *foot.notes, *examination.left_out, *form_notes(form))
     again = replace(choice, side=candidate.side, unit=found.unit, pose=found.clicks)
     source = replace(mesh_source(found.path or examination.path, form), choice=again)
     warnings = tuple(map(str, found.warnings))
     return ScannedFoot(replace(foot, notes=notes, form=form), source, warnings)
+
+
+def _length_notes(candidate: FootCandidate) -> Iterator[Message]:
+    if candidate.is_length_known:
+        yield Message("The foot is {length_mm:.0f} mm long.", length_mm=candidate.length_mm)
 
 
 def nearest_candidate(feet: Sequence[FoundFoot], foot: Foot) -> tuple[int, FootCandidate] | None:

@@ -27,8 +27,6 @@ _HARDLY_MM, _SHALLOW_MM = 8.0, 14.0
 longest some millimetres above the ground."""
 _END = 0.12  # share of the length
 _END_SHARE = 0.95
-_FACING_UP = 0.4
-"""Mean z of the normals, from which on an open surface is a sole alone, and faces the foot."""
 _PARALLEL = 0.5  # cosine of the directions of both feet in a box
 
 
@@ -123,23 +121,6 @@ def _in_box(read: ReadMesh, form: Form | None, said: FootSaid) -> ImprintedFeet 
     return ImprintedFeet(
         replace(read, corrections=corrections), form or Form.IMPRINT, tuple(found), (left_out,)
     )
-
-
-def with_rimless_doubt(read: ReadMesh, found: FoundFoot) -> FoundFoot:
-    """Doubt the form of an open sole whose triangles face into the foot in its file.
-
-    Scanners let them face the sensor: those of a foot face down, those of an imprint up. The side
-    does not depend on it, but on the way in which the sole bends.
-    """
-    up = found.candidates[0].source2insole[2, :3]
-    facing = float(read.mesh.vertex_areas @ (read.mesh.vertex_normals @ up)) / read.mesh.area_mm2
-    if (-facing if read.was_turned else facing) < _FACING_UP:
-        return found
-    doubt = Message(
-        "The surface faces into the foot: it is an imprint whose rim was cut off, or a file that "
-        "is inside out; say whether it is a foam box or a foot."
-    )
-    return replace(found, doubts=(*found.doubts, doubt))
 
 
 def form_notes(form: Form) -> Iterator[Message]:

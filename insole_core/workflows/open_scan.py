@@ -12,7 +12,7 @@ from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
-from insole_core.scans.scan_folder import holds_scans
+from insole_core.scans.scan_folder import check_scans, holds_scans
 from insole_core.workflows.import_scan import examine_scan, take_foot
 from insole_core.workflows.make_feet import make_feet
 from insole_core.workflows.make_foot import open_foot, open_session
@@ -46,7 +46,7 @@ def open_scan(
         When the surface is no foot by its proportions, unless forced.
     DoubtfulScanError
         When it is not sure how the foot lies or whether it is one, unless its points are given or
-        it is forced.
+        it is forced; or when its unit is not, unless that or a size is given.
     InputError
         When the file cannot be read.
     ReconstructionError
@@ -116,6 +116,7 @@ def _require_nothing_said(path: Path, choice: ImportChoice) -> None:
 def _mesh_foot(
     path: Path, side: Side | None, choice: ImportChoice, progress: Progress
 ) -> ScannedFoot:
+    check_scans(path)
     if side is None:
         raise UsageError(
             "{path} is a mesh, which does not say which foot it is; add --side.", path=path
@@ -124,6 +125,12 @@ def _mesh_foot(
     examination = examine_scan(path, choice, progress)
     feet = examination.feet
     found = next((foot for foot in feet if foot.candidates[0].side is side), feet[0])
+    if found.unit_readings:
+        raise DoubtfulScanError(
+            "{path} is doubtful: {doubts} Use --unit, --length-mm or --shoe-size.",
+            path=path,
+            doubts=joined(found.doubts, " "),
+        )
     candidate = next(one for one in found.candidates if one.side is side)
     scanned = take_foot(examination, found, candidate, choice)
     if found.doubts and choice.pose is None and not choice.force:

@@ -7,14 +7,12 @@ from dataclasses import replace
 
 from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.foot.foot_placement import find_foot
-from insole_core.foot.foot_proportions import USUAL_LENGTH_MM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
 from insole_core.scans.mesh_file import ReadMesh
-from insole_core.scans.scan_folder import ScanPart
 from insole_core.scans.surroundings import second_foot, without_surroundings
-from insole_core.scans.units import MM_PER_UNIT, UNIT_NAMES
 from insole_core.workflows.foot_said import NOTHING_SAID, FootSaid, at_known_length
+from insole_core.workflows.scan_doubts import with_name_doubts, with_unit_doubt
 
 
 def find_scanned_feet(
@@ -94,34 +92,9 @@ def from_file(found: FoundFoot, read: ReadMesh, said: FootSaid) -> FoundFoot:
     """Return a foot with what its file has to be read with to find it once more."""
     path = read.part.path if read.part is not None and read.part.path.is_file() else None
     unit = read.unit if said.known_size is None else None
-    doubts = (*_unit_doubts(found, read), *found.doubts)
-    return replace(found, path=path, unit=unit, clicks=said.pose, doubts=doubts)
-
-
-def _unit_doubts(found: FoundFoot, read: ReadMesh) -> Iterator[Message]:
-    """Doubt a unit that was concluded from the size where the foot has a usual one in another."""
-    length_mm = found.candidates[0].length_mm
-    least_mm, most_mm = USUAL_LENGTH_MM
-    if not read.is_unit_concluded or not least_mm <= length_mm <= most_mm:
-        return
-    for unit, mm_per_unit in MM_PER_UNIT.items():
-        other_mm = length_mm * mm_per_unit / read.mm_per_unit
-        if unit != read.unit and least_mm <= other_mm <= most_mm:
-            yield Message(
-                "The size does not tell the unit: the foot is {length_mm:.0f} mm long in {unit}, "
-                "and about {other_mm:.0f} mm in {other_unit}; say in which unit the file is.",
-                length_mm=length_mm,
-                unit=UNIT_NAMES[read.unit],
-                other_mm=other_mm,
-                other_unit=UNIT_NAMES[unit],
-            )
-
-
-def with_name_doubts(found: FoundFoot, read: ReadMesh, said: FootSaid = NOTHING_SAID) -> FoundFoot:
-    """Return the only foot of a file, in doubt if the file's name tells the other side."""
-    if read.part is None:
-        return found
-    return replace(found, doubts=(*_name_doubts(found, read.part, said), *found.doubts))
+    warnings = (*found.warnings, *read.warnings)
+    of_file = replace(found, path=path, unit=unit, clicks=said.pose, warnings=warnings)
+    return with_unit_doubt(of_file, read)
 
 
 def _by_name(found: FoundFoot, read: ReadMesh) -> FoundFoot:
@@ -144,24 +117,3 @@ def _beside_others(found: FoundFoot, read: ReadMesh) -> FoundFoot:
         name=read.part.path.name,
     )
     return replace(found, doubts=(doubt, *found.doubts))
-
-
-def _name_doubts(found: FoundFoot, part: ScanPart, said: FootSaid) -> Iterator[Message]:
-    if part.side is None:
-        return
-    told = found.told_side
-    if told not in (None, part.side):
-        yield Message(
-            "{name} is named as a {side} foot, but looks like a {told} one; say which foot it is.",
-            name=part.path.name,
-            side=part.side,
-            told=told,
-        )
-    elif said.side not in (None, part.side):
-        yield Message(
-            "{name} is named as a {side} foot, but is opened as a {said} one; say which foot it "
-            "is.",
-            name=part.path.name,
-            side=part.side,
-            said=said.side,
-        )

@@ -1360,6 +1360,10 @@
             <translation>Ingen punkt är märkt i båda bilderna; märk målen i färg och djup.</translation>
         </message>
         <message>
+            <source>No single toes are seen, as in a sock or where they melted together, so what lies at them is a guess; see that it is a foot, and no shoe last or prosthesis.</source>
+            <translation>Inga enskilda tår syns, som i en strumpa eller där de flutit ihop, så det som ligger vid dem är en gissning; se efter att det är en fot och inte en läst eller en protes.</translation>
+        </message>
+        <message>
             <source>No thickness can be proposed without a material; choose one of {names}.</source>
             <translation>Ingen tjocklek kan föreslås utan material; välj ett av {names}.</translation>
         </message>
@@ -1640,8 +1644,8 @@
             <translation>Antal</translation>
         </message>
         <message>
-            <source>Read in {unit}: the surface is {length_mm:.0f} mm long.</source>
-            <translation>Läst i {unit}: ytan är {length_mm:.0f} mm lång.</translation>
+            <source>Read in {unit}.</source>
+            <translation>Inläst i {unit}.</translation>
         </message>
         <message>
             <source>Reading the depth of the boards</source>
@@ -1816,8 +1820,8 @@
             <translation>Skala</translation>
         </message>
         <message>
-            <source>Scaled by the size that is known: the surface is {length_mm:.0f} mm long.</source>
-            <translation>Skalad efter den kända storleken: ytan är {length_mm:.0f} mm lång.</translation>
+            <source>Scaled by the size that is known.</source>
+            <translation>Skalad efter det kända måttet.</translation>
         </message>
         <message>
             <source>Scan</source>
@@ -2284,8 +2288,16 @@
             <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
         </message>
         <message>
+            <source>The file does not say in which unit it is: {choices}. Say which it is.</source>
+            <translation>Filen anger inte sin enhet: {choices}. Ange vilken det är.</translation>
+        </message>
+        <message>
             <source>The file does not say the {what} of its numbers; state it.</source>
             <translation>Filen anger inte sina tals {what}; ange det.</translation>
+        </message>
+        <message>
+            <source>The file is in {stated} by what it says, in which it is no foot: {choices}. Say which it is.</source>
+            <translation>Filen är enligt sig själv i {stated}, men då är det ingen fot: {choices}. Ange vilken enheten är.</translation>
         </message>
         <message>
             <source>The file named above, with this SHA-256, belongs to this sheet. All lengths are in millimetres.</source>
@@ -2336,6 +2348,10 @@
             <translation>Foten är klar</translation>
         </message>
         <message>
+            <source>The foot is {length_mm:.0f} mm long.</source>
+            <translation>Foten är {length_mm:.0f} mm lång.</translation>
+        </message>
+        <message>
             <source>The foot is {longer:.0f} mm longer than the shoe {shoe} is inside; check the size.</source>
             <translation>Foten är {longer:.0f} mm längre än skon {shoe} är invändigt; kontrollera storleken.</translation>
         </message>
@@ -2344,8 +2360,8 @@
             <translation>Foten ligger så som häl, tå och sula klickades.</translation>
         </message>
         <message>
-            <source>The foot may lie in another way as well: taken is a {side} foot of {length_mm:.0f} mm, turned otherwise it is a {other_side} one of {other_mm:.0f} mm; see that heel, toes and sole are right.</source>
-            <translation>Foten kan ligga även på ett annat sätt: vald är en {side} fot på {length_mm:.0f} mm, vänd annorlunda är det en {other_side} på {other_mm:.0f} mm; se efter att häl, tår och sula stämmer.</translation>
+            <source>The foot may lie in another way as well: taken is a {side} foot, {length}, turned otherwise it is a {other_side} one, {other_length}; see that heel, toes and sole are right.</source>
+            <translation>Foten kan också ligga på ett annat sätt: den tas som {side} fot, {length}, vänd på annat sätt är den {other_side}, {other_length}; se efter att häl, tår och sula stämmer.</translation>
         </message>
         <message>
             <source>The foot was pressed into foam, so its tissue is spread by weight already: no expansion is proposed.</source>
@@ -2672,8 +2688,8 @@
             <translation>Programmet som läser sensorerna har inte svarat på {seconds:.0f} s och avslutades; färdiga vyer är sparade. Sök efter sensorer igen.</translation>
         </message>
         <message>
-            <source>The proportions are unusual for a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; see that it is one whole foot.</source>
-            <translation>Proportionerna är ovanliga för en fot: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {midfoot_mm:.0f} mm på mitten, {heel_mm:.0f} mm vid hälen; se efter att det är en hel fot.</translation>
+            <source>The proportions are unusual for a foot: {scanned_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {midfoot_mm:.0f} mm in the middle, {heel_mm:.0f} mm at the heel; see that it is one whole foot.</source>
+            <translation>Proportionerna är ovanliga för en fot: {scanned_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {midfoot_mm:.0f} mm på mitten, {heel_mm:.0f} mm vid hälen; se efter att det är en hel fot.</translation>
         </message>
         <message>
             <source>The quantity is {quantity}, and must be 1 to {most}; correct it.</source>
@@ -2748,6 +2764,10 @@
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
         <message>
+            <source>The scan lies so far from the origin that its coordinates are rounded to steps of {step_mm:.2f} mm; export it near the origin.</source>
+            <translation>Skanningen ligger så långt från origo att koordinaterna är avrundade till steg om {step_mm:.2f} mm; exportera den nära origo.</translation>
+        </message>
+        <message>
             <source>The scan shows no sole: the foot stood on something that was left out. A plane closes it, so the arch is not known; scan the foot from below as well, or design the arch by hand.</source>
             <translation>Skanningen visar ingen sula: foten stod på något som utelämnades. Ett plan sluter den, så valvet är inte känt; skanna foten även underifrån, eller forma valvet för hand.</translation>
         </message>
@@ -2780,8 +2800,8 @@
             <translation>Inställningarna i {path} är skadade, så det är inte känt var journalen finns; starta fönstret en gång för att laga dem, eller ange journalen.</translation>
         </message>
         <message>
-            <source>The shape does not tell left from right (a left foot of {left_mm:.0f} mm, or a right one of {right_mm:.0f} mm); say which foot it is.</source>
-            <translation>Formen skiljer inte vänster från höger (en vänsterfot på {left_mm:.0f} mm eller en högerfot på {right_mm:.0f} mm); ange vilken fot det är.</translation>
+            <source>The shape does not tell left from right (a left foot, {left}, or a right one, {right}); say which foot it is.</source>
+            <translation>Formen skiljer inte vänster från höger (en vänsterfot, {left}, eller en högerfot, {right}); ange vilken fot det är.</translation>
         </message>
         <message>
             <source>The shape does not tell left from right; taken as a {side} foot as asked.</source>
@@ -2808,10 +2828,6 @@
             <translation>Skon {shoe} lämnar {room:.0f} mm framför den här fotens tår, och 10 till 15 mm är vanligt; kontrollera storleken.</translation>
         </message>
         <message>
-            <source>The size does not tell the unit: the foot is {length_mm:.0f} mm long in {unit}, and about {other_mm:.0f} mm in {other_unit}; say in which unit the file is.</source>
-            <translation>Storleken visar inte enheten: foten är {length_mm:.0f} mm lång i {unit} och omkring {other_mm:.0f} mm i {other_unit}; ange filens enhet.</translation>
-        </message>
-        <message>
             <source>The solid is closed.</source>
             <translation>Kroppen är sluten.</translation>
         </message>
@@ -2832,12 +2848,16 @@
             <translation>Ytan vetter in mot foten: det är ett avtryck vars kant har skurits bort, eller en fil som är ut och in; ange om det är en skumlåda eller en fot.</translation>
         </message>
         <message>
-            <source>The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole foot or its sole, and nothing else.</source>
-            <translation>Ytan har inte en fots proportioner: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {heel_mm:.0f} mm över hälen; kontrollera att filen innehåller en hel fot eller dess sula, och inget annat.</translation>
+            <source>The surface has no proportions of a foot: {scanned_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole foot or its sole, and nothing else.</source>
+            <translation>Ytan har inte en fots proportioner: {scanned_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {heel_mm:.0f} mm över hälen; kontrollera att filen innehåller en hel fot eller dess sula, och inget annat.</translation>
         </message>
         <message>
             <source>The surface has no sole: nothing of it faces the ground; check that the scan shows the foot from below.</source>
             <translation>Ytan har ingen fotsula: inget av den vetter mot underlaget; kontrollera att skanningen visar foten underifrån.</translation>
+        </message>
+        <message>
+            <source>The surface has no toes and no ankle, as a shoe last or a prosthetic foot; if it is a foot, say so.</source>
+            <translation>Ytan har varken tår eller vrist, som en läst eller en protesfot; om det är en fot, ange det.</translation>
         </message>
         <message>
             <source>The surface is computed on a grid of {grid_mm:g} mm; {limit:g} is the most allowed.</source>
@@ -2848,12 +2868,12 @@
             <translation>Ytan är plan, vilket ingen fot är; exportera skanningen igen.</translation>
         </message>
         <message>
-            <source>The surface is no foot by its shape: {length_mm:.0f} mm long, but {toe_mm:.0f} mm high where the toes would be, and feet are {usual_mm:.0f} mm there at most; check that the file holds one whole foot or its sole, and nothing else.</source>
-            <translation>Ytan har inte formen av en fot: {length_mm:.0f} mm lång men {toe_mm:.0f} mm hög där tårna skulle vara, och fötter är högst {usual_mm:.0f} mm där; kontrollera att filen innehåller en hel fot eller dess sula och inget annat.</translation>
+            <source>The surface is no foot by its shape: {scanned_mm:.0f} mm long, but {toe_mm:.0f} mm high where the toes would be, and feet are {usual_mm:.0f} mm there at most; check that the file holds one whole foot or its sole, and nothing else.</source>
+            <translation>Ytan har inte formen av en fot: {scanned_mm:.0f} mm lång men {toe_mm:.0f} mm hög där tårna skulle vara, och fötter är högst {usual_mm:.0f} mm där; kontrollera att filen innehåller en hel fot eller dess sula och inget annat.</translation>
         </message>
         <message>
-            <source>The surface is only {thickness_mm:.0f} mm thick on average at a length of {length_mm:.0f} mm, as if it were an insole; choose the scan of the foot.</source>
-            <translation>Ytan är i genomsnitt bara {thickness_mm:.0f} mm tjock vid en längd av {length_mm:.0f} mm, som om den vore ett inlägg; välj skanningen av foten.</translation>
+            <source>The surface is only {thickness_mm:.0f} mm thick on average at a length of {scanned_mm:.0f} mm, as if it were an insole; choose the scan of the foot.</source>
+            <translation>Ytan är i genomsnitt bara {thickness_mm:.0f} mm tjock vid en längd av {scanned_mm:.0f} mm, som om den vore ett inlägg; välj skanningen av foten.</translation>
         </message>
         <message>
             <source>The surface is open; where nothing was measured it is continued smoothly.</source>
@@ -2862,6 +2882,10 @@
         <message>
             <source>The surface is ready</source>
             <translation>Ytan är klar</translation>
+        </message>
+        <message>
+            <source>The surface is {length_mm:.0f} mm long.</source>
+            <translation>Ytan är {length_mm:.0f} mm lång.</translation>
         </message>
         <message>
             <source>The surface looks like no foot, whichever way it is turned; check that the file holds a foot or its sole, and nothing else.</source>
@@ -2900,12 +2924,12 @@
             <translation>2:a tåns spets framträder inte; fotaxeln går till dess vanliga plats.</translation>
         </message>
         <message>
-            <source>The toes are missing; the foot's length was estimated as {length_mm:.0f} mm from the rest.</source>
-            <translation>Tårna saknas; fotens längd uppskattades till {length_mm:.0f} mm av resten.</translation>
+            <source>The toes are missing; the foot's length is a guess from the rest.</source>
+            <translation>Tårna saknas; fotens längd är en gissning utifrån resten.</translation>
         </message>
         <message>
-            <source>The toes seem to be missing, so that the foot's length of {length_mm:.0f} mm is a guess; scan the foot with its toes, or see that the length is right.</source>
-            <translation>Tårna tycks saknas, så fotens längd {length_mm:.0f} mm är en uppskattning; skanna foten med tårna, eller kontrollera att längden stämmer.</translation>
+            <source>The toes seem to be missing, so that the length of the foot is not known: {surface_mm:.0f} mm of it were scanned. Scan the foot with its toes, or give its length.</source>
+            <translation>Tårna tycks saknas, så fotens längd är inte känd: {surface_mm:.0f} mm av den skannades. Skanna foten med tårna, eller ange dess längd.</translation>
         </message>
         <message>
             <source>The tolerance is {tolerance:g} mm, but must be above 0 and below the radius.</source>
@@ -3588,6 +3612,14 @@
             <translation>Zoner med annan täthet finns bara för inlägg; välj inlägget som stycke, eller ingen skrivare.</translation>
         </message>
         <message>
+            <source>a PDF</source>
+            <translation>en PDF</translation>
+        </message>
+        <message>
+            <source>a STEP model of a CAD program</source>
+            <translation>en STEP-modell från ett CAD-program</translation>
+        </message>
+        <message>
             <source>a device or a pipe of that name is there; choose another name</source>
             <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
         </message>
@@ -3608,12 +3640,56 @@
             <translation>en mapp med det namnet finns där; välj ett annat namn</translation>
         </message>
         <message>
+            <source>a foot of {length_mm:.0f} mm</source>
+            <translation>en fot på {length_mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>a foot of {length_mm:.0f} mm (a child's, EU {size:.0f})</source>
+            <translation>en fot på {length_mm:.0f} mm (ett barns, EU {size:.0f})</translation>
+        </message>
+        <message>
+            <source>a line of it is longer than a point with its colours; each point has its own line</source>
+            <translation>en rad i den är längre än en punkt med sina färger; varje punkt ska ha en egen rad</translation>
+        </message>
+        <message>
             <source>a line of its {name} is incomplete</source>
             <translation>en rad av dess {name} är ofullständig</translation>
         </message>
         <message>
+            <source>a model of Rhino</source>
+            <translation>en modell från Rhino</translation>
+        </message>
+        <message>
+            <source>a model of Rhino; export its mesh as .stl or .ply</source>
+            <translation>en modell från Rhino; exportera dess mesh som .stl eller .ply</translation>
+        </message>
+        <message>
+            <source>a model of a CAD program; export its mesh as .stl or .ply</source>
+            <translation>en modell från ett CAD-program; exportera dess mesh som .stl eller .ply</translation>
+        </message>
+        <message>
             <source>a of the depth</source>
             <translation>djupets a</translation>
+        </message>
+        <message>
+            <source>a packed archive; unpack it first</source>
+            <translation>ett packat arkiv; packa upp det först</translation>
+        </message>
+        <message>
+            <source>a picture</source>
+            <translation>en bild</translation>
+        </message>
+        <message>
+            <source>a point cloud of PCL (PCD)</source>
+            <translation>ett punktmoln från PCL (PCD)</translation>
+        </message>
+        <message>
+            <source>a point cloud of PCL; save it as .ply</source>
+            <translation>ett punktmoln från PCL; spara det som .ply</translation>
+        </message>
+        <message>
+            <source>a point cloud; save it as .ply</source>
+            <translation>ett punktmoln; spara det som .ply</translation>
         </message>
         <message>
             <source>a point in it has fewer than three coordinates</source>
@@ -3622,6 +3698,18 @@
         <message>
             <source>a polygon has more than {most} corners</source>
             <translation>en polygon har fler än {most} hörn</translation>
+        </message>
+        <message>
+            <source>a scene of a graphics program; export the foot as .glb or .obj</source>
+            <translation>en scen från ett grafikprogram; exportera foten som .glb eller .obj</translation>
+        </message>
+        <message>
+            <source>a slice of a tomography; export the surface of the skin as .stl</source>
+            <translation>ett snitt ur en tomografi; exportera hudens yta som .stl</translation>
+        </message>
+        <message>
+            <source>a table or a text; points of a scan are read as .xyz, a pressure map by Tools</source>
+            <translation>en tabell eller text; punkter i en skanning läses som .xyz, en tryckbild med Verktyg</translation>
         </message>
         <message>
             <source>a text in it holds half a character (\{half}); write it again.</source>
@@ -3642,6 +3730,10 @@
         <message>
             <source>a wall at {distance_mm:.0f} mm that fills {share:.0%}</source>
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
+        </message>
+        <message>
+            <source>a web page, as it is saved when a download fails</source>
+            <translation>en webbsida, som den sparas när en hämtning misslyckas</translation>
         </message>
         <message>
             <source>account</source>
@@ -6048,6 +6140,10 @@
             <translation>hälen eller tårna skannades inte</translation>
         </message>
         <message>
+            <source>the heel or the toes were not scanned, or no shoe of adults is as long</source>
+            <translation>hälen eller tårna skannades inte, eller ingen sko för vuxna är så lång</translation>
+        </message>
+        <message>
             <source>the key "{twice}" stands twice in one object; keep one.</source>
             <translation>nyckeln ”{twice}” står två gånger i ett objekt; behåll en.</translation>
         </message>
@@ -6070,6 +6166,10 @@
         <message>
             <source>the length of the insole</source>
             <translation>inläggets längd</translation>
+        </message>
+        <message>
+            <source>the list of materials beside an .obj; open that</source>
+            <translation>materiallistan till en .obj; öppna den i stället</translation>
         </message>
         <message>
             <source>the maker</source>
@@ -6552,6 +6652,10 @@
             <translation>{count} punkter stack ut ur ytan som taggar och har dragits tillbaka.</translation>
         </message>
         <message>
+            <source>{count} points were left out that lie close beside others.</source>
+            <translation>{count} punkter som ligger tätt intill andra utelämnades.</translation>
+        </message>
+        <message>
             <source>{count} rows of {kind} are gone that the audit log knows, the first is {first}; compare the record with a backup.</source>
             <translation>{count} rader av slaget {kind} som loggen känner till är borta, den första är {first}; jämför journalen med en säkerhetskopia.</translation>
         </message>
@@ -6586,6 +6690,10 @@
         <message>
             <source>{count} small {scraps} beside the foot left out.</source>
             <translation>{count} små {scraps} bredvid foten utelämnades.</translation>
+        </message>
+        <message>
+            <source>{count} zero bytes at the end of the file were left out.</source>
+            <translation>{count} nollbyte i slutet av filen utelämnades.</translation>
         </message>
         <message>
             <source>{count} {outcome}</source>
@@ -6820,6 +6928,10 @@
             <translation>{folder} lämnades inte av en avbildning; välj mappen som den angav.</translation>
         </message>
         <message>
+            <source>{foot} if it is in {unit}</source>
+            <translation>{foot} om den är i {unit}</translation>
+        </message>
+        <message>
             <source>{form}, {share} % of the foot</source>
             <translation>{form}, {share} % av foten</translation>
         </message>
@@ -6898,6 +7010,14 @@
         <message>
             <source>{length:.1f} × {width:.1f} × {height:.1f} mm</source>
             <translation>{length:.1f} × {width:.1f} × {height:.1f} mm</translation>
+        </message>
+        <message>
+            <source>{length_mm:.0f} mm long</source>
+            <translation>{length_mm:.0f} mm lång</translation>
+        </message>
+        <message>
+            <source>{length_mm:.0f} mm, which is no foot,</source>
+            <translation>{length_mm:.0f} mm, vilket inte är någon fot,</translation>
         </message>
         <message>
             <source>{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} mm, and {allowed_mm:g} mm are allowed; allow more triangles or more deviation.</source>
@@ -7252,8 +7372,8 @@
             <translation>{path} innehåller ingen sensor; exportera den på nytt.</translation>
         </message>
         <message>
-            <source>{path} holds no surface that can be read, as if it were cut off or held a few points only; export it again as a triangle mesh.</source>
-            <translation>{path} innehåller ingen yta som kan läsas, som om den vore avklippt eller bara innehöll några få punkter; exportera den igen som ett triangelnät.</translation>
+            <source>{path} holds no surface that can be read, as if it were cut off or held points in a few places only; export it again as a triangle mesh.</source>
+            <translation>{path} innehåller ingen läsbar yta, som om den vore avkortad eller bara hade punkter på några få ställen; exportera den igen som triangelnät.</translation>
         </message>
         <message>
             <source>{path} holds no table of pressures: at least {rows} rows of {columns} numbers; choose the export of a pressure plate.</source>
@@ -7274,6 +7394,10 @@
         <message>
             <source>{path} holds pressures below 0; export it again, calibrated.</source>
             <translation>{path} innehåller tryck under 0; exportera den på nytt, kalibrerad.</translation>
+        </message>
+        <message>
+            <source>{path} holds something else than its name says: {kind}. Choose another file.</source>
+            <translation>{path} innehåller något annat än namnet säger: {kind}. Välj en annan fil.</translation>
         </message>
         <message>
             <source>{path} holds two scans of the {side} foot by their names ({first}, {second}); open the one that is meant.</source>
@@ -7300,12 +7424,24 @@
             <translation>{path} är en ytmodell, som inte säger vilken fot det är; ange --side.</translation>
         </message>
         <message>
+            <source>{path} is a pointer of Git LFS, three lines that stand for the file; fetch the file itself (git lfs pull), and open that.</source>
+            <translation>{path} är en pekare från Git LFS, tre rader som står för filen; hämta själva filen (git lfs pull) och öppna den.</translation>
+        </message>
+        <message>
+            <source>{path} is a pressure map of {device}, and no scan of a foot; choose the scan. The map is laid under a foot by Tools, Lay a pressure map.</source>
+            <translation>{path} är en tryckkarta från {device} och ingen skanning av en fot; välj skanningen. Kartan läggs under en fot med Verktyg, Lägg en tryckbild.</translation>
+        </message>
+        <message>
             <source>{path} is a session, which is always in millimetres; leave out the unit.</source>
             <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
         </message>
         <message>
             <source>{path} is a session, which says how the foot lies; leave out form and points.</source>
             <translation>{path} är en session, som säger hur foten ligger; utelämna form och punkter.</translation>
+        </message>
+        <message>
+            <source>{path} is an export of {device}, a device that is not read; save the map as a table with a row of numbers for each row of sensors, and open that.</source>
+            <translation>{path} är en export från {device}, en apparat som inte läses; spara kartan som en tabell med en rad tal för varje rad sensorer, och öppna den.</translation>
         </message>
         <message>
             <source>{path} is compressed with {method}, which is not read; export it again without compression.</source>
@@ -7322,6 +7458,10 @@
         <message>
             <source>{path} is doubtful: {doubts} Open it in the window, or insist with --force.</source>
             <translation>{path} är osäker: {doubts} Öppna den i fönstret, eller insistera med --force.</translation>
+        </message>
+        <message>
+            <source>{path} is doubtful: {doubts} Use --unit, --length-mm or --shoe-size.</source>
+            <translation>{path} är tveksam: {doubts} Använd --unit, --length-mm eller --shoe-size.</translation>
         </message>
         <message>
             <source>{path} is empty; choose a table with one row for a person.</source>
@@ -7396,6 +7536,10 @@
             <translation>{path} är ingen läsbar text; exportera den på nytt.</translation>
         </message>
         <message>
+            <source>{path} is no scan that can be read: {kind}.</source>
+            <translation>{path} är ingen skanning som kan läsas: {kind}.</translation>
+        </message>
+        <message>
             <source>{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.</source>
             <translation>{path} är ingen skanning som kan läsas; ange en fil i något av formaten {suffixes}.</translation>
         </message>
@@ -7448,6 +7592,10 @@
             <translation>{path} är för stor för en fot (mer än {most_mb} MB); minska den i programmet som gjorde den.</translation>
         </message>
         <message>
+            <source>{path} is written with decimal commas, which a {format} file does not have; choose decimal points in the program or the system that wrote it, and export it again.</source>
+            <translation>{path} är skriven med decimalkomma, vilket en {format}-fil inte har; välj decimalpunkt i programmet eller systemet som skrev den, och exportera den igen.</translation>
+        </message>
+        <message>
             <source>{path} is {length_mm:.0f} mm long by the size that is given, which is no foot; check the size.</source>
             <translation>{path} är {length_mm:.0f} mm lång enligt den angivna storleken, vilket inte är någon fot; kontrollera storleken.</translation>
         </message>
@@ -7462,6 +7610,10 @@
         <message>
             <source>{path} lies in the folder of the unfinished capture, which is removed; choose another place.</source>
             <translation>{path} ligger i mappen för den oavslutade avbildningen, som tas bort; välj en annan plats.</translation>
+        </message>
+        <message>
+            <source>{path} lies so far from the origin that the last digits of its coordinates are lost: they are rounded to steps of {step:g}; export it near the origin.</source>
+            <translation>{path} ligger så långt från origo att koordinaternas sista siffror gått förlorade: de är avrundade till steg om {step:g}; exportera den nära origo.</translation>
         </message>
         <message>
             <source>{path} may not be read; ask for permission.</source>
@@ -7730,6 +7882,10 @@
         <message>
             <source>{size:.1f} MB on this computer</source>
             <translation>{size:.1f} MB på den här datorn</translation>
+        </message>
+        <message>
+            <source>{surface_mm:.0f} mm of it scanned, without toes</source>
+            <translation>{surface_mm:.0f} mm av den skannade, utan tår</translation>
         </message>
         <message>
             <source>{text} can be {first} or {second}; say whether day or month comes first.</source>

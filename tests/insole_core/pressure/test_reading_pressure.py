@@ -196,3 +196,20 @@ def test_pressures_that_no_foot_makes_are_refused(tmp_path: Path) -> None:
         recording.peak()
     with pytest.raises(InputError, match="must be 1 to 30"):
         recording.answered(Answers(pitch_mm=(0.5, 5)))
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "reason"),
+    [
+        ("a.asc", "mat type s2160_001\npressure values in kPa\ntime[secs] 4 5\n", "of pliance"),
+        ("a.csv", "timestamp,sole_id,corrupt,pressure_01,pressure_02\n1,1,0,3,4\n", "of StappOne"),
+        ("a.lst", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "Git LFS"),
+    ],
+)
+def test_a_device_that_is_not_read_is_named(
+    tmp_path: Path, name: str, text: str, reason: str
+) -> None:
+    path = tmp_path / name
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=reason):
+        read_pressure(path)

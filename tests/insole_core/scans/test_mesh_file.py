@@ -150,7 +150,7 @@ def test_missing_and_unknown_files_are_refused(tmp_path):
     with pytest.raises(InputError, match="does not exist"):
         read_mesh(tmp_path / "none.ply")
     with pytest.raises(InputError, match="one of the formats"):
-        read_mesh(tmp_path / "foot.step")
+        read_mesh(tmp_path / "foot.xyzw")
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl", ".obj"])

@@ -37,7 +37,9 @@ def test_a_size_of_feet_in_two_units_is_asked(left_mesh: TriangleMesh, tmp_path:
     inches = left_mesh.vertices * 290 / 245 / 25.4
     write_ply(left_mesh.moved(inches), path)
     (found,) = examine_scan(path).feet
-    assert "mm long in inches, and about 114 mm in centimetres" in " ".join(found.doubts)
+    assert "a foot of 291 mm if it is in inches, a foot of 114 mm (a child's, EU 20)" in " ".join(
+        found.doubts
+    )
     (told,) = examine_scan(path, ImportChoice(unit="inch")).feet
     assert told.doubts == ()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent
@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.scans.units import Unit
 from insole_studio.features.import_scan.scan_texts import form_options, side_text
 from insole_studio.features.import_scan.size_fields import SizeFields
 from insole_studio.scene.point_picker import PointPicker
@@ -49,6 +50,7 @@ class ImportDialog(QDialog):
     feet_marked = Signal()
     reading_changed = Signal()
     """Another unit, size or form was chosen."""
+    unit_chosen = Signal(object)
     point_picked = Signal(object)
     clicks_wanted = Signal(bool)
     click_taken_back = Signal()
@@ -66,6 +68,8 @@ class ImportDialog(QDialog):
         self.feet.currentRowChanged.connect(self.foot_shown)
         self.feet.itemChanged.connect(lambda _item: self.feet_marked.emit())
         self.sides = {side: self._side_button(side) for side in Side}
+        self.units: dict[Unit, QPushButton] = {}
+        self._units = QVBoxLayout()
         self.candidates = _list(tr("How it lies"))
         self.candidates.currentRowChanged.connect(self.candidate_chosen)
         self.clicks = _button(tr("Click heel, toes and sole"), self.clicks_wanted.emit)
@@ -96,6 +100,15 @@ class ImportDialog(QDialog):
         """Show with which size and form the scan is read."""
         self.size_fields.show_size(choice.unit, choice.known_size)
         self.form.show_value("" if choice.form is None else choice.form.value)
+
+    def show_units(self, rows: Mapping[Unit, str]) -> None:
+        """Ask for the unit of the file by what each would give; nothing is asked without rows."""
+        for button in self.units.values():
+            self._units.removeWidget(button)
+            button.deleteLater()
+        self.units = {unit: self._unit_button(unit, text) for unit, text in rows.items()}
+        for button in self.units.values():
+            self._units.addWidget(button)
 
     def show_surface(self, mesh: TriangleMesh | None, *, anew: bool) -> None:
         """Show the scan as it would lie.
@@ -197,6 +210,9 @@ class ImportDialog(QDialog):
         else:
             super().keyPressEvent(event)
 
+    def _unit_button(self, unit: Unit, text: str) -> QPushButton:
+        return _button(text, lambda: self.unit_chosen.emit(unit))
+
     def _side_button(self, side: Side) -> QPushButton:
         button = _button(side_text(side), lambda: self.side_chosen.emit(side))
         button.setCheckable(True)
@@ -215,6 +231,7 @@ class ImportDialog(QDialog):
         column.setSpacing(8)
         column.addWidget(self.finding)
         column.addWidget(self.doubts)
+        column.addLayout(self._units)
         column.addWidget(self.feet)
         column.addLayout(sides)
         column.addWidget(self.candidates)

@@ -19,6 +19,7 @@ from insole_core.geometry.transforms import inverse, rigid, transform
 from insole_core.imprints.form import Form
 from insole_core.progress import Progress
 from insole_core.scans.scale import KnownDistance, KnownFootLength
+from insole_core.scans.units import Unit
 from insole_core.workflows.import_scan import take_foot
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
@@ -30,6 +31,7 @@ from insole_studio.features.import_scan.scan_texts import (
     click_sentence,
     finding_text,
     foot_text,
+    unit_text,
 )
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.pointer import MarkedPoint
@@ -87,6 +89,7 @@ class ImportPresenter(QObject):
         dialog.foot_shown.connect(self.show_foot)
         dialog.feet_marked.connect(self._show_opening)
         dialog.reading_changed.connect(self.read_anew)
+        dialog.unit_chosen.connect(self.choose_unit)
         dialog.point_picked.connect(self.click)
         dialog.clicks_wanted.connect(self.ask_clicks)
         dialog.click_taken_back.connect(self.take_click_back)
@@ -116,6 +119,11 @@ class ImportPresenter(QObject):
             self._show_chosen(anew=True)
         else:
             self._show_chosen()  # the points are clicked on the first foot
+
+    def choose_unit(self, unit: Unit) -> None:
+        """Read the scan in the unit that was asked for."""
+        self._dialog.size_fields.show_size(unit, None)
+        self.read_anew()
 
     def read_anew(self) -> None:
         """Read the scan in the unit and the form that are chosen now."""
@@ -205,7 +213,7 @@ class ImportPresenter(QObject):
         """How the shown foot was read, and what was left out."""
         examination, foot, read = self._found.examination, self._foot, self._found.read
         if examination is None or foot is None:
-            return () if read is None else read.notes
+            return () if read is None else (read.extent_note, *read.notes)
         of_file = examination.notes if examination.read.second is None else foot.notes
         return (*of_file, *examination.left_out)
 
@@ -272,6 +280,8 @@ class ImportPresenter(QObject):
         )
         foot = self._foot
         dialog.finding.say("" if foot is None else finding_text(foot, chosen))
+        readings = () if foot is None else foot.unit_readings
+        dialog.show_units({one.unit: unit_text(one) for one in readings})
         told = () if foot is None else (*foot.doubts, *foot.warnings)
         doubts = [self._found.refusal, *told]
         dialog.doubts.say_all([doubt for doubt in doubts if doubt])
@@ -288,7 +298,8 @@ class ImportPresenter(QObject):
         is_clear = bool(sides) and None not in sides and len(set(sides)) == len(sides)
         is_busy = self._jobs.is_running(FIND) or self._jobs.is_running(TAKE)
         text = tr("Open anyway") if self._force and marked else tr("Open")
-        is_enabled = is_clear and not is_busy and not self._wants_distance
+        is_unit_known = not any(foot.unit_readings for foot in self._found.feet)
+        is_enabled = is_clear and not is_busy and not self._wants_distance and is_unit_known
         self._dialog.show_opening(text, is_enabled=is_enabled)
 
     def _show_clicks(self, *, is_on: bool | None = None) -> None:

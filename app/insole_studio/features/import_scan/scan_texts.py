@@ -5,7 +5,9 @@ from __future__ import annotations
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
-from insole_studio.texts import fill, tr
+from insole_core.scans.units import Unit, UnitReading
+from insole_core.workflows.scan_doubts import foot_text as foot_text_in
+from insole_studio.texts import fill, tr, translate_core_message
 
 CLICKS = ("heel", "toe", "sole")
 """The points that tell a pose, in the order in which they are clicked."""
@@ -31,12 +33,15 @@ def side_text(side: Side) -> str:
     return tr("Left foot") if side is Side.LEFT else tr("Right foot")
 
 
-def candidate_text(candidate: FootCandidate) -> str:
-    """Describe one way in which a scan can be a foot."""
-    length = fill(tr("{length_mm:.0f} mm long"), length_mm=candidate.length_mm)
-    parts = [length]
-    if candidate.covered < 1:
-        parts.append(tr("toes missing"))
+def unit_text(reading: UnitReading) -> str:
+    """Say what the scan is in one unit."""
+    unit = dict(unit_options())[reading.unit]
+    return f"{unit}: {translate_core_message(foot_text_in(reading))}"
+
+
+def candidate_text(candidate: FootCandidate, *, is_unit_known: bool = True) -> str:
+    """Describe one way in which a scan can be a foot; a length that is a guess is none."""
+    parts = [translate_core_message(candidate.length_text)] if is_unit_known else []
     if candidate.leg is not None:
         parts.append(fill(tr("leg cut off at {mm:.0f} mm"), mm=candidate.leg.height_mm))
     return ", ".join(parts)
@@ -53,14 +58,29 @@ def finding_text(foot: FoundFoot, chosen: FootCandidate | None) -> str:
         }[chosen.side]
     else:
         side = side_text(chosen.side)
-    return f"{side}, {candidate_text(chosen)}"
+    return _described(side, foot, chosen)
+
+
+def _described(side: str, foot: FoundFoot, candidate: FootCandidate) -> str:
+    text = candidate_text(candidate, is_unit_known=not foot.unit_readings)
+    return f"{side}, {text}" if text else side
 
 
 def foot_text(foot: FoundFoot, candidate: FootCandidate | None) -> str:
     """Describe one of several feet of a scan."""
     shown = candidate or foot.candidates[0]
     side = tr("Left or right foot") if candidate is None else side_text(shown.side)
-    return f"{side}, {candidate_text(shown)}"
+    return _described(side, foot, shown)
+
+
+def unit_options() -> list[tuple[Unit, str]]:
+    """Return the units in which a file may be."""
+    return [
+        ("mm", tr("Millimetres")),
+        ("cm", tr("Centimetres")),
+        ("m", tr("Metres")),
+        ("inch", tr("Inches")),
+    ]
 
 
 def form_options() -> list[tuple[str, str]]:

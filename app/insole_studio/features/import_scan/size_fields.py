@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from insole_core.scans.mesh_file import Unit
 from insole_core.scans.scale import KnownFootLength, KnownShoeSize, KnownSize
+from insole_studio.features.import_scan.scan_texts import unit_options
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
@@ -105,10 +106,7 @@ def _number(unit: str, least: float, greatest: float, value: float) -> NumberFie
 def _kinds() -> list[tuple[str, str]]:
     return [
         ("", tr("As the size tells")),
-        ("mm", tr("Millimetres")),
-        ("cm", tr("Centimetres")),
-        ("m", tr("Metres")),
-        ("inch", tr("Inches")),
+        *unit_options(),
         (LENGTH, tr("The foot's length is known")),
         (SHOE, tr("The shoe size is known")),
         (DISTANCE, tr("Two points of known distance")),

@@ -15,6 +15,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from insole_core.export.ply import write_ply
+from insole_core.export.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
@@ -338,3 +339,28 @@ def test_both_feet_of_a_reopened_case_are_read_as_before_without_saying_it_again
     for one, again in zip(before, after, strict=True):
         assert (one.side, one.foot.notes) == (again.side, again.foot.notes)
         np.testing.assert_array_equal(one.foot.mesh.vertices, again.foot.mesh.vertices)
+
+
+def test_the_unit_is_asked_by_what_each_would_give(
+    app: Application, right_foot: TriangleMesh, tmp_path: Path, settle: Callable[[], None]
+) -> None:
+    path = tmp_path / "small.stl"
+    scale = 14.0 / float(np.ptp(right_foot.vertices, axis=0).max())
+    write_stl(right_foot.moved(right_foot.vertices * scale), path)
+    app.features.case_files.opener.open_path(path, Side.RIGHT)
+    settle()
+    dialog = asked_scan(app)
+    assert dialog is not None
+    assert list(dialog.units) == ["cm", "inch"]
+    assert "Centimetres: a foot of 140 mm (a child's, EU 23" in dialog.units["cm"].text()
+    assert "which is no foot" in dialog.units["inch"].text()
+    assert "mm" not in dialog.finding.text()
+    assert not dialog.open_button.isEnabled()
+    QTest.mouseClick(dialog.units["cm"], LEFT)
+    settle()
+    assert (dialog.units, dialog.size_fields.unit) == ({}, "cm")
+    assert "140 mm long" in dialog.finding.text()
+    assert "mm long" not in dialog.notes.text()
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert app.case.foot_of(Side.RIGHT).length_mm == pytest.approx(140, abs=1)
