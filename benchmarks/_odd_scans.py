@@ -127,7 +127,7 @@ def _of_units(foot: TriangleMesh) -> Iterator[OddScan]:
     yield OddScan("STL, inches", "inch.stl", content("stl", _scaled(foot, 246 / 25.4)))
     yield OddScan("STL, 14 units long", "14.stl", content("stl", _scaled(foot, 14.0)), None)
     yield OddScan("STL, 6.65 units long", "6.stl", content("stl", _scaled(foot, 6.65)), None)
-    yield OddScan("STL, 11 units long", "11.stl", content("stl", _scaled(foot, 11.0)), None)
+    yield OddScan("STL, 11 inches", "11.stl", content("stl", _scaled(foot, 11.0)), 279.4)
     yield OddScan("a child's foot, STL, mm", "child.stl", content("stl", _scaled(foot, 150)), 150.0)
     yield OddScan("glTF, metres", "m.glb", content("glb", _scaled(foot, 0.246)))
     yield OddScan("glTF, mm", "mm.glb", content("glb", foot))
@@ -206,7 +206,7 @@ def clouds(foot: TriangleMesh) -> Iterator[OddScan]:
     for count in (10_000, 58_000, 250_000, 1_000_000, 2_000_000):
         yield OddScan(f"{count} points", f"{count}.xyz", xyz(sampled(foot, count)))
     middles = sampled(foot, 900)  # as of a scanner that sees patches: many pieces
-    near = np.random.default_rng(2).normal(scale=1.2, size=(58_000, 3)) * [1, 1, 0.02]
+    near = np.random.default_rng(2).normal(scale=0.6, size=(58_000, 3)) * [1, 1, 0.02]
     yield OddScan(
         "58000 points in 900 clumps", "clumps.xyz", xyz(np.resize(middles, near.shape) + near)
     )

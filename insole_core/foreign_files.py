@@ -23,7 +23,7 @@ _KINDS: Final = (
 _CLOUD = Message("a point cloud; save it as .ply")
 _CAD = Message("a model of a CAD program; export its mesh as .stl or .ply")
 _SCENE = Message("a scene of a graphics program; export the foot as .glb or .obj")
-_TABLE = Message("a table or a text; points of a scan are read as .xyz, pressures under Pressure")
+_TABLE = Message("a table or a text; points of a scan are read as .xyz, a pressure map by Tools")
 _ENDINGS: Final = {
     ".pcd": Message("a point cloud of PCL; save it as .ply"),
     ".3dm": Message("a model of Rhino; export its mesh as .stl or .ply"),

@@ -65,8 +65,8 @@ def read_raw(source: ScanContent) -> RawSurface:
     device = pressure_device(head)
     if device is not None:
         raise InputError(
-            "{path} is a pressure map of {device}, and no scan of a foot; choose the scan, and "
-            "open the map under Pressure.",
+            "{path} is a pressure map of {device}, and no scan of a foot; choose the scan. The map "
+            "is laid under a foot by Tools, Lay a pressure map.",
             path=source.path,
             device=device,
         )

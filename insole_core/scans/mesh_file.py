@@ -39,7 +39,7 @@ _LEAST_POINTS, _MOST_POINTS = 1000, 10_000_000
 _SAMPLED_TRIANGLES = 200_000
 _FINE_TRIANGLES = 600_000  # more of them show the scanner's noise, not the foot
 _MOST_CUBES = 2**20  # along an axis, so that their numbers stay below 2**63
-_MOST_COORDINATE = 1e9  # in any unit; beyond it the numbers are no lengths
+_MOST_COORDINATE = 2e10  # in any unit, such as mm of a map; beyond it they are no lengths
 _FINE_STEP_MM, _MOST_STEP = 0.1, 0.005  # of coordinates far away; the latter of the extent
 _THIN_VERTICES = 100_000  # of a thinned scan: 0.9 mm apart on a foot, < 0.01 mm off where it bends
 
@@ -181,7 +181,7 @@ def read_part(
         tuple(corrections),
         was_turned=was_turned,
         part=part,
-        stated=raw.unit,
+        stated=None if raw.is_unit_remark and raw.unit != unit else raw.unit,
         is_unit_said=is_said,
         warnings=tuple(_step_warnings(step * mm_per_unit)),
     )

@@ -81,7 +81,13 @@ def read_ply(source: ScanContent) -> RawSurface:
         triangles = as_indices(polygons.corners[fans(polygons.corners, polygons.counts)])
     normals = None if len(triangles) else _columns(vertex, _NORMAL)
     return RawSurface(
-        vertices, triangles, _colors(vertex), normals, _touches(tables), _stated_unit(source)
+        vertices,
+        triangles,
+        _colors(vertex),
+        normals,
+        _touches(tables),
+        _stated_unit(source),
+        is_unit_remark=True,
     )
 
 

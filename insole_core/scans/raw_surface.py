@@ -34,6 +34,8 @@ class RawSurface:
         Constraints from outlines, of a foot that this program reconstructed.
     unit
         That the file or its format states.
+    is_unit_remark
+        Whether only a comment states it, which counts as nothing where it cannot be.
     notes
         What was not read, a sentence each.
     """
@@ -44,6 +46,7 @@ class RawSurface:
     normals: FloatArray | None = None
     touches: ContourConstraints | None = None
     unit: Unit | None = None
+    is_unit_remark: bool = False
     notes: tuple[str, ...] = ()
 
     def moved(self, by: FloatArray) -> RawSurface:

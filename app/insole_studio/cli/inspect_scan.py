@@ -51,6 +51,7 @@ def report(examination: ScanExamination) -> dict[str, Any]:
     """Return what a scan shows; lengths in mm."""
     return {
         "unit": examination.read.unit,
+        "unit_is_sure": not any(foot.unit_readings for foot in examination.feet),
         "form": examination.form.value,
         "feet": [_foot(foot) for foot in examination.feet],
         "notes": list(map(str, examination.notes)),
@@ -72,7 +73,8 @@ def _candidate(candidate: FootCandidate) -> dict[str, Any]:
     leg = candidate.leg
     return {
         "side": candidate.side.value,
-        "length_mm": round(candidate.length_mm, 2),
+        "length_mm": round(candidate.length_mm, 2) if candidate.is_length_known else None,
+        "scanned_mm": round(candidate.surface_mm, 2),
         "dissimilarity": round(candidate.dissimilarity, 4),
         "covered": candidate.covered,
         "leg": None
@@ -82,14 +84,20 @@ def _candidate(candidate: FootCandidate) -> dict[str, Any]:
     }
 
 
+def _length(candidate: dict[str, Any]) -> str:
+    if candidate["length_mm"] is None:
+        return f"{candidate['scanned_mm']:.1f} mm of it scanned, without toes"
+    return f"{candidate['length_mm']:.1f} mm long"
+
+
 def _lines(content: dict[str, Any]) -> list[str]:
-    lines = [f"Unit: {content['unit']}; form: {content['form']}"]
+    unit = content["unit"] if content["unit_is_sure"] else f"{content['unit']}, a guess"
+    lines = [f"Unit: {unit}; form: {content['form']}"]
     for foot in content["feet"]:
         side = foot["side"] or "left or right, which the shape does not tell"
         lines.append(f"Foot: {side}")
         lines += [
-            f"  as a {one['side']} foot: {one['length_mm']:.1f} mm long, "
-            f"dissimilarity {one['dissimilarity']:.3f}"
+            f"  as a {one['side']} foot: {_length(one)}, dissimilarity {one['dissimilarity']:.3f}"
             for one in foot["candidates"]
         ]
         lines += [f"  In doubt: {doubt}" for doubt in foot["doubts"]]

@@ -12,7 +12,8 @@ from benchmarks._odd_scans import last_form
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError
 from insole_core.foot.foot_placement import DoubtfulScanError
-from insole_core.geometry.arrays import FloatArray
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.foot.measures import measure
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.thinning import thinned
@@ -166,11 +167,6 @@ def test_a_double_sided_block_is_no_foot_in_words(tmp_path: Path) -> None:
         open_scan(written("stl", both, tmp_path / "block.stl"), Side.LEFT)
 
 
-def cloud(count: int) -> FloatArray:
-    rng = np.random.default_rng(0)
-    return rng.uniform((0.0, 0.0, 0.0), (90.0, 245.0, 70.0), (count, 3))
-
-
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
@@ -210,3 +206,11 @@ def test_a_pressure_map_is_no_scan(tmp_path: Path) -> None:
     path.write_text("file name: x.mat\nmat type s2160_001\ntime[secs] 4 5 6\n 5.8 0 0 0\n")
     with pytest.raises(InputError, match="is a pressure map of pliance"):
         open_scan(path, Side.LEFT)
+
+
+def test_sizes_that_do_not_exist_are_not_stated(left_mesh: TriangleMesh, tmp_path: Path) -> None:
+    path = written("stl", scaled(left_mesh, 140.0), tmp_path / "child.stl")
+    child = open_scan(path, Side.LEFT, choice=ImportChoice(unit="mm")).foot
+    sizes = measure(child, find_landmarks(child))
+    assert sizes["shoe_size_eu"] == pytest.approx(23.5, abs=0.5)
+    assert (sizes["shoe_size_uk"], sizes["shoe_size_us"]) == (None, None)
