@@ -96,6 +96,8 @@ def _slope(aside: FloatArray) -> FloatArray:
 def _wholeness(shell: Border, height_mm: float, top: float) -> float:
     """Return to what degree a tip faces ahead and was measured past the height of its end."""
     end = shell.part(shell.points[:, 1] > top - _END_DEPTH_MM)
+    if len(end.points) == 0:  # of a child's toe nothing there may face ahead
+        return 0.0
     turned = weighted_quantile(end.normals[:, 1], end.area_mm2, 0.9)
     above = weighted_quantile(shell.points[:, 2], shell.area_mm2, 0.97) - height_mm
     return float(ramp(turned, _WHOLE) * ramp(above, _BEYOND_MM))
