@@ -143,6 +143,7 @@ class MainController(QObject):
         self._features.records.reminder_put_off.connect(administration.backups.put_off_reminder)
         self._window.status.follow(administration.backups.jobs)
         clinic.state_changed.connect(self._show_accounts)
+        clinic.state_changed.connect(self._show_recent)
         self._show_accounts()
 
     def _show_accounts(self) -> None:
@@ -295,7 +296,7 @@ class MainController(QObject):
         self.run_action({"open_mesh": "open_archive"}.get(key, key), False)
 
     def _show_recent(self) -> None:
-        names = self._services.recent.names
+        names = [] if self._services.clinic.hides_patients else self._services.recent.names
         self._window.show_recent(names)
         self._stage.show_recent(names)
 

@@ -106,6 +106,7 @@ class PatientRecords(QObject):
         self._transfer: RecordTransfer | None = None
         self._keeper.conflicted.connect(self.decide)
         services.recent.changed.connect(self._show_recent_files)
+        self._clinic.state_changed.connect(self._show_recent_files)
 
     def close(self) -> None:
         """Leave the open visit to other stations."""
@@ -500,7 +501,7 @@ class PatientRecords(QObject):
 
     def _show_recent_files(self) -> None:
         if self.start is not None:
-            names = self._services.recent.names
+            names = [] if self._clinic.hides_patients else self._services.recent.names
             self.start.show_recent_files([(name, visible_line(Path(name).name)) for name in names])
 
     def _add(self, person: Person | None) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication
 from pytestqt.qtbot import QtBot
 from stations import add_member, proven
 
@@ -62,6 +62,11 @@ def take_over(app: Application, qtbot: QtBot, name: str, password: str) -> None:
     sign_in(shown(app, SignInDialog), name, password)
     lock = app.features.clinic.lock
     qtbot.waitUntil(lambda: lock.dialog is None, timeout=10_000)
+
+
+def texts_of(app: Application) -> set[str]:
+    """Return what stands on the buttons of the window."""
+    return {button.text() for button in app.window.findChildren(QAbstractButton)}
 
 
 def thicken(app: Application, thickness_mm: float) -> None:
@@ -187,17 +192,21 @@ def test_recovered_work_comes_up_once_somebody_who_treats_patients_has_signed_in
 ) -> None:
     app = with_accounts
     write_case(CaseRecord(Patient("Bo Ek")), paths.autosave_folder / "left.insole")
+    app.services.recent.remember(paths.data_folder / "Bo Ek.insole")
     app.recover()
     assert "Bo Ek" not in app.window.windowTitle()
+    assert "Bo Ek.insole" not in texts_of(app)
     assert app.case.is_empty
     [notice] = app.services.notices.notices
     assert notice.text.startswith("There is unsaved work on this computer.")
     take_over(app, qtbot, "admin", PASSWORD)
     assert app.case.is_empty
+    assert "Bo Ek.insole" not in texts_of(app)
     app.window.actions_by_key["lock"].trigger()
     take_over(app, qtbot, "eva", OTHER_PASSWORD)
     assert app.case.record.patient.name == "Bo Ek"
     assert app.settings.record_had_accounts
+    assert "Bo Ek.insole" in texts_of(app)
     app.autosave.forget()
 
 

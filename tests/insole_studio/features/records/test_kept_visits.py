@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
+from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import RecordsError, Unreachable
 from insole_core.geometry.side import Side
 from insole_core.records.field_merge import FieldChoice
@@ -22,7 +23,8 @@ from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
-from insole_studio.document import record_keeper
+from insole_studio.document import clinic_record, record_keeper
+from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
 from insole_studio.features.records.conflict_dialog import Choice, ConflictDialog
@@ -418,3 +420,64 @@ def test_what_the_record_refuses_can_be_saved_as_a_file(
     design = read_case(tmp_path / "kept.insole").design
     assert design is not None
     assert design.thickness_mm == 5.5
+
+
+def test_what_the_record_refuses_of_a_journal_waits_in_sight_and_can_become_a_case(
+    opened: Application,
+    records: Records,
+    paths: UserPaths,
+    monkeypatch: pytest.MonkeyPatch,
+    qtbot: QtBot,
+) -> None:
+    def refuse(*_given: object) -> None:
+        raise RecordsError("This visit may not be changed.")
+
+    opened.services.keeper._timer.blockSignals(True)
+    thicken(opened, 5.5)
+    opened.autosave.set_aside()
+    opened.case.undo()
+    monkeypatch.setattr(Prescriptions, "save", refuse)
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    notices = opened.services.notices
+    qtbot.waitUntil(lambda: bool(notices.notices), timeout=60_000)
+    (notice,) = notices.notices
+    assert "is not in the record yet" in notice.text
+    assert notice.offers == ("Open it as a case",)
+    notices.take(notice.key)
+    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=60_000)
+    design = opened.case.record.design
+    assert design is not None
+    assert design.thickness_mm == 5.5
+    assert opened.case.has_unsaved_changes
+
+
+def test_a_record_that_does_not_answer_at_the_start_is_opened_as_soon_as_it_does(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    paths: UserPaths,
+    monkeypatch: pytest.MonkeyPatch,
+    qtbot: QtBot,
+) -> None:
+    """A journal that was left waits meanwhile, told by its patient's name."""
+
+    def fail(_location: object) -> None:
+        raise Unreachable("The database does not answer.")
+
+    opened.services.keeper._timer.blockSignals(True)
+    thicken(opened, 5.5)
+    opened.autosave.set_aside()
+    opened.case.open(CaseRecord(), None)
+    clinic, notices = opened.services.clinic, opened.services.notices
+    clinic._retry.setInterval(20)
+    with monkeypatch.context() as away:
+        away.setattr(clinic_record, "_open", fail)
+        clinic.reopen()
+        qtbot.waitUntil(lambda: clinic.state is RecordState.REFUSED, timeout=60_000)
+        opened.hand_over.take(find_recovered(paths.autosave_folder))
+        (notice,) = notices.notices
+        assert notice.text.startswith("Anna Berg: what was changed on ")
+    said = "Anna Berg: what was not saved yet is now in the record."
+    qtbot.waitUntil(lambda: [shown.text for shown in notices.notices] == [said], timeout=60_000)
+    station = clinic.ask_now(lambda found: found)
+    assert newest_mm(station, visit) == 5.5
