@@ -114,7 +114,7 @@ def _addresses(rng: random.Random) -> Iterator[Trial]:
     )  # fmt: skip
     likely = list(product(schemes[:2], users[:2], hosts, ports[:2], ends[2:3], queries))
     odd = list(product(schemes, users, hosts, ports, ends, queries))
-    for parts in [*rng.sample(likely, 600), *rng.sample(odd, 500)]:
+    for parts in [*rng.sample(likely, 400), *rng.sample(odd, 300)]:
         scheme, user, host, port, end, query = parts
         text = f"{scheme}://{user}{host}{port}{end}{'?' if query else ''}{query}"
         environment = rng.choice(environments)
@@ -167,7 +167,7 @@ def _settings(rng: random.Random) -> Iterator[Trial]:
             *json_mutations(values),
             *byte_mutations(json.dumps(values).encode(), rng, 60, 30),
         ]
-        chosen = rng.sample(mutations, min(len(mutations), 160))
+        chosen = rng.sample(mutations, min(len(mutations), 100))
         told = [m for m in mutations if m[0].startswith("record_")]
         for what, content, _ in {m[0]: m for m in (*chosen, *told)}.values():
             make = partial(_write, "settings.json", content)
@@ -404,7 +404,7 @@ def _calibrations(rng: random.Random) -> Iterator[Trial]:
     sound = json.loads(sound_sensor()["sensor.json"])
     for folder in ("A1", "A1/before"):
         json_ones = [*json_mutations(sound)]
-        for what, content, _ in rng.sample(json_ones, min(len(json_ones), 170)):
+        for what, content, _ in rng.sample(json_ones, min(len(json_ones), 120)):
             make = partial(_sensor_with, folder, "sensor.json", content)
             yield Trial("calibration folder", f"{folder}/sensor.json: {what}", make, _use_sensors)
         for file, content in sound_sensor().items():
