@@ -13,6 +13,9 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.json_object import JsonObject
 from insole_core.sensing.sensor import Sensor
 
+_MOST_PX, _MOST_MM = 1e4, 1e5
+"""Far beyond any picture and any room; larger numbers are mistakes, and overflow."""
+
 
 @dataclass(frozen=True, eq=False)
 class ObjectPoints:
@@ -68,8 +71,8 @@ def load_object_points(path: Path) -> ObjectPoints:
     marked = any(item.has("color_px") or item.has("depth_px") for item in items)
     return ObjectPoints(
         [item.text("name") for item in items],
-        np.array([item.numbers("true_mm", 3) for item in items]),
-        np.array([item.numbers(key, 2) for item in items]) if marked else None,
+        np.array([item.triple("true_mm", _MOST_MM) for item in items]),
+        np.array([item.pair(key, _MOST_PX) for item in items]) if marked else None,
         key == "color_px",
     )
 
@@ -83,7 +86,11 @@ def load_correspondences(path: Path) -> list[Correspondence]:
         Naming the key of the first violation.
     """
     return [
-        Correspondence(item.pair("depth_px"), item.number("depth_mm", 1), item.pair("color_px"))
+        Correspondence(
+            item.pair("depth_px", _MOST_PX),
+            item.number("depth_mm", 1, _MOST_MM),
+            item.pair("color_px", _MOST_PX),
+        )
         for item in _points(path)
     ]
 

@@ -84,6 +84,11 @@ def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Nois
     depth = disparity.depth_mm(mean[steady])
     per_raw = disparity.depth_mm(mean[steady] + 0.5) - disparity.depth_mm(mean[steady] - 0.5)
     sd_mm = (sd * per_raw)[np.isfinite(depth)]
+    if not np.isfinite(sd_mm).any():
+        raise InputError(
+            "The frames show nothing at a distance that the sensor measures; record a wall 500 to "
+            "3000 mm away."
+        )
     return Noise(total, float(sd.mean()), float(np.nanmean(sd_mm)), float(1 - count.mean() / total))
 
 

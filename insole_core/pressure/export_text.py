@@ -18,6 +18,8 @@ MOST_BYTES = 64 * 2**20
 MOST_SENSORS = 512
 """In a row or a column; a plate of 2 m has 400."""
 MOST_VALUES = 40_000_000
+_MOST_PRESSURE = 1e9
+"""In whatever unit: numbers beyond are damaged."""
 _NO_SENSOR = {"", "b", "nan", "-", "n/a"}
 _BINARY = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0", b"%PDF")
 
@@ -109,8 +111,9 @@ def stacked(path: Path, frames: Sequence[npt.ArrayLike]) -> npt.NDArray[np.float
     InputError
         When there is none, they have different sizes, are too many, or hold what is no pressure.
     """
-    arrays = [np.asarray(frame, dtype=np.float32) for frame in frames]
-    if not arrays:
+    with np.errstate(over="ignore"):  # infinite then, which is refused below
+        arrays = [np.asarray(frame, dtype=np.float32) for frame in frames]
+    if not arrays or any(array.ndim != 2 for array in arrays):
         raise InputError("{path} holds no frame of pressures; export it again.", path=path)
     shapes = {array.shape for array in arrays}
     rows, columns = next(iter(shapes))
@@ -129,6 +132,10 @@ def stacked(path: Path, frames: Sequence[npt.ArrayLike]) -> npt.NDArray[np.float
         raise InputError("{path} holds no sensor; export it again.", path=path)
     if float(np.nanmin(values)) < 0:
         raise InputError("{path} holds pressures below 0; export it again, calibrated.", path=path)
+    if float(np.nanmax(values)) > _MOST_PRESSURE:
+        raise InputError(
+            "{path} holds pressures that no device measures; export it again.", path=path
+        )
     return values
 
 

@@ -2388,6 +2388,10 @@
             <translation>Formen "{form}" är gjord för en fot på {form_mm:.0f} mm, och den här är {foot_mm:.0f} mm lång; välj en form av ungefär dess längd.</translation>
         </message>
         <message>
+            <source>The frames show nothing at a distance that the sensor measures; record a wall 500 to 3000 mm away.</source>
+            <translation>Bilderna visar inget på ett avstånd som sensorn mäter; spela in en vägg 500 till 3000 mm bort.</translation>
+        </message>
+        <message>
             <source>The front edge is to taper to {taper_mm:g} mm, and {material} needs {least_mm:g} mm there; it is made {least_mm:g} mm thick.</source>
             <translation>Framkanten ska smalna av till {taper_mm:g} mm, och {material} behöver {least_mm:g} mm där; den görs {least_mm:g} mm tjock.</translation>
         </message>
@@ -7394,6 +7398,10 @@
         <message>
             <source>{path} holds pressures below 0; export it again, calibrated.</source>
             <translation>{path} innehåller tryck under 0; exportera den på nytt, kalibrerad.</translation>
+        </message>
+        <message>
+            <source>{path} holds pressures that no device measures; export it again.</source>
+            <translation>{path} innehåller tryck som ingen utrustning mäter; exportera det igen.</translation>
         </message>
         <message>
             <source>{path} holds something else than its name says: {kind}. Choose another file.</source>

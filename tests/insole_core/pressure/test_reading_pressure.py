@@ -92,6 +92,10 @@ def test_f_scan_is_read_with_the_outline_of_its_sensor(shared_data: Path, tmp_pa
         read_pressure(_written(tmp_path / "cut.asf", text[: len(text) // 2]))
     with pytest.raises(InputError, match="unit"):
         read_pressure(_written(tmp_path / "raw.asf", text.replace("UNITS KPa", "UNITS RAW")))
+    for rows in ("0", "-1"):
+        changed = _written(tmp_path / "rows.asf", text.replace("ROWS 60", f"ROWS {rows}"))
+        with pytest.raises(InputError, match="holds no frame"):
+            read_pressure(changed)
 
 
 @pytest.mark.shared
@@ -175,6 +179,8 @@ def test_what_a_table_does_not_say_is_asked(tmp_path: Path) -> None:
         (b"1;2;3\n" * 8 + b"1;2;3;4\n" * 8, "differ in length"),
         (b"1;2;3\n" * 8 + b"\n" + b"1;2;3\n" * 9, "frames differ"),
         (b"1;-2;3\n" * 8, "below 0"),
+        (b"1;1e308;3\n" * 8, "no device measures"),
+        (b"1;1e30;3\n" * 8, "no device measures"),
         (b"PK\x03\x04" + b"x" * 99, "no text"),
         (b"1;2;3\n\0" * 8, "no text"),
         ((b";".join([b"1"] * 600) + b"\n") * 8, "more sensors"),

@@ -274,6 +274,26 @@ def test_noise_and_warm_up(perfect, tmp_path: Path) -> None:
     assert abs(found["drift_mm"]["value"]) < 0.2
 
 
+def test_noise_of_what_no_distance_has(perfect, tmp_path: Path, last_line) -> None:
+    for number in range(3):
+        beyond = np.full((480, 640), 2046, np.uint16)
+        cv2.imwrite(str(tmp_path / f"depth_{number:03d}.png"), beyond)
+    assert run(["evaluate", "noise", str(tmp_path), *perfect]) == 1
+    assert "show nothing at a distance that the sensor measures" in last_line()
+
+
+@pytest.mark.parametrize("key", ["depth_px", "depth_mm", "color_px"])
+def test_numbers_that_overflow_are_refused_by_name(
+    key: str, perfect, tmp_path: Path, last_line
+) -> None:
+    point = {"depth_px": [200, 150], "depth_mm": 800, "color_px": [300, 200]}
+    point |= {key: 1e308 if key == "depth_mm" else [1e308, 1e308]}
+    marked = tmp_path / "points.json"
+    marked.write_text(json.dumps({"points": [point]}))
+    assert run(["evaluate", "alignment", str(marked), *perfect]) == 1
+    assert f"points[0].{key}" in last_line()
+
+
 WRONG_CALLS = {
     "two sensors": (["wall", "{walls}", "--serial", "A", "--sensor", "x"], "give one of them"),
     "never calibrated": (["wall", "{walls}", "--serial", "A9"], "was never calibrated here"),
