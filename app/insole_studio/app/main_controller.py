@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
-from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError
 from insole_studio.app.actions import ACTIONS, Run, bind_actions
 from insole_studio.app.features import Features
@@ -128,6 +128,7 @@ class MainController(QObject):
         records.page_requested.connect(self._show_page)
         records.action_requested.connect(self._run_requested)
         records.recent_file_chosen.connect(self._open_recent)
+        records.person_named.connect(self._show_state)
         records.compared.connect(self._features.compare.open_visits)
         self._case.opened.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
@@ -302,14 +303,9 @@ class MainController(QObject):
 
     def _show_state(self) -> None:
         case, window = self._case, self._window
-        window.show_title(title_of(case), case.has_unsaved_changes)
-        for key, sentence in (
-            ("undo", case.history.undo_sentence),
-            ("redo", case.history.redo_sentence),
-        ):
-            verb = self._records[key].text()
-            window.show_action(key, bool(sentence), f"{verb}: {sentence}" if sentence else verb)
         on_panels = window.page is None
+        self._show_whose()
+        self._show_undo()
         for record in ACTIONS:
             if record.needs_foot:
                 window.show_action(record.key, on_panels and case.foot is not None)
@@ -319,10 +315,32 @@ class MainController(QObject):
         window.show_action("add_to_record", on_panels and is_file)
         for key in OF_PERSON:
             window.show_action(key, self._is_on_person)
-        window.show_action("remove", case.selection is not None)
+        window.show_action("remove", on_panels and case.selection is not None)
+        window.show_pads(on_panels and case.foot is not None)
+
+    def _show_whose(self) -> None:
+        """Show whose case is open, and how far it is; without one, whose page is shown."""
+        case, steps = self._case, self._stage.steps
+        is_person_alone = self._is_on_person and case.is_empty
+        record = case.record
+        if is_person_alone:
+            record = CaseRecord(Patient(self._features.records.name_on_page))
+        title = record.patient.name if is_person_alone else title_of(case)
+        self._window.show_title(title, case.has_unsaved_changes)
         is_exported = case.record is self._features.export.exported
-        self._stage.steps.show_steps(steps_of(case.record, is_exported))
-        self._stage.steps.show_whose(whose(case.record))
+        steps.show_steps(steps_of(record, is_exported))
+        steps.show_whose(whose(record))
+        steps.let_choose(
+            ("patient",) if is_person_alone else None, tr("Begin a visit, or open one, first.")
+        )
+
+    def _show_undo(self) -> None:
+        """Offer to undo what is shown: the panels' case, or the fields of a person's page."""
+        history, on_panels = self._case.history, self._window.page is None
+        for key, done in (("undo", history.undo_sentence), ("redo", history.redo_sentence)):
+            verb, sentence = self._records[key].text(), done if on_panels else ""
+            text = f"{verb}: {sentence}" if sentence else verb
+            self._window.show_action(key, bool(sentence) or self._is_on_person, text)
 
     def _show_choices(self) -> None:
         """Check the toggles and choices that match what is shown, however they were changed."""

@@ -164,6 +164,10 @@ class MainWindow(QMainWindow):
         if text is not None:
             action.setText(text)
 
+    def show_pads(self, enabled: bool) -> None:
+        """Show whether a pad of the library can be chosen in the menu."""
+        self._pads_entry.setEnabled(enabled)
+
     def check_action(self, key: str, checked: bool) -> None:
         """Check or uncheck an action without running it."""
         action = self.actions_by_key[key]
@@ -295,7 +299,7 @@ class MainWindow(QMainWindow):
                 elif key == RECENT:
                     self._recent = menu.addMenu(tr("Open recent"))
                 elif key == PADS:
-                    menu.addMenu(self._pad_menu(menu))
+                    self._pads_entry = menu.addMenu(self._pad_menu(menu))
                 else:
                     menu.addAction(self.actions_by_key[key])
 

@@ -150,6 +150,7 @@ def _style_sheet(colors: Colors) -> str:
     QCheckBox:focus, QRadioButton:focus, QLabel:focus {{ border: 2px solid {colors.accent};
                                                         border-radius: 4px; }}
     QToolButton#step[state="done"] {{ color: {colors.text}; }}
+    QToolButton#step:disabled {{ color: {colors.quiet}; font-weight: 400; }}
     QToolButton#warning-row {{ background: {colors.warning}; color: {colors.on_warning};
                                border-radius: 4px; padding: 3px 8px; text-align: left; }}
     QFrame#notice {{ background: {colors.raised}; border-left: 4px solid {colors.accent}; }}

@@ -58,6 +58,12 @@ class StepStrip(QWidget):
             button.setProperty("state", step.state.value)
             button.style().polish(button)  # the style sheet depends on the state
 
+    def let_choose(self, keys: Sequence[str] | None, why_not: str) -> None:
+        """Let only some steps be chosen, all by default; the others say why not."""
+        for key, button in self._buttons.items():
+            button.setEnabled(keys is None or key in keys)
+            button.setToolTip("" if button.isEnabled() else why_not)
+
     def show_whose(self, text: str) -> None:
         """Show whose case is open, and which foot."""
         self._whose.setText(text)

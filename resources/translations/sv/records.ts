@@ -88,6 +88,10 @@
             <translation>Trampdynans bredd (mm)</translation>
         </message>
         <message>
+            <source>Begin a visit, or open one, first.</source>
+            <translation>Börja ett besök, eller öppna ett, först.</translation>
+        </message>
+        <message>
             <source>Better, the same, worse; in a word or two</source>
             <translation>Bättre, oförändrat, sämre; med ett par ord</translation>
         </message>
@@ -682,6 +686,10 @@
         <message>
             <source>{name} has this personal number already.</source>
             <translation>{name} har redan detta personnummer.</translation>
+        </message>
+        <message>
+            <source>{name}: saved and closed.</source>
+            <translation>{name}: sparat och stängt.</translation>
         </message>
         <message>
             <source>{name}: somebody else changed the same foot or field while the record did not answer. Theirs counts; what was changed here is kept beside it: feet under “Versions…” on the patient's page, fields in the notes of the visit.</source>

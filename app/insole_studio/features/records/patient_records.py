@@ -23,6 +23,7 @@ from insole_core.records.person import Person, PersonSummary
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.visible_text import visible_line
+from insole_studio.document.case_name import case_name
 from insole_studio.document.record_keeper import PatientConflict
 from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
 from insole_studio.features.records.conflict_dialog import (
@@ -81,6 +82,8 @@ class PatientRecords(QObject):
     """A button of a page asks for an action of any feature."""
     recent_file_chosen = Signal(str)
     reminder_put_off = Signal()
+    person_named = Signal()
+    """The name on the person page is another one."""
     compared = Signal(object, object)
     """Emitted with two visits to compare, the newer one first: name and case of each."""
 
@@ -129,13 +132,32 @@ class PatientRecords(QObject):
             self.start.show_reminder(sentence)
 
     def show_person(self, person_id: str) -> None:
-        """Show a person and their visits."""
+        """Show a person and their visits; whoever else's case is open is left first.
+
+        So the window never shows one patient while its steps and actions work on another one.
+        """
+        case = self._services.case
+        kept = case.kept
+        is_theirs = kept is not None and kept.person.id == person_id
+        if is_theirs or (case.is_empty and case.path is None):
+            self._show_page_of(person_id)
+        else:
+            self._leave_case(lambda: self._close_case_for(person_id))
+
+    def _close_case_for(self, person_id: str) -> None:
+        name, kept = case_name(self._services.case), self._services.case.kept
+        self._services.case.open(CaseRecord(), None)
+        self._show_page_of(person_id)
+        if kept is not None:
+            self._services.messages.say(tr("{name}: saved and closed.").format(name=name))
+
+    def _show_page_of(self, person_id: str) -> None:
         if self.person is None:
             self._make_person()
         assert self.person is not None
         assert self._person_presenter is not None
-        self.page_requested.emit(self.person)
         self._person_presenter.open(person_id)
+        self.page_requested.emit(self.person)
 
     def show_patient_of_case(self) -> bool:
         """Show the person whose visit is open; return False for a case of a file."""
@@ -275,6 +297,11 @@ class PatientRecords(QObject):
     def pseudonym(self) -> str:
         """The pseudonym of the person on the page; empty for none."""
         return "" if self._shown_person is None else self._shown_person.pseudonym
+
+    @property
+    def name_on_page(self) -> str:
+        """The name of the person on the page; empty for none, and until it is read."""
+        return "" if self._shown_person is None else self._shown_person.name
 
     @property
     def _shown_person(self) -> Person | None:
@@ -490,6 +517,7 @@ class PatientRecords(QObject):
         page.action_requested.connect(self.action_requested)
         page.visit_action_requested.connect(self._run_on_visit)
         page.compare_requested.connect(self._compare)
+        page.named.connect(self.person_named)
 
     def _run_on_visit(self, key: str, visit_id: str) -> None:
         run = {

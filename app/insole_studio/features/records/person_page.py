@@ -51,6 +51,8 @@ class PersonPage(QWidget):
     """The key of an action, and the id of a visit."""
     action_requested = Signal(str)
     compare_requested = Signal(str, str)
+    named = Signal()
+    """Whose page it is, is shown anew."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -107,6 +109,7 @@ class PersonPage(QWidget):
             if isinstance(field, QLineEdit) and not field.hasFocus():
                 field.setCursorPosition(0)  # else a long address shows its end
                 field.setToolTip(html.escape(values[key]).replace("\n", "<br>"))
+        self.named.emit()
 
     def forget_typed(self) -> None:
         """Let the next values replace text being typed: it belongs to another person."""
