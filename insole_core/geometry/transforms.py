@@ -77,7 +77,7 @@ def is_rotation(matrix: FloatArray, tolerance: float = 1e-3) -> bool:
     matrix = np.asarray(matrix, dtype=float)
     return (
         matrix.shape == (3, 3)
-        and bool(np.isfinite(matrix).all())
+        and bool((np.abs(matrix) <= 1 + tolerance).all())
         and bool(np.abs(matrix @ matrix.T - np.eye(3)).max() < tolerance)
         and bool(np.linalg.det(matrix) > 0)
     )

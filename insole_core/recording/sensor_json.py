@@ -143,7 +143,7 @@ def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> PinholeCame
             allowed=allowed,
         )
     k1, k2, p1, p2, k3 = item.numbers("distortion", 5, -_MOST_DISTORTION, _MOST_DISTORTION)
-    return PinholeCamera(
+    camera = PinholeCamera(
         width=width,
         height=height,
         fx=item.number("fx", 1, _MOST_PX),
@@ -153,6 +153,9 @@ def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> PinholeCame
         distortion=(k1, k2, p1, p2, k3),
         skew=item.number("skew", -_MOST_PX, _MOST_PX) if item.has("skew") else 0.0,
     )
+    if not camera.can_be_undistorted:
+        raise item.fail("distortion", "bends the edges of the picture more than a lens does")
+    return camera
 
 
 def _camera_json(camera: PinholeCamera) -> dict[str, Any]:
@@ -166,7 +169,7 @@ def _camera_json(camera: PinholeCamera) -> dict[str, Any]:
 def _depth2color(item: JsonObject) -> FloatArray:
     rotation = np.array(item.matrix("rotation", 3))
     if not is_rotation(rotation):
-        kind = "mirrored" if np.linalg.det(rotation) < 0 else "no rotation"
+        kind = "mirrored" if is_rotation(-rotation) else "no rotation"
         raise item.fail(
             "rotation", "is {what}; its rows must be right-handed unit vectors", what=kind
         )

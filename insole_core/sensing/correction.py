@@ -24,6 +24,8 @@ _SHAPE = (480, 640)
 _ARRAYS = ("slope", "deviation")
 _WHOLE_RANGE = (0.0, 2047.0)
 _MOST_NUMBER = 1e6  # raw numbers have 11 bits
+_MOST_RAW, _MOST_DECAY = 1e4, 0.03
+"""Real sensors decay by 0.002; with more, the exponential overflows."""
 MAX_BYTES = 32 * 2**20
 """The maps of a correction have 4 MB."""
 
@@ -229,9 +231,9 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
     for key in (*_ARRAYS, "coverage"):
         if key in arrays:
             _check_map(name, key, arrays[key])
-    _check_numbers(name, "raw_range", arrays.get("raw_range", _WHOLE_RANGE), (2,))
-    for key in ("reference_raw", "decay"):
-        _check_numbers(name, key, arrays.get(key, 0.0), ())
+    _check_numbers(name, "raw_range", arrays.get("raw_range", _WHOLE_RANGE), (2,), _MOST_RAW)
+    for key, most in (("reference_raw", _MOST_RAW), ("decay", _MOST_DECAY)):
+        _check_numbers(name, key, arrays.get(key, 0.0), (), most)
     return _assemble(arrays, record)
 
 
@@ -259,8 +261,10 @@ def _check_map(name: str, key: str, array: npt.NDArray[Any]) -> None:
         )
 
 
-def _check_numbers(name: str, key: str, values: npt.ArrayLike, shape: tuple[int, ...]) -> None:
-    if np.shape(values) != shape or not _are_numbers(np.asarray(values)):
+def _check_numbers(
+    name: str, key: str, values: npt.ArrayLike, shape: tuple[int, ...], most: float = _MOST_NUMBER
+) -> None:
+    if np.shape(values) != shape or not _are_numbers(np.asarray(values), most):
         what = "two raw numbers" if shape else "one number"
         raise InputError(
             '{name}: "{key}" must hold {what}; calibrate the sensor again.',
@@ -270,8 +274,8 @@ def _check_numbers(name: str, key: str, values: npt.ArrayLike, shape: tuple[int,
         )
 
 
-def _are_numbers(array: npt.NDArray[Any]) -> bool:
-    return array.dtype.kind in "iuf" and bool((np.abs(array) <= _MOST_NUMBER).all())
+def _are_numbers(array: npt.NDArray[Any], most: float = _MOST_NUMBER) -> bool:
+    return array.dtype.kind in "iuf" and bool((np.abs(array) <= most).all())
 
 
 def _assemble(arrays: dict[str, Any], record: CorrectionRecord) -> DisparityCorrection:

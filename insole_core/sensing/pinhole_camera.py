@@ -10,6 +10,8 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 
 _UNDISTORT_STEPS = 20
+_MOST_UNDISTORT_PX = 20.0
+"""Far beyond what steps too few leave over: the iteration does not converge."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +100,18 @@ class PinholeCamera:
         for _ in range(_UNDISTORT_STEPS):
             straight = straight + bent - self.distort(straight)
         return straight
+
+    @property
+    def can_be_undistorted(self) -> bool:
+        """Whether `normalised` is the inverse of the lens over the whole picture.
+
+        No lens bends its edges so strongly that it is not; a damaged or mistyped number does.
+        """
+        u, v = np.meshgrid([0.0, self.cx, self.width - 1], [0.0, self.cy, self.height - 1])
+        with np.errstate(over="ignore", invalid="ignore"):
+            rays = self.normalised(np.stack([u, v], axis=-1))
+            bent = self.project(np.concatenate([rays, np.ones((*rays.shape[:-1], 1))], axis=-1))
+            return bool(np.abs(bent - np.stack([u, v], axis=-1)).max() < _MOST_UNDISTORT_PX)
 
     def pixel_rays(self) -> FloatArray:
         """Return the normalised coordinates (height, width, 2) of all pixel centres, read-only."""

@@ -3920,6 +3920,10 @@
             <translation>bakom huvudena</translation>
         </message>
         <message>
+            <source>bends the edges of the picture more than a lens does</source>
+            <translation>böjer bildens kanter mer än ett objektiv gör</translation>
+        </message>
+        <message>
             <source>big toe</source>
             <translation>stortå</translation>
         </message>

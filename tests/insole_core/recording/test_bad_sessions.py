@@ -109,6 +109,11 @@ SENSOR: dict[str, tuple[Callable[[Json], object], str]] = {
         _turn([[-1, 0, 0], [0, 1, 0], [0, 0, 1]]),
         "depth2color.rotation is mirrored; its rows must be right-handed",
     ),
+    "lens that turns back": (
+        lambda s: s["depth_camera"].update(distortion=[-1, 0, 0, 0, 0]),
+        "depth_camera.distortion bends the edges of the picture more than a lens does",
+    ),
+    "huge rotation": (_turn([[1, 1e308, 0], [0, 1, 0], [0, 0, 1]]), "rotation is no rotation"),
     "sheared": (_turn([[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]), "rotation is no rotation"),
     "NaN rotation": (
         _turn([[1, 0, 0], [0, float("nan"), 0], [0, 0, 1]]),

@@ -101,6 +101,8 @@ def test_age() -> None:
         ({"offset": RAMP, "record": np.array("{}"), "raw_range": np.ones(3)}, "two raw numbers"),
         ({"offset": RAMP, "record": np.array("{}"), "decay": np.array("x")}, "one number"),
         ({"offset": RAMP, "record": np.array("{}"), "reference_raw": RAMP}, "one number"),
+        ({"offset": RAMP, "record": np.array("{}"), "decay": np.array(1.0)}, "one number"),
+        ({"offset": RAMP, "record": np.array("{}"), "reference_raw": np.array(1e5)}, "one number"),
         ({"offset": RAMP, "record": np.array('{"made_at": 5}')}, "no readable array"),
         ({"offset": RAMP, "record": np.array('{"made_at": "soon"}')}, "no readable array"),
         ({"offset": RAMP, "record": np.array('{"serial": ["A"]}')}, "no readable array"),
