@@ -79,7 +79,7 @@ def foot_text(reading: UnitReading) -> Message:
     """Describe the foot that a file shows in one unit."""
     length_mm = reading.length_mm
     if not is_within(length_mm, LENGTH_MM):
-        return Message("{length_mm:.0f} mm, which is no foot,", length_mm=length_mm)
+        return Message("{length_mm:.0f} mm (no foot)", length_mm=length_mm)
     if length_mm < _ADULT_MM:
         return Message(
             "a foot of {length_mm:.0f} mm (a child's, EU {size:.0f})",

@@ -7020,12 +7020,12 @@
             <translation>{length:.1f} × {width:.1f} × {height:.1f} mm</translation>
         </message>
         <message>
-            <source>{length_mm:.0f} mm long</source>
-            <translation>{length_mm:.0f} mm lång</translation>
+            <source>{length_mm:.0f} mm (no foot)</source>
+            <translation>{length_mm:.0f} mm (ingen fot)</translation>
         </message>
         <message>
-            <source>{length_mm:.0f} mm, which is no foot,</source>
-            <translation>{length_mm:.0f} mm, vilket inte är någon fot,</translation>
+            <source>{length_mm:.0f} mm long</source>
+            <translation>{length_mm:.0f} mm lång</translation>
         </message>
         <message>
             <source>{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} mm, and {allowed_mm:g} mm are allowed; allow more triangles or more deviation.</source>

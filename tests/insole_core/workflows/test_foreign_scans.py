@@ -50,7 +50,7 @@ def scaled(mesh: TriangleMesh, length: float) -> TriangleMesh:
 @pytest.mark.parametrize(
     ("suffix", "length", "said"),
     [
-        ("stl", 14.0, r"\(a child's, EU 23\) if it is in centimetres, 35\d mm, which is no foot"),
+        ("stl", 14.0, r"\(a child's, EU 23\) if it is in centimetres, 35\d mm \(no foot\)"),
         ("stl", 6.65, r"a foot of 16[89] mm \(a child's, EU 2\d\) if it is in inches"),
         ("stl", 180.0, r"a foot of (179|180) mm \(a child's, EU 29\) if it is in millimetres"),
         ("glb", 246.0, r"in metres by what it says.*a foot of 24\d mm if it is in millimetres"),

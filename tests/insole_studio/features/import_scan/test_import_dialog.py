@@ -353,7 +353,7 @@ def test_the_unit_is_asked_by_what_each_would_give(
     assert dialog is not None
     assert list(dialog.units) == ["cm", "inch"]
     assert "Centimetres: a foot of 140 mm (a child's, EU 2" in dialog.units["cm"].text()
-    assert "which is no foot" in dialog.units["inch"].text()
+    assert "mm (no foot)" in dialog.units["inch"].text()
     assert "mm" not in dialog.finding.text()
     assert not dialog.open_button.isEnabled()
     QTest.mouseClick(dialog.units["cm"], LEFT)
