@@ -75,8 +75,8 @@ class JobSheet:
         Dimensions of the solid.
     make
         Material and tolerances.
-    checks
-        One sentence each.
+    checks, warnings
+        One sentence each; warnings are what is unusual about the design.
     file
         The exported file, whose hash is printed; it may still have a temporary name.
     file_name
@@ -99,6 +99,7 @@ class JobSheet:
     checks: tuple[str, ...]
     file: Path
     file_name: str
+    warnings: tuple[str, ...] = ()
     height_map: HeightMap | None = None
     failed_mm: tuple[Place, ...] = ()
     is_nested: bool = False
@@ -211,7 +212,9 @@ def _sheet(sheet: JobSheet, texts: dict[str, str], translate: Translate) -> list
     file = {"name": sheet.file_name, "SHA-256": _digest_of(sheet.file)}
     story += _facts(texts["file"], file, translate)
     frame = texts["frame on page 1" if sheet.is_nested else "frame"]
-    story += [*_list(texts["checks"], sheet.checks), paragraph(f"{frame} {texts['footer']}", NOTE)]
+    story += _list(texts["checks"], sheet.checks)
+    story += _warnings(texts, sheet.warnings)
+    story += [paragraph(f"{frame} {texts['footer']}", NOTE)]
     return [*story, paragraph(texts["heights"], HEAD), *_picture(sheet)]
 
 
@@ -268,6 +271,7 @@ def write_prescription(
     path: Path,
     *,
     responsible: Facts,
+    warnings: Sequence[str] = (),
     translate: Translate = str,
 ) -> None:
     """Write the prescription for the patient and the record, with the statement of Annex XIII.
@@ -283,6 +287,8 @@ def write_prescription(
     responsible
         Prescriber, clinic, maker and the maker's address. The text of the statement may name
         them, and every other fact here, in braces: ``{maker}``.
+    warnings
+        What is unusual about the design, a sentence each.
     translate
         Into the language of the paper; lines and facts come translated, names of facts do not.
 
@@ -299,6 +305,7 @@ def write_prescription(
     given = {key: value for key, value in responsible.items() if value}
     story += _facts(texts["responsible"], given, translate)
     story += _list(texts["corrections"], corrections or ("–",))
+    story += _warnings(texts, warnings)
     story += _facts(texts["make"], make, translate)
     statement = _filled(texts["statement"], {**identification, **responsible})
     story += _list(texts["statement_title"], (statement,))
@@ -436,6 +443,12 @@ def _facts(title: str, facts: Facts, translate: Translate = str) -> list[Flowabl
 
 def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
     return [paragraph(title, HEAD), *(paragraph(line) for line in lines)]
+
+
+def _warnings(texts: Facts, sentences: Sequence[str]) -> list[Flowable]:
+    return (
+        _list(texts["warnings"], [f"! {sentence}" for sentence in sentences]) if sentences else []
+    )
 
 
 def _picture(sheet: JobSheet) -> list[Flowable]:

@@ -119,7 +119,7 @@ class ExportJob:
     release
         Number, revision and who released it, for the drawing.
     translate
-        Into the language of the job sheet.
+        Into the language of the papers.
     """
 
     parts: tuple[Part, ...]
@@ -302,6 +302,8 @@ def run_export_job(
             identification={**job.patient, **job.identification},
             material=" / ".join(dict.fromkeys(filter(None, job.materials.values()))),
             day=date.today(),
+            warnings={part.side: part.warnings for part in job.parts},
+            translate=job.translate,
         )
 
 
@@ -369,6 +371,7 @@ def _job_sheet(
         make=_translated(_make(job, part), say),
         checks=tuple(f"{'✓' if f.passed else '✗'} {say(f.sentence)}" for f in placed.findings)
         + tuple(map(say, (*part.notes, *_released(job, part)))),
+        warnings=tuple(map(say, part.warnings)),
         file=beside.solid,
         file_name=places.solid.name,
         height_map=piece.heights if piece is not None and is_upright else placed.heights(),

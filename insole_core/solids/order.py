@@ -7,9 +7,12 @@ from dataclasses import dataclass, replace
 from insole_core.errors import DesignError
 from insole_core.export.lettering import missing_letters
 from insole_core.export.three_mf import ThreeMfPart
+from insole_core.foot.landmarks import Landmarks, find_landmarks
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
+from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
+from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Finding, check_solid
@@ -71,6 +74,10 @@ class Part:
         Greatest measured deviation by the reduction; 0 without one.
     findings
         Of the checks.
+    landmarks : insole frame
+        Of the foot, with those that were set by hand.
+    warnings
+        What is unusual about the design, a sentence each: those that the design shows too.
     notes
         What the customer should know beyond the checks, one sentence each.
     """
@@ -80,6 +87,8 @@ class Part:
     solid: TriangleMesh
     deviation_mm: float
     findings: tuple[Finding, ...]
+    landmarks: Landmarks
+    warnings: tuple[Message, ...] = ()
     notes: tuple[str, ...] = ()
 
     @property
@@ -100,7 +109,13 @@ class Part:
 
 
 def make_part(
-    insole: Insole, order: Order, rules: ExportRules, progress: Progress = SILENT
+    insole: Insole,
+    order: Order,
+    rules: ExportRules,
+    progress: Progress = SILENT,
+    *,
+    landmarks: Landmarks | None = None,
+    materials: MaterialTable | None = None,
 ) -> Part:
     """Make the solid of an insole, mark it, reduce its triangles, and check it.
 
@@ -109,6 +124,10 @@ def make_part(
     rules
         Only the checks in `CHECKS_OF` for this kind are made. An insole with a shell is at least as
         thick as its material needs, too.
+    landmarks
+        By default those that are found on the foot.
+    materials
+        Of the clinic, for the warnings; by default those of the product.
 
     Returns
     -------
@@ -135,7 +154,18 @@ def make_part(
         grid_mm=insole.design.grid_mm,
         least_thickness=None if shell is None else least_thickness(insole, shell),
     )
-    return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(insole, order))
+    landmarks = landmarks or find_landmarks(insole.foot)
+    unusual = design_warnings(insole, landmarks, load_rules(), materials)
+    return Part(
+        insole,
+        order,
+        simple.mesh,
+        simple.deviation_mm,
+        findings,
+        landmarks,
+        tuple(warning.sentence for warning in unusual),
+        _notes(insole, order),
+    )
 
 
 def nest_parts(left: Part, right: Part, block_mm: tuple[float, float, float]) -> Nest:

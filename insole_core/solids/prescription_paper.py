@@ -91,6 +91,7 @@ def write_prescription_paper(
     material: str,
     day: date,
     provenance: Mapping[Side, Mapping[str, str]] | None = None,
+    warnings: Mapping[Side, Sequence[str]] | None = None,
     translate: Translate = str,
 ) -> None:
     """Write the prescription of one foot or of both, with the statement.
@@ -103,6 +104,8 @@ def write_prescription_paper(
         Date of the paper.
     provenance
         How the device of each foot came about, as the clinic's record knows it.
+    warnings
+        What is unusual about the insole of each foot, a sentence each.
     translate
         Into the language of the paper.
 
@@ -116,10 +119,14 @@ def write_prescription_paper(
     from insole_core.export.paper import write_prescription
 
     require_statement(responsible, identification)
-    lines, make = [], {}
+    lines, make, unusual = [], {}, []
     for design in designs:
         side = translate(str(design.side))
         lines += [f"{side.capitalize()}. {translate(line)}" for line in correction_lines(design)]
+        unusual += [
+            f"{side.capitalize()}. {translate(sentence)}"
+            for sentence in (warnings or {}).get(design.side, ())
+        ]
         known = (provenance or {}).get(design.side, {})
         for key, value in {**make_facts(design), **known}.items():
             make[f"{side}, {translate(key)}"] = translate(value)
@@ -129,6 +136,7 @@ def write_prescription_paper(
         lines,
         {"material": material or "–", **make},
         path,
+        warnings=unusual,
         responsible={key.replace("_", " "): value for key, value in vars(responsible).items()},
         translate=translate,
     )

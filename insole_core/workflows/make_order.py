@@ -19,6 +19,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.messages import Translate
 from insole_core.milling.plan import MillingPlan
 from insole_core.pressure.laid_map import PressureMap
@@ -39,6 +40,7 @@ from insole_core.solids.prescription_paper import NOBODY, Responsible, require_s
 from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.mill import MillingChoice, plan_job, write_program
 from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.print_order import PrintChoice, zoned_print
@@ -156,7 +158,12 @@ def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
 
 
 def make_parts(
-    record: CaseRecord, choice: OrderChoice, rules: ExportRules, progress: Progress = SILENT
+    record: CaseRecord,
+    choice: OrderChoice,
+    rules: ExportRules,
+    progress: Progress = SILENT,
+    *,
+    materials: MaterialTable | None = None,
 ) -> tuple[Part, ...]:
     """Build, make and check the ordered parts.
 
@@ -165,6 +172,8 @@ def make_parts(
     rules
         Limits of the checks; the block of `choice` replaces theirs, and without one none is
         checked. A pair in a block is checked against it together.
+    materials
+        Of the clinic, for the warnings; by default those of the product.
 
     Returns
     -------
@@ -181,7 +190,7 @@ def make_parts(
     block = choice.block
     rules = replace(rules, block_mm=None if block is None else block.size_mm)
     parts = tuple(
-        _part(foot, choice, rules, step)
+        _part(foot, choice, rules, materials, step)
         for foot, step in zip(feet, progress.parts(len(feet)), strict=True)
     )
     if block is None or len(parts) == 1:
@@ -190,7 +199,13 @@ def make_parts(
     return checked_together(left, right, block.size_mm, rules.policies.get("block", "off"))
 
 
-def _part(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: Progress) -> Part:
+def _part(
+    foot: FootRecord,
+    choice: OrderChoice,
+    rules: ExportRules,
+    materials: MaterialTable | None,
+    progress: Progress,
+) -> Part:
     insole = build_insole(foot.foot, foot.design, progress.part(0.0, 0.4))
     order = Order(
         kind=choice.kind,
@@ -201,7 +216,14 @@ def _part(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: P
         most_deviation_mm=choice.most_deviation_mm,
         layered=choice.layered and choice.suffix == ".3mf" and choice.printing is None,
     )
-    return make_part(insole, order, rules, progress.part(0.4, 1.0))
+    return make_part(
+        insole,
+        order,
+        rules,
+        progress.part(0.4, 1.0),
+        landmarks=landmarks_of(foot),
+        materials=materials,
+    )
 
 
 @dataclass(frozen=True, eq=False)

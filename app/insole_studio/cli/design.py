@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -131,7 +130,7 @@ def _of_side(arguments: argparse.Namespace, side: Side | None) -> argparse.Names
 def _insole(
     wanted: _Wanted, foot: Foot | None, arguments: argparse.Namespace, progress: Progress
 ) -> Insole:
-    """Read a foot, unless it is read, and build its insole, printing the warnings about both."""
+    """Read a foot, unless it is read, and build its insole, printing what the scan warns of."""
     from insole_core.insole.build import build_insole
 
     if foot is None:
@@ -139,9 +138,7 @@ def _insole(
         foot = foot_argument.read_foot(wanted.path, wanted.side, arguments, reading)
     design = prescribed.prescribed(foot, wanted.prescription, arguments)
     design = shoe_arguments.in_shoe(design, arguments, either=wanted.is_one_of_two)
-    insole = build_insole(foot, design, progress.part(0.8, 1.0))
-    _print_warnings(insole, arguments.materials)
-    return insole
+    return build_insole(foot, design, progress.part(0.8, 1.0))
 
 
 def _read_prescription(path: Path | None) -> InsoleDesign | None:
@@ -160,14 +157,3 @@ def _agreed_side(side: Side | None, design: InsoleDesign | None) -> Side | None:
             "correct one of the two."
         )
     return design.side
-
-
-def _print_warnings(insole: Insole, materials: Path | None) -> None:
-    """Print what is unusual in the prescription, by the rules and materials of the clinic."""
-    from insole_core.foot.landmarks import find_landmarks
-    from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
-
-    landmarks = find_landmarks(insole.foot)
-    table = prescribed.materials(materials)
-    for warning in design_warnings(insole, landmarks, load_rules(), table):
-        print(f"Warning: {warning.sentence}", file=sys.stderr)

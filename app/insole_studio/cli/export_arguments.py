@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
-from insole_studio.cli import print_arguments
+from insole_studio.cli import prescribed, print_arguments
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
@@ -239,7 +239,7 @@ def _rules(arguments: argparse.Namespace, block: Block | None) -> ExportRules:
 
 
 def _doubts(part: Part) -> tuple[str, ...]:
-    return (*part.notes, *(f.sentence for f in part.findings if not f.passed))
+    return (*part.warnings, *part.notes, *(f.sentence for f in part.findings if not f.passed))
 
 
 def _part(
@@ -247,7 +247,8 @@ def _part(
 ) -> Part:
     from insole_core.solids.order import make_part
 
-    part = make_part(insole, _order(arguments), rules, progress)
+    table = prescribed.materials(arguments.materials)
+    part = make_part(insole, _order(arguments), rules, progress, materials=table)
     if part.order.most_triangles is not None:
         print(
             f"{len(part.solid.triangles)} triangles; they deviate by"

@@ -3468,6 +3468,10 @@
             <translation>Enheter</translation>
         </message>
         <message>
+            <source>Unusual in the design</source>
+            <translation>Ovanligt i utformningen</translation>
+        </message>
+        <message>
             <source>Up to 10 in the shoe; above 6.4 under the full sole, half of it at the heads.</source>
             <translation>Upp till 10 i skon; över 6,4 under hela sulan, hälften vid huvudena.</translation>
         </message>

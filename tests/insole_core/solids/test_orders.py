@@ -154,7 +154,7 @@ def test_one_least_thickness_on_all_papers(left_foot, tmp_path: Path, monkeypatc
     sheets: list[JobSheet] = []
     monkeypatch.setattr(
         "insole_core.export.paper.write_job_sheet",
-        lambda made, *_others: sheets.extend(made),
+        lambda made, *_others, **_named: sheets.extend(made),
     )
     insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=4.5))
     part = part_of(insole, read_rules().only(("thickness",)))

@@ -19,14 +19,20 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
 from insole_core.insole.prescription.design import (
     ArchRaise,
+    Finish,
     InsoleDesign,
     Pelott,
     Posting,
     Shell,
 )
+from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.insole.prescription.materials import read_materials
 from insole_core.insole.prescription.prescription_lines import correction_lines, plain_number
+from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob
@@ -36,6 +42,7 @@ from insole_core.solids.order_number import new_order_number
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks, require_names
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.make_order import OrderChoice, files_of, make_parts, write_order
 from insole_core.workflows.nameless import require_nameless
 
@@ -84,6 +91,33 @@ def test_a_pair_is_checked_as_it_is_nested(record: CaseRecord) -> None:
         finding = found["block"]
         assert finding.blocks  # type: ignore[attr-defined]
         assert "The pair needs a block of" in finding.sentence  # type: ignore[attr-defined]
+
+
+def test_what_the_design_warns_of_stands_on_both_papers(record: CaseRecord, tmp_path: Path) -> None:
+    """A pelott ahead of the heads, a relief deeper than the material, a transition without room."""
+    pad = Pelott(centre_mm=(0.0, 185.0))
+    relief = Pelott(
+        centre_mm=(-15.0, 120.0), shape="cut_out", length_mm=22, width_mm=20, height_mm=-6
+    )
+    device = read_device(resource_path("devices/functional-three-quarter.json"))
+    cupped = apply_device(device, InsoleDesign(Side.LEFT, (pad, relief), grid_mm=2.0))
+    wide = replace(cupped.finish or Finish(), arch_blend_mm=25.0)
+    foot = FootRecord.begun(record.feet[0].foot, NOWHERE, replace(cupped, finish=wide))
+    choice = OrderChoice(prescription=True, checks=True, pseudonym="26-7KQ4M")
+    shown = design_warnings(
+        build_insole(foot.foot, foot.design), landmarks_of(foot), load_rules(), read_materials()
+    )
+    (part,) = make_parts(CaseRecord(PATIENT, (foot,), Side.LEFT), choice, ExportRules({}, {}))
+    assert part.warnings == tuple(warning.sentence for warning in shown)
+    written = " ".join(part.warnings)
+    for words in ("ahead of the line of the heads", "the surface is raised", "transition"):
+        assert words in written
+    write_order(
+        [part], choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT, responsible=RESPONSIBLE
+    )
+    for paper in ("job-sheet", "prescription"):
+        text = "".join(text_of_pdf(tmp_path / f"o-left-{paper}.pdf").split())
+        assert [said for said in part.warnings if "".join(said.split()) not in text] == []
 
 
 @pytest.mark.parametrize("kind", ["insole", "block"])

@@ -131,7 +131,9 @@ def _items(
         choice = _choice(arguments, terms, record.patient.pseudonym)
         parts = make_parts(record, choice, rules, step)
         for sentence in dict.fromkeys(
-            f.sentence for p in parts for f in p.findings if not f.passed
+            s
+            for p in parts
+            for s in (*p.warnings, *(f.sentence for f in p.findings if not f.passed))
         ):
             print(visible_line(f"Warning: {path.name}: {sentence}"), file=sys.stderr)
         added = {

@@ -21,6 +21,7 @@ from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.clinic_materials import ClinicMaterials
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import Package
 from insole_core.workflows.mill import clinic_machines
@@ -76,6 +77,7 @@ class ExportActions(StageWindow["ExportStage"]):
         return ExportStage(
             case=self._case,
             rules=ClinicExportRules(folder / "export.json"),
+            materials=ClinicMaterials(folder).load()[0],
             shop=shop,
             blocks=blocks,
             asker=self,

@@ -16,6 +16,7 @@ from insole_core.errors import InsoleError
 from insole_core.export.shop_order import OrderTerms
 from insole_core.export.solid_file import merged
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.milling.machine import Machine
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override, worst_findings
@@ -113,6 +114,8 @@ class ExportPresenter:
         Runs long computations.
     rules
         Storage of the clinic's rules.
+    materials
+        Of the clinic, for the warnings of the design.
     shop
         The workshop that receives the order.
     blocks
@@ -134,6 +137,7 @@ class ExportPresenter:
         case: Case,
         jobs: Jobs,
         rules: ClinicExportRules,
+        materials: MaterialTable,
         shop: Shop,
         blocks: ClinicBlocks,
         asker: OrderAsker,
@@ -142,7 +146,7 @@ class ExportPresenter:
         exported: Callable[[CaseRecord, Ordered], None],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
-        self._store, self._shop = rules, shop
+        self._store, self._materials, self._shop = rules, materials, shop
         self._block_store, self._asker, self._exported = blocks, asker, exported
         self._memory = memory
         self._own_blocks: tuple[Block, ...] = ()
@@ -301,12 +305,13 @@ class ExportPresenter:
             self._take(())
             return
         record, choice, rules = self._record, self._order, self._rules
+        materials = self._materials
         if cutter_mm is not None:
             rules = rules.with_cutter(cutter_mm)
         self._machine.forget()
 
         def make(progress: Progress) -> tuple[Part, ...]:
-            return make_parts(record, choice, rules, progress)
+            return make_parts(record, choice, rules, progress, materials=materials)
 
         self._panel.show_error(self._complaint)
         self._jobs.start(MAKING, make, self._take, self._show_nothing)
@@ -613,7 +618,7 @@ class ExportPresenter:
             self._panel.show_error(self._misfit.sentence)
         shown = self._shown if self._shown in names else next(iter(names), "")
         self._panel.show_parts(names, shown)
-        self._panel.show_notes([note for part in parts for note in notes_of(part)])
+        self._panel.show_notes(notes_of(parts))
         self._shown = shown
         self._prepare()
 

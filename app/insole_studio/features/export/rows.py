@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -16,7 +16,7 @@ from insole_core.solids.nesting import Nest
 from insole_core.solids.order import CHECKS_OF, Part
 from insole_core.solids.solid import Kind
 from insole_core.workflows.make_order import OrderChoice, ordered_material
-from insole_studio.texts import fill, tr
+from insole_studio.texts import fill, tr, translate_core_message
 
 
 class CheckState(StrEnum):
@@ -181,7 +181,16 @@ def summary_of_nest(nest: Nest) -> str:
     return fill(text, length=float(length), width=float(width), height=float(height))
 
 
-def notes_of(part: Part) -> list[str]:
+def notes_of(parts: Sequence[Part]) -> list[str]:
+    """Return what is unusual about the design of each part, and of what its letters are like."""
+    return [
+        f"{_side(part)}: {note}" if len(parts) > 1 else note
+        for part in parts
+        for note in (*map(translate_core_message, part.warnings), *_letter_notes(part))
+    ]
+
+
+def _letter_notes(part: Part) -> list[str]:
     """Return a note if the font lacks letters of the part's identification."""
     missing = missing_letters("".join(part.order.mark))
     text = tr("The font has no letters {letters}; a likeness or “?” stands for them.")
@@ -189,11 +198,16 @@ def notes_of(part: Part) -> list[str]:
 
 
 def side_text(part: Part) -> str:
-    """Return the name of the part's side, with a symbol if a check did not pass."""
-    text = tr("Left") if part.side is Side.LEFT else tr("Right")
+    """Return the name of the part's side, with a symbol for a failed check or a warning."""
+    text = _side(part)
     if any(finding.blocks for finding in part.findings):
         return f"{text}  ✗"
-    return text if all(finding.passed for finding in part.findings) else f"{text}  !"
+    is_usual = all(finding.passed for finding in part.findings) and not part.warnings
+    return text if is_usual else f"{text}  !"
+
+
+def _side(part: Part) -> str:
+    return tr("Left") if part.side is Side.LEFT else tr("Right")
 
 
 def patient_text(patient: Patient) -> str:

@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
+from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.milling.machine import Machine
 from insole_core.solids.shop import Shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
@@ -32,6 +33,8 @@ class ExportStage(StageFrame):
         The open case.
     rules
         Storage of the clinic's rules.
+    materials
+        Of the clinic, for the warnings of the design.
     shop
         The workshop that receives the order.
     blocks
@@ -55,6 +58,7 @@ class ExportStage(StageFrame):
         *,
         case: Case,
         rules: ClinicExportRules,
+        materials: MaterialTable,
         shop: Shop,
         blocks: ClinicBlocks,
         asker: OrderAsker,
@@ -76,6 +80,7 @@ class ExportStage(StageFrame):
             case=case,
             jobs=self.jobs,
             rules=rules,
+            materials=materials,
             shop=shop,
             blocks=blocks,
             asker=asker,

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 import trimesh
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractSpinBox, QApplication
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 from read_pdf import text_of_pdf
 
@@ -22,7 +22,8 @@ from insole_core.export.order_verification import verify_order
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Shell
+from insole_core.insole.prescription.materials import read_materials
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
@@ -121,6 +122,7 @@ def stage(
     built = ExportStage(
         case=case,
         rules=rules,
+        materials=read_materials(),
         shop=SHOP,
         blocks=ClinicBlocks(tmp_path / "config" / "blocks.json"),
         asker=chosen,
@@ -156,6 +158,24 @@ def test_part_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[
     assert "triangles" in stage.view.summary.text()
     assert stage.view.export.isEnabled()
     assert not stage.view.reason.isVisible()
+
+
+def test_what_the_design_warns_of_is_told_before_the_export(
+    stage: ExportStage, case: Case, settle: Callable[[], None]
+) -> None:
+    assert stage.view.notes.text() == ""
+    ahead = Pelott(centre_mm=(0.0, 185.0))
+    case.apply(InsoleDesign(Side.LEFT, (ahead,), grid_mm=2.0), "Add a pelott")
+    settle()
+    assert "ahead of the line of the heads" in stage.view.notes.text()
+    assert not stage.view.notes.text().startswith("Left")
+    order(stage, both=True)
+    settle()
+    assert stage.view.notes.text().startswith("Left: ")
+    names = [
+        button.text() for button in stage.view.findChildren(QToolButton) if button.property("part")
+    ]
+    assert names == ["Left  !", "Right"]
 
 
 @pytest.mark.slow

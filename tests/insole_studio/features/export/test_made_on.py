@@ -20,6 +20,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.materials import read_materials
 from insole_core.resources import resource_path
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
@@ -110,6 +111,7 @@ def stage(
     built = ExportStage(
         case=case,
         rules=ClinicExportRules(folder / "export.json"),
+        materials=read_materials(),
         shop=SHOP,
         blocks=ClinicBlocks(folder / "blocks.json"),
         asker=asker,
