@@ -75,25 +75,29 @@ class Presence:
 
     def others(self, visit_id: str) -> list[Present]:
         """Return who else has a visit open, the longest first."""
+        with self._context.reading() as connection:
+            return self.others_within(connection, visit_id)
+
+    def others_within(self, connection: Connection, visit_id: str) -> list[Present]:
+        """Do the same as `others` within a transaction."""
         author = self._context.author
         return [
             present
-            for present in self._present(visit_id)
+            for present in self._present(connection, visit_id)
             if (present.author, present.station) != (author.name, author.station)
         ]
 
-    def _present(self, visit_id: str) -> list[Present]:
-        with self._context.reading() as connection:
-            now = datetime.strptime(self._now(connection), TIME_FORMAT)
-            first, last = (
-                (now + timedelta(seconds=seconds)).strftime(TIME_FORMAT)
-                for seconds in (-STALE_S, STALE_S)
-            )
-            is_recent = presence.c.seen_at.between(first, last)
-            query = select(
-                presence.c.visit_id, presence.c.author, presence.c.station, presence.c.since
-            ).where(presence.c.visit_id == visit_id, is_recent)
-            rows = connection.execute(query.order_by(presence.c.since)).all()
+    def _present(self, connection: Connection, visit_id: str) -> list[Present]:
+        now = datetime.strptime(self._now(connection), TIME_FORMAT)
+        first, last = (
+            (now + timedelta(seconds=seconds)).strftime(TIME_FORMAT)
+            for seconds in (-STALE_S, STALE_S)
+        )
+        is_recent = presence.c.seen_at.between(first, last)
+        query = select(
+            presence.c.visit_id, presence.c.author, presence.c.station, presence.c.since
+        ).where(presence.c.visit_id == visit_id, is_recent)
+        rows = connection.execute(query.order_by(presence.c.since)).all()
         return [Present(**row._mapping) for row in rows]
 
     def _now(self, connection: Connection) -> str:

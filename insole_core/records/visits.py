@@ -8,20 +8,23 @@ from dataclasses import replace
 from datetime import date
 from typing import Any, Final
 
-from sqlalchemy import Row, Select, insert, select, update
+from sqlalchemy import Row, Select, delete, insert, select, update
 
 from insole_core.cases.case_record import CaseRecord, Patient
-from insole_core.errors import Conflict
+from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
+from insole_core.records.audit import AuditLog
 from insole_core.records.context import RecordsContext
 from insole_core.records.person import Person
 from insole_core.records.person_rows import locked_person, person_of
 from insole_core.records.prescription import Base
 from insole_core.records.prescriptions import Prescriptions
+from insole_core.records.presence import Presence
 from insole_core.records.rights import Right
-from insole_core.records.schema import persons, visits
+from insole_core.records.schema import persons, presence, visits
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
+from insole_core.records.visit_contents import check_empty
 from insole_core.records.visit_rows import VISIT_FIELDS, all_visits, visit_from, visit_of
 
 _EDITED: Final = (
@@ -36,10 +39,11 @@ _EDITED: Final = (
 
 
 class Visits:
-    """Finds, adds and changes visits."""
+    """Finds, adds and changes visits; deletes empty ones."""
 
     def __init__(self, context: RecordsContext, prescriptions: Prescriptions) -> None:
         self._context = context
+        self._presence = Presence(context)
         self._prescriptions = prescriptions
 
     def get(self, visit_id: str) -> Visit:
@@ -130,6 +134,28 @@ class Visits:
                 fields=" ".join(changed),
             )
             return visit_of(connection, visit.id)
+
+    def delete(self, visit_id: str) -> None:
+        """Delete a visit that holds nothing, which the audit log tells.
+
+        Raises
+        ------
+        NotAllowed
+        RecordsError
+            When it holds something, somebody else has it open, or it is gone already.
+        """
+        with self._context.writing_visit(Right.WRITE, visit_id) as (connection, visit):
+            check_empty(connection, visit)
+            others = self._presence.others_within(connection, visit_id)
+            if others:
+                raise RecordsError(
+                    "The visit is open at the moment: {who}; close it there before it is deleted.",
+                    who=f"{others[0].author}, {others[0].station}",
+                )
+            connection.execute(delete(presence).where(presence.c.visit_id == visit_id))
+            connection.execute(delete(visits).where(visits.c.id == visit_id))
+            AuditLog.seal(connection, self._context.author, "visit", [visit_id])
+            self._context.log(connection, "deleted", "visit", visit_id, person=visit.person_id)
 
     def open_case(self, visit_id: str) -> OpenedCase:
         """Return a visit as the case that a window works on, which the audit log tells.

@@ -3012,6 +3012,18 @@
             <translation>Vyerna {views} är båda tilldelade sensor {serial}, som inte kan ta dem samtidigt; ge varje vy sin egen sensor, eller ta dem efter varandra.</translation>
         </message>
         <message>
+            <source>The visit is open at the moment: {who}; close it there before it is deleted.</source>
+            <translation>Besöket är öppet just nu: {who}; stäng det där innan det tas bort.</translation>
+        </message>
+        <message>
+            <source>The visit of {day} has a reason, findings, weight, shoe size or measures, and is kept; clear them under “Edit…” first if it was made by mistake.</source>
+            <translation>Besöket den {day} har orsak, fynd, vikt, skostorlek eller mått och finns kvar; töm dem under ”Redigera…” först om det skapades av misstag.</translation>
+        </message>
+        <message>
+            <source>The visit of {day} holds scans ({scans}), versions of prescriptions ({versions}), orders ({orders}) or follow-ups ({follow_ups}), and is kept; only an empty visit can be deleted.</source>
+            <translation>Besöket den {day} innehåller skanningar ({scans}), versioner av ordinationer ({versions}), beställningar ({orders}) eller uppföljningar ({follow_ups}) och finns kvar; bara ett tomt besök kan tas bort.</translation>
+        </message>
+        <message>
             <source>The volume of interest was set by hand.</source>
             <translation>Volymen av intresse sattes för hand.</translation>
         </message>
@@ -4182,6 +4194,10 @@
         <message>
             <source>degrees uncertain in direction</source>
             <translation>grader osäkert i riktning</translation>
+        </message>
+        <message>
+            <source>deleted</source>
+            <translation>borttaget</translation>
         </message>
         <message>
             <source>delivered</source>

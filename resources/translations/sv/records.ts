@@ -176,6 +176,14 @@
             <translation>Bestäm…</translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation>Ta bort</translation>
+        </message>
+        <message>
+            <source>Deletes a visit that holds nothing; any other one is kept</source>
+            <translation>Tar bort ett besök som inte innehåller något; alla andra finns kvar</translation>
+        </message>
+        <message>
             <source>Delivered</source>
             <translation>Levererad</translation>
         </message>
@@ -554,6 +562,10 @@
         <message>
             <source>The capture room has to capture the feet</source>
             <translation>Avbildningsrummet ska avbilda fötterna</translation>
+        </message>
+        <message>
+            <source>The empty visit of {day} is deleted.</source>
+            <translation>Det tomma besöket den {day} är borttaget.</translation>
         </message>
         <message>
             <source>The file does not tell how its letters are stored. Which names are right?</source>

@@ -97,6 +97,7 @@ class PatientRecords(QObject):
         self._reminder = ""
         self.person: PersonPage | None = None
         self.orders: OrdersPage | None = None
+        self._is_adding_visit = False
         self._start_presenter: StartPresenter | None = None
         self._orders_presenter: OrdersPresenter | None = None
         self._same_prescription = SamePrescription(services)
@@ -216,17 +217,58 @@ class PatientRecords(QObject):
             self.show_start()
             return
         visit = Visit(person.id, date.today(), capture_state=CaptureState.WANTED)
+        self._leave_case(lambda: self._add_visit(visit, same_prescription))
+
+    def _add_visit(self, visit: Visit, same_prescription: bool) -> None:
+        """Add a visit and open it, once the case before it has been left.
+
+        A key that is held, or pressed again before the visit is open, adds no other one.
+        """
+        if self._is_adding_visit:
+            return
+        self._is_adding_visit = True
 
         def add(records: Records) -> dict[Side, Template]:
-            templates = last_prescriptions(records, person.id)
+            templates = last_prescriptions(records, visit.person_id)
             records.visits.add(visit)
             return templates
 
         def added(templates: dict[Side, Template]) -> None:
+            self._is_adding_visit = False
             self._same_prescription.expect(visit.id, templates, applied=same_prescription)
-            self.open_visit(visit.id)
+            self._keeper.open_visit(visit.id, self._tell)
 
-        self._clinic.write(add, added, self._tell)
+        def failed(error: Exception) -> None:
+            self._is_adding_visit = False
+            self._tell(error)
+
+        self._clinic.write(add, added, failed)
+
+    def _delete_visit(self, visit_id: str) -> None:
+        """Delete a visit of the person on the page if it is empty, or say why it is kept."""
+        person = self._shown_person
+        shown = (
+            None if self._person_presenter is None else self._person_presenter.visit_of(visit_id)
+        )
+        if person is None or shown is None:
+            return
+        day = shown.visit.visited_on.isoformat()
+
+        def deleted(_none: None) -> None:
+            sentence = tr("The empty visit of {day} is deleted.")
+            self._services.messages.say(sentence.format(day=day))
+
+        def delete() -> None:
+            self._clinic.write(lambda r: r.visits.delete(visit_id), deleted, self._tell)
+
+        def close_and_delete() -> None:
+            self._close_case_for(person.id)
+            delete()
+
+        if self._keeper.visit_id == visit_id:
+            self._leave_case(close_and_delete)
+        else:
+            delete()
 
     def show_orders(self, *, of_person: bool = False) -> None:
         """Show the orders of the clinic, or of the person on the page."""
@@ -524,6 +566,7 @@ class PatientRecords(QObject):
             "open": self.open_visit,
             "edit": self._edit_visit,
             "versions": self._show_versions,
+            "delete": self._delete_visit,
         }[key]
         run(visit_id)
 

@@ -74,6 +74,7 @@ class VisitCard(QFrame):
             ("open", tr("Open")),
             ("edit", tr("Edit…")),
             ("versions", tr("Versions…")),
+            ("delete", tr("Delete")),
         ):
             top.addWidget(self._button(key, text))
         layout = QVBoxLayout(self)
@@ -112,6 +113,8 @@ class VisitCard(QFrame):
         button.setProperty("action", key)
         button.setAccessibleName(f"{text} {self.row.day}")
         button.setEnabled(key != "versions" or bool(self.row.feet))
+        if key == "delete":
+            button.setToolTip(tr("Deletes a visit that holds nothing; any other one is kept"))
         button.clicked.connect(self._request)
         return button
 

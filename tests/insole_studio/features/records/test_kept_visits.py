@@ -481,3 +481,23 @@ def test_a_record_that_does_not_answer_at_the_start_is_opened_as_soon_as_it_does
     qtbot.waitUntil(lambda: [shown.text for shown in notices.notices] == [said], timeout=60_000)
     station = clinic.ask_now(lambda found: found)
     assert newest_mm(station, visit) == 5.5
+
+
+def test_no_visit_is_begun_while_the_open_one_cannot_be_left(
+    opened: Application,
+    records: Records,
+    other_station: Records,
+    visit: Visit,
+    qtbot: QtBot,
+    rest: Callable[[], None],
+) -> None:
+    opened.services.clinic._watch.stop()
+    change_elsewhere(other_station, visit, 5.0)
+    thicken(opened, 4.5)
+    conflict_dialog(opened, qtbot).reject()
+    opened.controller._go_to_step("patient")
+    rest()
+    opened.controller.run_action("new_visit", False)
+    rest()
+    assert [kept.id for kept in records.visits.of_person(visit.person_id)] == [visit.id]
+    assert opened.services.keeper.visit_id == visit.id

@@ -471,6 +471,34 @@ def test_actions_on_a_person_need_their_page(clinic: Application, page: PersonPa
     assert not actions["new_visit"].isEnabled()
 
 
+def test_an_empty_visit_is_deleted_and_one_with_contents_is_kept(
+    clinic: Application,
+    page: PersonPage,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    clinic.controller.run_action("new_visit", False)
+    clinic.controller.run_action(
+        "new_visit", False
+    )  # as by a key that is held: one visit all the same
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    assert clinic.case.kept is not None
+    empty = clinic.case.kept.visit
+    clinic.controller._go_to_step("patient")
+    qtbot.waitUntil(lambda: set(page.cards) == {visit.id, empty.id}, timeout=10_000)
+    press(page, visit, "delete")
+    qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs), timeout=10_000)
+    assert "versions of prescriptions (1)" in clinic.services.messages.dialogs[0].text()
+    press(page, empty, "delete")  # although it is open in this window
+    qtbot.waitUntil(lambda: list(page.cards) == [visit.id], timeout=10_000)
+    rest()
+    assert clinic.window.page is page
+    assert clinic.case.kept is None
+    assert records.visits.of_person(visit.person_id) == [visit]
+
+
 def test_names_are_shown_as_they_are(
     clinic: Application, records: Records, rest: Callable[[], None]
 ) -> None:
