@@ -21,7 +21,7 @@ from insole_core.errors import OutputError, RecordsError
 from insole_core.export.temporary import is_temporary
 from insole_core.given_file import read_given
 from insole_core.progress import SILENT, Progress
-from insole_core.records.audit import head_of
+from insole_core.records.audit import AuditLog, head_of
 from insole_core.records.backup.backup_folder import BackupFolder, BackupWriter, SnapshotName
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
@@ -120,6 +120,7 @@ def set_up_backups(context: RecordsContext, key: BackupKey) -> None:
     with context.database.writing() as connection:
         require(connection, context.author, Right.SET_UP)
         write_setting(connection, KEY_VALUE, key.as_json())
+        AuditLog.seal(connection, context.author, "clinic", [KEY_VALUE])
         context.log(connection, "set up backups", _SUBJECT, key.recipient)
 
 

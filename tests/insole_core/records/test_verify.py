@@ -8,7 +8,7 @@ from datetime import date
 from typing import Any
 
 import pytest
-from backed_up_record import MESH, SESSION, fill
+from backed_up_record import MESH, RECIPIENT, SESSION, fill
 from sqlalchemy import Boolean, Column, Date, Text, func, select, text, update
 from stations import Stations
 from tampering import without_triggers
@@ -17,6 +17,8 @@ from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Role
+from insole_core.records.backup.back_up import set_up_backups
+from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.context import RecordsContext
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import mark_of
@@ -72,6 +74,7 @@ def set_up(stations: Stations) -> Records:
     follow_up = FollowUp(eva.id, date(2026, 11, 22), "better", visit_id=visit.id)
     records.follow_ups.add(follow_up)
     records.clinic.set("name", "Foot clinic")
+    set_up_backups(records.context, BackupKey.for_recipients([RECIPIENT]))
     other = records.persons.add(Person("Eva Berg", contact="Storgatan 1"))
     records.visits.add(Visit(other.id, date(2026, 11, 21)))
     records.persons.undo_merge(records.persons.merge(eva.id, other.id))
@@ -94,6 +97,10 @@ def set_up(stations: Stations) -> Records:
         ("1 rows of account are in no line",
          "INSERT INTO accounts (id, name, full_name, role, password_hash, changed_at) "
          "VALUES ('x', 'x', 'x', 'administrator', 'x', 'x')"),
+        ("1 rows of clinic are not what",
+         "UPDATE clinic SET value = 'mine' WHERE key = 'backup_key'"),
+        ("1 rows of clinic are gone", "DELETE FROM clinic WHERE key = 'backup_key'"),
+        ("1 rows of clinic are in no line", "INSERT INTO clinic VALUES ('retention_years', '1')"),
         ("Accounts are off, although nobody", "DELETE FROM clinic WHERE key = 'accounts_on'"),
     ],
 )  # fmt: skip
