@@ -109,6 +109,10 @@ class CannedQuestions:
         self.asked.append(f"discard {name}")
         return self.unsaved is Answer.DISCARD
 
+    def may_lose_corrections(self, sentence: str) -> bool:
+        self.asked.append(sentence)
+        return self.replace
+
     def may_remove_sample(self) -> bool:
         self.asked.append("remove sample")
         return self.unsaved is Answer.DISCARD

@@ -113,6 +113,10 @@ class AnsweredQuestions(Questions):
         """Return whether recovered work may be discarded: if unsaved work is."""
         return self.answers.unsaved is Answer.DISCARD
 
+    def may_lose_corrections(self, _sentence: str) -> bool:
+        """Return whether a foot may lose corrections: if unsaved work may be."""
+        return self.answers.unsaved is Answer.DISCARD
+
     def may_remove_sample(self) -> bool:
         """Return whether the sample patient may be removed: if unsaved work may be."""
         return self.answers.unsaved is Answer.DISCARD

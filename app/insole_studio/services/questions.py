@@ -246,6 +246,16 @@ class Questions:
         sentence = tr("What was recovered of {name} and not saved will be gone for good.")
         return self._choose(sentence.format(name=name), choices, default=False)
 
+    def may_lose_corrections(self, sentence: str) -> bool:
+        """Ask whether a foot may lose corrections to a prescription that takes their place."""
+        choices = [
+            _Choice(tr("Replace the prescription"), True, _DESTRUCT),
+            _Choice(tr("Keep the present one"), False, _REJECT),
+        ]
+        return self._choose(
+            sentence, choices, default=False, details=tr("One step of undo brings them back.")
+        )
+
     def may_remove_sample(self) -> bool:
         """Ask whether the sample patient may be removed with all that was tried on it."""
         choices = [

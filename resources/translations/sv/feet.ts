@@ -104,6 +104,10 @@
             <translation>Fortsätt med en kopia av ordinationen; den första finns kvar</translation>
         </message>
         <message>
+            <source>Keep the present one</source>
+            <translation>Behåll den nuvarande</translation>
+        </message>
+        <message>
             <source>L − R</source>
             <translation>V − H</translation>
         </message>
@@ -152,6 +156,10 @@
             <translation>Ett inlägg ensamt</translation>
         </message>
         <message>
+            <source>One step of undo brings them back.</source>
+            <translation>Ett steg Ångra hämtar tillbaka dem.</translation>
+        </message>
+        <message>
             <source>Prescribe it for the other foot as well, mirrored</source>
             <translation>Ordinera den även för andra foten, speglad</translation>
         </message>
@@ -186,6 +194,10 @@
         <message>
             <source>Repeat the last design</source>
             <translation>Upprepa den senaste designen</translation>
+        </message>
+        <message>
+            <source>Replace the prescription</source>
+            <translation>Ersätt ordinationen</translation>
         </message>
         <message>
             <source>Show both feet, and both insoles, beside each other</source>
@@ -234,6 +246,14 @@
         <message>
             <source>The name that stands in every correction</source>
             <translation>Namnet som står i varje korrigering</translation>
+        </message>
+        <message>
+            <source>The new prescription has no {names}; the left foot loses that.</source>
+            <translation>Den nya ordinationen har inte {names}; vänster fot förlorar det.</translation>
+        </message>
+        <message>
+            <source>The new prescription has no {names}; the right foot loses that.</source>
+            <translation>Den nya ordinationen har inte {names}; höger fot förlorar det.</translation>
         </message>
         <message>
             <source>The other foot</source>

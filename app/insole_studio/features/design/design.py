@@ -86,7 +86,7 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
 def make_design(services: AppServices, stage: DesignStage) -> Design:
     """Construct the actions on a stage."""
     case, tools = services.case, stage.tool_controller
-    feet = FeetActions(case)
+    feet = FeetActions(case, services.messages)
     edit, side_by_side = EditActions(case, tools), SideBySideActions(case, stage)
     return Design(
         stage=stage,

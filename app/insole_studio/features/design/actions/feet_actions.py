@@ -10,15 +10,18 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Correction
 from insole_core.workflows.template_transfer import fitted, template_of
 from insole_studio.document.case import Case
+from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.features.design.correction_names import name_of
+from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
 
 
 class FeetActions:
     """The actions of the Feet menu."""
 
-    def __init__(self, case: Case) -> None:
+    def __init__(self, case: Case, messages: UserMessages) -> None:
         self._case = case
+        self._messages = messages
 
     def take(self, side: Side) -> None:
         """Make the foot of a side the active one.
@@ -45,7 +48,7 @@ class FeetActions:
             self.take(side.other)
 
     def copy_prescription(self) -> None:
-        """Copy the prescription to the other foot, mirrored.
+        """Copy the prescription to the other foot, mirrored; ask where that costs corrections.
 
         Raises
         ------
@@ -60,7 +63,8 @@ class FeetActions:
             Side.LEFT: tr("Copy the prescription to the left foot"),
             Side.RIGHT: tr("Copy the prescription to the right foot"),
         }
-        self._case.apply(other.with_design(design), sentence[other.side])
+        if may_replace(self._messages.questions, other.design, design):
+            self._case.apply(other.with_design(design), sentence[other.side])
 
     def copy_selected(self) -> None:
         """Copy the selected correction to the other foot, mirrored.

@@ -26,6 +26,7 @@ from insole_core.workflows.foot_landmarks import confirmed, found_anew, landmark
 from insole_core.workflows.pad_library import LibraryPad
 from insole_core.workflows.template_transfer import fitted, template_of
 from insole_studio.document.case import Case
+from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -103,7 +104,9 @@ class PrescriptionActions:
         path = self._messages.questions.file_to_open(template_kinds(), Kept.CASES)
         if path is not None and self._case.record.design is not None:
             template, foot = read_template(path), _foot_of(self._case)
-            self._case.apply(fitted(template, foot, self._case.stamped), tr("Apply a template"))
+            design = fitted(template, foot, self._case.stamped)
+            if not self._replace(design, tr("Apply a template")):
+                return
             if template.design.side is not foot.side:
                 self._messages.say(_mirrored_sentence(foot.side), LONG_MS)
 
@@ -112,7 +115,15 @@ class PrescriptionActions:
         path = self._messages.questions.file_to_open(case_kinds(), Kept.CASES)
         if path is not None and self._case.record.design is not None:
             design = design_of_case(self._case, path)
-            self._case.apply(design, tr("Repeat the design of an earlier case"))
+            self._replace(design, tr("Repeat the design of an earlier case"))
+
+    def _replace(self, design: InsoleDesign, sentence: str) -> bool:
+        """Put a whole prescription in the place of the present one, unless that is to stay."""
+        before = _foot_of(self._case).design
+        may = may_replace(self._messages.questions, before, design)
+        if may:
+            self._case.apply(design, sentence)
+        return may
 
     def confirm_landmarks(self) -> None:
         """Confirm all landmarks at their current positions."""

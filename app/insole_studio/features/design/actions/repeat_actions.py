@@ -15,6 +15,7 @@ from insole_core.progress import Progress
 from insole_core.workflows.earlier_designs import find_last_design, identity
 from insole_core.workflows.template_transfer import fitted, prescribed_at
 from insole_studio.features.design.actions.feet_actions import FeetActions
+from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -78,7 +79,8 @@ class RepeatActions(QObject):
         except InsoleError as error:
             self._messages.show_error(error)
             return
-        self._case.apply(design, tr("Repeat the last design"))
+        if may_replace(self._messages.questions, foot.design, design):
+            self._case.apply(design, tr("Repeat the last design"))
 
     def _offer_mirror(self, foot: FootRecord) -> None:
         """Offer the mirrored prescription of the other foot, once per foot without one."""

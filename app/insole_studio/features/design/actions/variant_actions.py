@@ -5,6 +5,7 @@ from __future__ import annotations
 from insole_core.cases.case_record import FootRecord, Variant
 from insole_studio.document.case import Case
 from insole_studio.document.variants import choose_variant, next_name
+from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
 
@@ -49,7 +50,7 @@ class VariantActions:
             self._case.apply(foot.with_name(foot.chosen, name), sentence)
 
     def delete(self) -> None:
-        """Delete the chosen variant.
+        """Delete the chosen variant; ask where that costs corrections.
 
         Raises
         ------
@@ -58,7 +59,9 @@ class VariantActions:
         """
         foot = self._foot
         sentence = tr("Delete variant {name}").format(name=foot.chosen)
-        self._case.apply(foot.without_variant(foot.chosen), sentence)
+        left = foot.without_variant(foot.chosen)
+        if may_replace(self._messages.questions, foot.design, left.design):
+            self._case.apply(left, sentence)
 
     @property
     def _foot(self) -> FootRecord:
