@@ -15,6 +15,7 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import sole_surface
 from insole_core.memo import Memo, array_bytes
+from tests.patience import PATIENCE_S
 
 
 def counted(made: list[str], name: str) -> Callable[[], str]:
@@ -64,7 +65,7 @@ def test_threads_that_ask_at_once_get_the_same_object() -> None:
     memo, together = Memo(2), Barrier(8)
 
     def make() -> list[int]:
-        together.wait(timeout=10)  # all are at it before the first one is done
+        together.wait(PATIENCE_S)  # all are at it before the first one is done
         return []
 
     with ThreadPoolExecutor(8) as pool:

@@ -6,7 +6,7 @@ import gc
 import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -33,6 +33,7 @@ from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.fields_dialog import Field
+from tests.patience import PATIENCE_S
 
 LENGTH_MM = 250.0
 
@@ -200,6 +201,14 @@ def no_leaks() -> Iterator[None]:
     assert [name for name in left if name.startswith("studio-job")] == []
 
 
+@pytest.fixture
+def qtbot(qtbot: QtBot) -> QtBot:
+    """Let Qt's bot wait as long as all tests do, and not five seconds only."""
+    for name in ("waitUntil", "waitSignal", "waitExposed"):
+        setattr(qtbot, name, partial(getattr(qtbot, name), timeout=1000 * PATIENCE_S))
+    return qtbot
+
+
 @pytest.fixture(autouse=True)
 def undrawn(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """Let scenes draw only where a test asks for their picture, or is marked as drawn.
@@ -299,7 +308,7 @@ def clinic(app: Application, qtbot: QtBot) -> Application:
     app.window.resize(1366, 768)
     app.features.records.show_start()
     record.open()
-    qtbot.waitUntil(lambda: record.is_open, timeout=20_000)
+    qtbot.waitUntil(lambda: record.is_open)
     return app
 
 
@@ -322,7 +331,7 @@ def rest(qtbot: QtBot, clinic: Application) -> Callable[[], None]:
         return not any(jobs.is_running() for jobs in all_jobs)
 
     def wait() -> None:
-        qtbot.waitUntil(is_at_rest, timeout=30_000)
+        qtbot.waitUntil(is_at_rest)
 
     return wait
 

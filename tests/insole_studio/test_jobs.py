@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from insole_core.errors import InputError
 from insole_core.progress import Progress
 from insole_studio.jobs import JobProgress, Jobs
+from tests.patience import PATIENCE_S
 
 
 @pytest.fixture
@@ -21,7 +22,7 @@ def jobs(qapp: QApplication) -> Iterator[Jobs]:
 
 
 def wait(qtbot: QtBot, jobs: Jobs) -> None:
-    qtbot.waitUntil(lambda: not jobs.is_running(), timeout=10_000)
+    qtbot.waitUntil(lambda: not jobs.is_running())
 
 
 def test_a_result_arrives_in_the_thread_of_the_window(jobs: Jobs, qtbot: QtBot) -> None:
@@ -70,7 +71,7 @@ def test_a_late_answer_is_dropped(jobs: Jobs, qtbot: QtBot) -> None:
     go_on = threading.Event()
 
     def stubborn(_progress: Progress) -> str:
-        go_on.wait(10)
+        go_on.wait(PATIENCE_S)
         return "old"
 
     jobs.start("work", stubborn, answers.append, pytest.fail)
@@ -94,10 +95,10 @@ def test_cancelled_work_stops_at_its_next_step(jobs: Jobs, qtbot: QtBot) -> None
             stopped.set()
 
     jobs.start("work", endless, lambda _: pytest.fail("cancelled"), pytest.fail)
-    assert begun.wait(10)
+    assert begun.wait(PATIENCE_S)
     jobs.cancel("work")
     assert not jobs.is_running()
-    assert stopped.wait(10)
+    assert stopped.wait(PATIENCE_S)
 
 
 def test_time_left_is_told_once_it_is_known() -> None:

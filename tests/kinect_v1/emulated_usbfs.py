@@ -19,11 +19,11 @@ import pytest
 from kinect_samples import Footage, make_calibration
 
 from kinect_v1.models import Model
+from tests.patience import PATIENCE_S
 
 HERE = Path(__file__).resolve().parent
 PRELOAD = "libumockdev-preload.so.0"
 SYSTEM_PYTHON = "/usr/bin/python3"
-TIMEOUT_S = 60
 
 
 @functools.cache
@@ -109,7 +109,7 @@ class EmulatedUsbfs:
             env=self._environment,
             capture_output=True,
             text=True,
-            timeout=TIMEOUT_S,
+            timeout=PATIENCE_S,
             check=False,
         )
 
@@ -147,6 +147,6 @@ def emulated_usbfs(folder: Path, *kinects: dict[str, Any]) -> Iterator[EmulatedU
             assert server.stdin
             server.stdin.close()
             try:
-                server.wait(5)
+                server.wait(PATIENCE_S)
             except subprocess.TimeoutExpired:
                 server.kill()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import time
 from collections.abc import Callable
 from typing import NoReturn
 
@@ -49,6 +48,7 @@ from kinect_v1.modes import (
 from kinect_v1.sensors import list_sensors
 from kinect_v1.streams import Frame, Stream
 from kinect_v1.usb_bus import UsbBus, UsbError
+from tests.patience import wait_for
 
 QUICK = CameraSettings(watchdog_s=0.3, command_limit_s=0.1)
 
@@ -118,9 +118,12 @@ def test_frames_can_be_delivered_instead_of_read(bus: UsbBus) -> None:
     delivered: list[Frame] = []
     with open_camera(SERIALS[0], bus=bus) as camera:
         stream = camera.start_depth(DEPTH_11, delivered.append)
-        while len(delivered) < 3:
+
+        def has_three() -> bool:
             stream.check()
-            time.sleep(0.01)
+            return len(delivered) >= 3
+
+        wait_for(has_three)
     assert [frame.number for frame in delivered[:3]] == [0, 1, 2]
 
 
@@ -394,8 +397,7 @@ def test_no_sensor_no_power_several_sensors(
 def test_frames_that_nobody_fetches_are_counted(kinects: list[EmulatedKinect]) -> None:
     with open_camera(SERIALS[0], bus=UsbBus(EmulatedBus(kinects, speed=4 * SPEED))) as camera:
         stream = camera.start_depth()
-        while not stream.counts.overrun:
-            time.sleep(0.02)
+        wait_for(lambda: stream.counts.overrun)
         assert stream.read().number > 0
 
 

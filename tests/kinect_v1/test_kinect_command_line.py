@@ -7,7 +7,6 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +17,7 @@ from kinect_v1.__main__ import main
 from kinect_v1.errors import LibusbMissingError
 from kinect_v1.recordings import read_depth, read_received, read_recording
 from kinect_v1.usb_bus import UsbBus
+from tests.patience import PATIENCE_S, wait_for
 
 AS_IN_A_TERMINAL = """
 import runpy, signal
@@ -141,10 +141,9 @@ def test_a_stopped_recording_says_what_was_discarded(
     with subprocess.Popen(
         [sys.executable, "-c", AS_IN_A_TERMINAL, *command], stderr=subprocess.PIPE, text=True
     ) as process:
-        while process.poll() is None and not list(tmp_path.glob(".taken.*/d-*")):
-            time.sleep(0.02)
+        wait_for(lambda: process.poll() is not None or list(tmp_path.glob(".taken.*/d-*")))
         process.send_signal(getattr(signal, name))
-        _out, said = process.communicate(timeout=60)
+        _out, said = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 128 + getattr(signal, name)
     assert re.fullmatch(
         rf"Stopped on request; \d+ of 100000 depth frames had come and are discarded, and "
@@ -167,7 +166,7 @@ def test_only_ctrl_c_is_the_usual_end_of_a_view(
         assert process.stdout is not None
         process.stdout.read(1)
         process.send_signal(getattr(signal, name))
-        process.communicate(timeout=60)
+        process.communicate(timeout=PATIENCE_S)
     assert process.returncode == code
 
 
@@ -179,10 +178,9 @@ def test_nohup_is_heeded(bus: UsbBus, tmp_path: Path) -> None:
     with subprocess.Popen(
         command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=tmp_path
     ) as process:
-        while process.poll() is None and not list(tmp_path.glob(".taken.*/d-*")):
-            time.sleep(0.02)
+        wait_for(lambda: process.poll() is not None or list(tmp_path.glob(".taken.*/d-*")))
         process.send_signal(signal.SIGHUP)
-        assert process.wait(timeout=60) == 0
+        assert process.wait(timeout=PATIENCE_S) == 0
     assert target.is_dir()
 
 

@@ -16,6 +16,7 @@ from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.models import Model
 from kinect_v1.modes import DEPTH_11
 from kinect_v1.recordings import read_depth, read_received, read_recording
+from tests.patience import PATIENCE_S
 
 pytestmark = pytest.mark.slow
 
@@ -188,7 +189,7 @@ def test_unplug_while_streaming_and_replug(
             usbfs.tell("plug", serial)
             client.stdin.write("plugged\n")
             client.stdin.flush()
-            assert client.wait(30) == 0
+            assert client.wait(PATIENCE_S) == 0
     found = json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))
     assert found["lost"][0] == "UnpluggedError"
     sent = images[serial]["depth-11"]

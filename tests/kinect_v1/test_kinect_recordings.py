@@ -32,6 +32,7 @@ from kinect_v1.recordings import (
 )
 from kinect_v1.streams import Frame
 from kinect_v1.usb_bus import UsbBus
+from tests.patience import PATIENCE_S
 
 POSTURE = Posture((0.5, -1.0, 0.25), 10.5, True)
 
@@ -123,7 +124,7 @@ def test_debians_fakenect_plays_it(folder: Path, images: Images, tmp_path: Path)
         env={**os.environ, "FAKENECT_PATH": str(folder), "FAKENECT_LOOP": "0"},
         capture_output=True,
         text=True,
-        timeout=20,
+        timeout=PATIENCE_S,
         check=False,
     )
     assert (tmp_path / "depth-1").exists(), done.stderr

@@ -10,6 +10,7 @@ import pytest
 
 from insole_core.errors import OutputError
 from insole_core.export.file_lock import FileLock
+from tests.patience import PATIENCE_S
 
 HOLD = """
 import sys
@@ -51,7 +52,7 @@ def test_a_lock_ends_when_its_process_is_killed(tmp_path: Path) -> None:
         lock = FileLock(path)
         assert not lock.acquire()
         process.kill()
-        process.wait()
+        process.wait(PATIENCE_S)
         assert lock.acquire()
         lock.release()
 

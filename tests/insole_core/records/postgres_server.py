@@ -13,6 +13,8 @@ from pathlib import Path
 
 import psycopg
 
+from tests.patience import PATIENCE_S
+
 _FAST = ("-c", "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off")
 _SOCKETS = Path("/tmp")
 _OTHER_USERS = ("postgres", "nobody")
@@ -58,8 +60,9 @@ class PostgresServer:
     def run(self, program: str, *arguments: str) -> None:
         command = [*_as_user(self.user), str(self.bin / program), *arguments]
         done = subprocess.run(
-            command, cwd=self.folder, capture_output=True, text=True, check=False, timeout=120
-        )
+            command, cwd=self.folder, capture_output=True, text=True, check=False,
+            timeout=PATIENCE_S,
+        )  # fmt: skip
         if done.returncode:
             raise RuntimeError(f"{program}: {done.stdout}{done.stderr}")
 

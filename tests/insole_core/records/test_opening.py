@@ -29,6 +29,7 @@ from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
 from insole_core.records.row_report import verify_rows
 from insole_core.records.schema import metadata
+from tests.patience import PATIENCE_S
 
 
 def test_a_new_record_is_private(tmp_path: Path) -> None:
@@ -123,7 +124,7 @@ def test_a_migration_waits_for_an_older_program_that_writes_and_then_stops_it(
 
     writing = threading.Thread(target=write)
     writing.start()
-    has_written.wait()
+    assert has_written.wait(PATIENCE_S)
     newer = open_records(place, ANNA)
     assert ended
     writing.join()
@@ -169,7 +170,7 @@ open_records(place, Author("a", "b"))
 def _killed_in_migration(place: RecordsPlace, moment: str, *url: str) -> int:
     folder = str(place.contents.parent)
     command = [sys.executable, "-c", _KILLED_MIGRATION, folder, moment, *url]
-    return subprocess.run(command, check=False, timeout=120).returncode
+    return subprocess.run(command, check=False, timeout=PATIENCE_S).returncode
 
 
 @pytest.mark.parametrize("kind", ["sqlite", "postgresql"])

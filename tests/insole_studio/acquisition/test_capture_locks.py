@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -23,8 +23,7 @@ from insole_studio.acquisition.unfinished_captures import (
     hold_unfinished,
     holding_target,
 )
-
-PATIENCE_S = 60.0
+from tests.patience import PATIENCE_S, wait_for
 
 pytestmark = pytest.mark.slow
 
@@ -61,13 +60,6 @@ class Commands:
 
     def folders(self) -> list[Path]:
         return [path for path in self.drafts.iterdir() if path.is_dir()]
-
-
-def wait_for(is_there: Callable[[], object]) -> None:
-    limit_s = time.monotonic() + PATIENCE_S
-    while not is_there():
-        assert time.monotonic() < limit_s
-        time.sleep(0.01)
 
 
 @contextmanager

@@ -30,8 +30,7 @@ from insole_studio.acquisition.messages import (
 )
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.service_client import SILENCE_LIMIT_S, CaptureService
-
-PATIENCE_S = 30.0
+from tests.patience import wait_for
 
 
 class Window:
@@ -42,15 +41,16 @@ class Window:
         self.events: list[Event] = []
 
     def wait_for(self, wanted: Callable[[Event], bool]) -> Event:
-        limit_s = time.monotonic() + PATIENCE_S
-        while time.monotonic() < limit_s:
+        found: list[Event] = []
+
+        def has_come() -> bool:
             news = self.service.news()
             self.events += news
-            found = next((event for event in news if wanted(event)), None)
-            if found is not None:
-                return found
-            time.sleep(0.01)
-        raise AssertionError(f"did not come: {self.events[-3:]}")
+            found.extend(filter(wanted, news))
+            return bool(found)
+
+        wait_for(has_come)
+        return found[0]
 
     def wait_for_end(self) -> CaptureStatus:
         event = self.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase.is_end)

@@ -1,6 +1,5 @@
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -28,7 +27,9 @@ from insole_studio.acquisition.emulated_rig import (
 from insole_studio.acquisition.factory_calibration import factory_sensor, usual_sensor
 from insole_studio.acquisition.rig import OpenSensor, Rig, raw_image
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION
+from kinect_v1.streams import Frame
 from kinect_v1.usb_bus import UsbBus
+from tests.patience import wait_for
 
 
 def sensor(disparity: DisparityModel) -> Sensor:
@@ -99,10 +100,15 @@ def test_a_sensor_sees_what_its_tilt_and_its_place_show(small_session: Path) -> 
 
     def seen(sensor: OpenSensor) -> str:
         sensor.start()
-        while (frame := sensor.poll_depth()) is None:
-            time.sleep(0.002)
+        frames: list[Frame] = []
+
+        def has_come() -> bool:
+            frames.extend(filter(None, [sensor.poll_depth()]))
+            return bool(frames)
+
+        wait_for(has_come)
         sensor.stop()
-        image = raw_image(frame)
+        image = raw_image(frames[0])
         (view,) = (v.name for v in moved.views if np.array_equal(v.read_depth(0), image))
         return view
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -16,8 +15,7 @@ from insole_studio.acquisition.emulated_rig import EmulatedRig
 from insole_studio.acquisition.live_sensors import LiveSensors
 from insole_studio.acquisition.rig import Rig
 from kinect_v1.usb_bus import UsbBus
-
-PATIENCE_S = 20.0
+from tests.patience import wait_for
 
 
 @pytest.fixture
@@ -30,11 +28,11 @@ def live(bench: Bench) -> Iterator[LiveSensors]:
 
 
 def pump_until(live: LiveSensors, is_done: Callable[[], bool]) -> None:
-    limit_s = time.monotonic() + PATIENCE_S
-    while not is_done():
-        assert time.monotonic() < limit_s
+    def pumped() -> bool:
         live.pump()
-        time.sleep(0.002)
+        return is_done()
+
+    wait_for(pumped)
 
 
 @pytest.mark.slow

@@ -4,7 +4,6 @@ import signal
 import subprocess
 import sys
 import textwrap
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -27,6 +26,7 @@ from insole_studio.jobs import Jobs
 from insole_studio.services.questions import Answer
 from insole_studio.settings import load_settings
 from insole_studio.user_paths import UserPaths
+from tests.patience import PATIENCE_S, wait_for
 
 
 @pytest.mark.slow
@@ -150,10 +150,7 @@ def test_unsaved_work_is_kept_before_anything_that_takes_its_time(
     seen: list[str] = []
 
     def compute_deaf_to_cancelling(_progress: Progress) -> None:
-        limit_s = time.monotonic() + 10.0
-        while time.monotonic() < limit_s and not seen:
-            seen.extend(copies(app))
-            time.sleep(0.01)
+        wait_for(lambda: seen.extend(copies(app)) or seen)
 
     app.jobs.start("slow", compute_deaf_to_cancelling, lambda _none: None, str)
     app.close()
@@ -201,7 +198,7 @@ STOPPED = """
 def test_a_stopped_window_asks_nothing_and_keeps_unsaved_work(tmp_path: Path, state: str) -> None:
     paths = [str(tmp_path / "settings.json"), str(tmp_path / "autosave")]
     call = [sys.executable, "-c", textwrap.dedent(STOPPED), *paths, state]
-    ended = subprocess.run(call, timeout=60, check=False, capture_output=True)
+    ended = subprocess.run(call, timeout=PATIENCE_S, check=False, capture_output=True)
     assert ended.returncode == 128 + signal.SIGTERM, ended.stderr.decode()
     (recovered,) = find_recovered(tmp_path / "autosave")
     assert recovered.record.patient.name == "Anna B."

@@ -21,6 +21,7 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import grab_window
 from insole_studio.services.questions import Answer
 from insole_studio.widgets.error_dialog import ErrorDialog
+from tests.patience import PATIENCE_S
 
 Settle = Callable[[], None]
 Export = Callable[[Path], Path]
@@ -140,11 +141,11 @@ def test_cancelling_an_opening_leaves_the_case(app: Application, qtbot: QtBot) -
 
     def slow(progress: Progress) -> None:
         begun.set()
-        go_on.wait(10)
+        go_on.wait(PATIENCE_S)
         progress.step(0.5, "Going on")
 
     app.jobs.start("open", slow, lambda _: pytest.fail("cancelled work answered"), pytest.fail)
-    assert begun.wait(10)
+    assert begun.wait(PATIENCE_S)
     app.jobs.cancel("open")
     go_on.set()
     qtbot.wait(50)

@@ -18,6 +18,7 @@ from insole_studio.app.graphics import Graphics
 from insole_studio.app.software_rendering import MESA, OF_CARD, can_draw, prepare_software_rendering
 from insole_studio.settings import load_settings, peek_settings
 from insole_studio.user_paths import UserPaths
+from tests.patience import PATIENCE_S
 
 PROGRAM = Path(__file__).with_name("drawn_window.py")
 RESTART = "Restart with software rendering"
@@ -34,7 +35,8 @@ def run_broken(folder: Path, button: str, **broken: str) -> int:
     call = ["xvfb-run", "-a", "-s", "-screen 0 800x600x24", "sh", "-c", script, str(folder)]
     environment = {**os.environ, "QT_QPA_PLATFORM": "xcb", "LC_ALL": "C.UTF-8", **broken}
     child = [sys.executable, str(PROGRAM), str(folder), button]
-    return subprocess.run([*call, *child], env=environment, timeout=60, check=False).returncode
+    ended = subprocess.run([*call, *child], env=environment, timeout=PATIENCE_S, check=False)
+    return ended.returncode
 
 
 @needs_screen

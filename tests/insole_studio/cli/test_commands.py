@@ -8,7 +8,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -24,6 +23,7 @@ from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run
+from tests.patience import PATIENCE_S
 
 SMALL_SESSION = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 
@@ -293,7 +293,7 @@ def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signa
     assert process.stderr is not None
     process.stderr.readline()
     process.send_signal(end)
-    _, errors = process.communicate(timeout=60)
+    _, errors = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 128 + end
     assert errors.strip().splitlines()[-1] == "Stopped on request; nothing was written."
     assert list(tmp_path.iterdir()) == []
@@ -314,7 +314,7 @@ sys.exit(main.run(sys.argv[1:]))
 
 def test_signal_that_a_library_drops_still_stops_the_command(tmp_path: Path) -> None:
     call = [sys.executable, "-c", STOPPED_WHERE_ALL_IS_CAUGHT, "simulate", str(tmp_path / "out")]
-    ended = subprocess.run(call, check=False, timeout=60, stderr=subprocess.PIPE, text=True)
+    ended = subprocess.run(call, check=False, timeout=PATIENCE_S, stderr=subprocess.PIPE, text=True)
     assert ended.returncode == 128 + signal.SIGTERM
     assert ended.stderr.strip() == "Stopped on request; nothing was written."
     assert list(tmp_path.iterdir()) == []
@@ -331,9 +331,9 @@ def test_killed_process_leaves_the_old_result(tmp_path: Path) -> None:
     )
     assert process.stderr is not None
     while "Writing" not in process.stderr.readline():
-        time.sleep(0.01)
+        pass
     process.kill()
-    process.communicate(timeout=60)
+    process.communicate(timeout=PATIENCE_S)
     assert out.read_text() == "of yesterday"
 
 

@@ -15,6 +15,7 @@ from insole_studio.cli import self_test_steps
 from insole_studio.cli.main import run
 from insole_studio.cli.self_test_steps import SelfTest, StepResult
 from insole_studio.user_paths import UserPaths
+from tests.patience import PATIENCE_S
 
 
 def lines(report: Path) -> dict[str, str]:
@@ -126,7 +127,9 @@ def test_a_step_that_does_not_end_is_told_with_where_it_stands(tmp_path: Path) -
     )
     call = [sys.executable, "-c", code, "self-test", "--report", str(report)]
     environment = {**os.environ, "TMPDIR": str(tmp_path)}
-    ended = subprocess.run(call, env=environment, capture_output=True, timeout=50, check=False)
+    ended = subprocess.run(
+        call, env=environment, capture_output=True, timeout=PATIENCE_S, check=False
+    )
     assert ended.returncode == 1, ended.stderr
     text = report.read_text(encoding="utf-8")
     assert "find the program's files: it did not end within" in text

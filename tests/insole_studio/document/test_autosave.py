@@ -31,6 +31,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.journal import DAMAGED_DAYS, find_recovered, write_journal
 from insole_studio.jobs import Jobs
 from insole_studio.user_paths import UserPaths
+from tests.patience import PATIENCE_S
 
 PROGRAM = """
     import os, signal, sys
@@ -53,7 +54,7 @@ PROGRAM = """
 def test_a_killed_program_leaves_its_case(tmp_path: Path) -> None:
     folder = tmp_path / "autosave"
     call = [sys.executable, "-c", textwrap.dedent(PROGRAM), str(folder)]
-    died = subprocess.run(call, timeout=60, check=False, capture_output=True)
+    died = subprocess.run(call, timeout=PATIENCE_S, check=False, capture_output=True)
     assert died.returncode == -signal.SIGKILL, died.stderr.decode()
     (recovered,) = find_recovered(folder)
     assert recovered.record.patient.name == "Anna B."
@@ -113,7 +114,7 @@ def test_every_change_is_written_a_moment_later(jobs: Jobs, qtbot: QtBot, tmp_pa
     case = Case()
     autosave = Autosave(case, jobs, tmp_path)
     case.apply(Patient(name="Anna"), "Edit")
-    qtbot.waitUntil(lambda: bool(list(tmp_path.glob("[!.]*.insole"))), timeout=5000)
+    qtbot.waitUntil(lambda: bool(list(tmp_path.glob("[!.]*.insole"))))
     autosave.forget()
     jobs.close()
     autosave.close()
@@ -147,7 +148,7 @@ def test_a_late_job_does_not_replace_a_newer_copy(
     case = Case()
     autosave = Autosave(case, jobs, tmp_path)
     case.apply(Patient(name="Anna"), "Edit")
-    qtbot.waitUntil(slow_disk.has_started.is_set, timeout=10000)
+    qtbot.waitUntil(slow_disk.has_started.is_set)
     case.apply(Patient(name="Anna Berg"), "Edit")
     autosave.write_now()
     slow_disk.goes_on.set()
@@ -164,7 +165,7 @@ def test_a_late_job_does_not_bring_back_the_copy_of_a_saved_case(
     case = Case()
     autosave = Autosave(case, jobs, tmp_path)
     case.apply(Patient(name="Anna"), "Edit")
-    qtbot.waitUntil(slow_disk.has_started.is_set, timeout=10000)
+    qtbot.waitUntil(slow_disk.has_started.is_set)
     case.mark_saved(case.record, tmp_path / "elsewhere.insole")
     slow_disk.goes_on.set()
     jobs.close()

@@ -46,7 +46,6 @@ from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.section_chart import SectionChart
 
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
-PATIENCE_MS = 60_000
 
 
 SHARED = ("_section", "_rim", "_view")
@@ -216,7 +215,7 @@ def test_a_case_opened_after_another_looks_as_at_a_fresh_start(
             opener.new_case()
         else:
             opener.open_path(path, Side.LEFT)
-        qtbot.waitUntil(lambda: not application.jobs.is_running(), timeout=PATIENCE_MS)
+        qtbot.waitUntil(lambda: not application.jobs.is_running())
         QTest.qWait(50)
         return shown(application)
 
@@ -370,7 +369,7 @@ def leave_while_writing(
     settle()
     app.controller.run_action("export", False)
     stage = app.features.export.stage
-    qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: not stage.jobs.is_running())
     questions.path = tmp_path / "one.stl"
     stage.view.export.click()
     app.features.case_files.opener.open_path(pair)
@@ -414,7 +413,7 @@ def test_what_is_being_exported_is_written_out_of_sight_of_the_next_case(
     assert "Bo Ek" not in "".join(shown(app))
     record = app.case.record
     leave_while_writing.set()
-    qtbot.waitUntil(lambda: STILL_WRITING not in notices(app), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: STILL_WRITING not in notices(app))
     assert written(tmp_path)
     said = app.window.statusBar().currentMessage()
     assert said == "The order of the case before has been written."
@@ -428,8 +427,7 @@ def test_what_is_being_exported_of_the_case_before_can_be_cancelled(
 ) -> None:
     QTest.mouseClick(notice_button(app, "Cancel"), Qt.MouseButton.LeftButton)
     qtbot.waitUntil(
-        lambda: not any(isinstance(w, ExportStage) for w in QApplication.topLevelWidgets()),
-        timeout=PATIENCE_MS,
+        lambda: not any(isinstance(w, ExportStage) for w in QApplication.topLevelWidgets())
     )
     assert STILL_WRITING not in notices(app)
     assert not written(tmp_path)

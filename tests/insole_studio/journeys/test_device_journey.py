@@ -305,7 +305,7 @@ def test_what_the_finish_cannot_do_is_said_and_leads_there(
     def of_rim() -> list[LinkLabel]:
         return [w for w in warnings() if "rim" in w.text()]
 
-    qtbot.waitUntil(lambda: len(of_rim()) > 0, timeout=20_000)
+    qtbot.waitUntil(lambda: len(of_rim()) > 0)
     said_of_rim = of_rim()[0]
     before = opened.stage.insole.scene.camera.focal_mm
     said_of_rim.linkActivated.emit(str(warnings().index(said_of_rim)))

@@ -23,7 +23,6 @@ pytestmark = pytest.mark.slow
 
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
-PATIENCE_MS = 60_000
 MOST_TRIES = 300
 NONE = Qt.KeyboardModifier.NoModifier
 
@@ -51,7 +50,7 @@ class Keyboard:
         QTimer.singleShot(100, lambda: _paste_path(path))
 
     def wait_for(self, is_done: Callable[[], bool]) -> None:
-        self._qtbot.waitUntil(is_done, timeout=PATIENCE_MS)
+        self._qtbot.waitUntil(is_done)
         self.studio.settle()
 
 

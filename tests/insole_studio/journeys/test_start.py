@@ -26,6 +26,7 @@ from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.document.journal import find_recovered
 from insole_studio.services.questions import Answer
+from tests.patience import PATIENCE_S
 
 KILLED = """
     import os, signal, sys
@@ -58,7 +59,7 @@ def kill_with(app: Application) -> Callable[..., None]:
         arguments = [str(paths.settings_file), str(paths.autosave_folder), name]
         arguments += [] if case is None else [str(case)]
         call = [sys.executable, "-c", textwrap.dedent(KILLED), *arguments]
-        died = subprocess.run(call, timeout=120, check=False, capture_output=True)
+        died = subprocess.run(call, timeout=PATIENCE_S, check=False, capture_output=True)
         assert died.returncode == -signal.SIGKILL, died.stderr.decode()
 
     return run

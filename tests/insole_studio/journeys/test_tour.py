@@ -52,7 +52,7 @@ def test_it_leads_from_the_first_page_to_a_written_file(
     qtbot: QtBot,
 ) -> None:
     def reached(expected: str) -> None:
-        qtbot.waitUntil(lambda: title(tour) == expected, timeout=20_000)
+        qtbot.waitUntil(lambda: title(tour) == expected)
         settle()
 
     assert app.window.page is app.features.records.start
@@ -83,7 +83,7 @@ def test_it_leads_from_the_first_page_to_a_written_file(
     questions.path = tmp_path / "insole.stl"
     stage = app.features.export.stage
     assert stage is not None
-    qtbot.waitUntil(stage.view.export.isEnabled, timeout=20_000)
+    qtbot.waitUntil(stage.view.export.isEnabled)
     click(target(tour))
     reached("Done")
     assert list(tmp_path.glob("*.stl"))

@@ -79,7 +79,7 @@ def stage(
 
 @pytest.fixture
 def settle(qtbot: QtBot, stage: CalibrateStage) -> Callable[[], None]:
-    return lambda: qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=60_000)
+    return lambda: qtbot.waitUntil(lambda: not stage.jobs.is_running())
 
 
 def give_serial(stage: CalibrateStage, serial: str = "SIM1") -> None:

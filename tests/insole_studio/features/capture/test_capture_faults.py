@@ -20,7 +20,6 @@ from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.features.capture.sensor_card import SensorCard
 from insole_studio.features.capture.stage import CaptureStage
 
-PATIENCE_MS = 60_000
 ALL = {"left": "10 of 10", "right": "10 of 10", "top": "10 of 10"}
 
 pytestmark = pytest.mark.slow
@@ -33,7 +32,7 @@ class Hands:
         self.stage, self._qtbot = stage, qtbot
 
     def wait(self, until: Callable[[], bool]) -> None:
-        self._qtbot.waitUntil(until, timeout=PATIENCE_MS)
+        self._qtbot.waitUntil(until)
 
     def button(self, text: str) -> QAbstractButton:
         found = [b for b in self.stage.findChildren(QAbstractButton) if b.text() == text]
@@ -118,7 +117,7 @@ def used_scan(hands: Hands, qtbot: QtBot, frames: int = 10) -> Path:
     """Use the scan, and return the session that was handed on."""
     kept: list[Path] = []
     hands.stage.kept.connect(kept.append)
-    with qtbot.waitSignal(hands.stage.closed, timeout=PATIENCE_MS):
+    with qtbot.waitSignal(hands.stage.closed):
         hands.click("Use this scan")
     session = read_session(kept[0])
     assert {view.name: view.depth_count for view in session.views} == dict.fromkeys(ALL, frames)

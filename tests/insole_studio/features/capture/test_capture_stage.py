@@ -21,8 +21,6 @@ from insole_studio.features.capture.rows import CaptureOptions
 from insole_studio.features.capture.sensor_card import MIME, SensorCard
 from insole_studio.features.capture.stage import CaptureStage, first_options
 
-PATIENCE_MS = 30_000
-
 
 @pytest.fixture
 def remembered() -> list[object]:
@@ -52,23 +50,22 @@ def button(stage: CaptureStage, text: str) -> QPushButton:
 
 @pytest.mark.slow
 def test_from_sensors_to_a_session(stage: CaptureStage, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: len(cards(stage)) == 3, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: len(cards(stage)) == 3)
     qtbot.waitUntil(
         lambda: all(
             any("markers" in label.text() for label in card.findChildren(QLabel))
             for card in cards(stage)
-        ),
-        timeout=PATIENCE_MS,
+        )
     )
     button(stage, "Capture").click()
-    qtbot.waitUntil(lambda: button(stage, "Use this scan").isEnabled(), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: button(stage, "Use this scan").isEnabled())
     again = next(
         b for b in cards(stage)[1].findChildren(QToolButton) if b.text() == "Capture again"
     )
     assert again.isEnabled()
     kept: list[Path] = []
     stage.kept.connect(kept.append)
-    with qtbot.waitSignal(stage.closed, timeout=PATIENCE_MS):
+    with qtbot.waitSignal(stage.closed):
         button(stage, "Use this scan").click()
     session = read_session(kept[0])
     assert session.manifest.views == ("left", "right", "top")
@@ -97,7 +94,7 @@ def test_emulated_sensors_are_captured_as_they_were_recorded(
 def test_a_card_is_dropped_on_another(
     stage: CaptureStage, qtbot: QtBot, remembered: list[object]
 ) -> None:
-    qtbot.waitUntil(lambda: len(cards(stage)) == 3, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: len(cards(stage)) == 3)
     first, second, third = cards(stage)
     data = QMimeData()
     data.setData(MIME, third.serial.encode())
@@ -114,9 +111,9 @@ def test_a_card_is_dropped_on_another(
 def test_closing_in_mid_capture_keeps_finished_views(
     stage: CaptureStage, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    qtbot.waitUntil(lambda: len(cards(stage)) == 3, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: len(cards(stage)) == 3)
     button(stage, "Capture").click()
-    qtbot.waitUntil(lambda: bool(stage.presenter._finished), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: bool(stage.presenter._finished))
     stage.close()
     (draft,) = (tmp_path / "captures").iterdir()
     assert read_session(draft).manifest.views[0] == "left"

@@ -18,8 +18,6 @@ from insole_studio.features.capture.capture_window import CaptureWindow
 from insole_studio.features.capture.stage import CaptureStage
 from insole_studio.user_paths import UserPaths
 
-PATIENCE_MS = 60_000
-
 
 @pytest.fixture
 def emulating(
@@ -51,7 +49,7 @@ def test_a_captured_foot_comes_onto_the_bench(
     presenter = stage.presenter
 
     def ready(is_ready: Callable[[], bool]) -> None:
-        qtbot.waitUntil(is_ready, timeout=PATIENCE_MS)
+        qtbot.waitUntil(is_ready)
 
     ready(lambda: len([s for s in presenter._sensors.states if s.fps > 0]) == 3)
     stage.view.capture_requested.emit()

@@ -71,7 +71,7 @@ def open_in(qtbot: QtBot) -> Callable[[Application, Path], None]:
 
 
 def finish(qtbot: QtBot, app: Application) -> None:
-    qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=20_000)
+    qtbot.waitUntil(lambda: not app.jobs.is_running())
 
 
 def choose(qtbot: QtBot, app: Application, action: str) -> None:

@@ -47,7 +47,7 @@ def test_landmarks_are_found_while_the_case_is_read(
     threads_of_search.clear()
     forget_results()
     app.features.case_files.opener.open_path(path)
-    qtbot.waitUntil(lambda: app.case.record.foot is not None, timeout=20_000)
-    qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=20_000)
+    qtbot.waitUntil(lambda: app.case.record.foot is not None)
+    qtbot.waitUntil(lambda: not app.jobs.is_running())
     assert threads_of_search
     assert threading.main_thread() not in threads_of_search

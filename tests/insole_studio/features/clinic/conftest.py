@@ -51,7 +51,7 @@ def with_accounts(clinic: Application, records: Records, qtbot: QtBot) -> Applic
     root = proven("admin", Role.ADMINISTRATOR)
     add_member(records.for_author(root).accounts, "eva", "Eva Ek", Role.ORTHOPEDIST, OTHER_PASSWORD)
     record = clinic.services.clinic
-    qtbot.waitUntil(lambda: record.state is RecordState.SIGNED_OUT, timeout=10_000)
+    qtbot.waitUntil(lambda: record.state is RecordState.SIGNED_OUT)
     return clinic
 
 

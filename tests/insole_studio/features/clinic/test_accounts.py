@@ -32,8 +32,8 @@ def signed_in(
 ) -> None:
     sign_in(shown(clinic, SignInDialog), name, password)
     record = clinic.services.clinic
-    qtbot.waitUntil(lambda: record.author is not None and record.author.name == name, timeout=9000)
-    qtbot.waitUntil(lambda: not record.jobs.is_running(), timeout=9000)
+    qtbot.waitUntil(lambda: record.author is not None and record.author.name == name)
+    qtbot.waitUntil(lambda: not record.jobs.is_running())
 
 
 def test_while_accounts_are_off_nothing_is_seen_of_them(clinic: Application) -> None:
@@ -64,7 +64,7 @@ def test_switching_on_makes_the_first_administrator_who_then_signs_in(
         type_into(line, PASSWORD)
     dialog.switch_on.click()
     record = clinic.services.clinic
-    qtbot.waitUntil(lambda: record.state is RecordState.SIGNED_OUT, timeout=9000)
+    qtbot.waitUntil(lambda: record.state is RecordState.SIGNED_OUT)
     signed_in(clinic, qtbot, "admin", PASSWORD)
     assert record.is_open
     assert clinic.window.actions_by_key["lock"].isVisible()
@@ -183,7 +183,7 @@ def test_the_window_locks_itself_after_minutes_without_input(
     monkeypatch.setattr(idle_watch.IdleWatch, "start", _start_in_seconds)
     signed_in(with_accounts, qtbot)
     lock = with_accounts.features.clinic.lock
-    qtbot.waitUntil(lambda: lock.dialog is not None, timeout=5000)
+    qtbot.waitUntil(lambda: lock.dialog is not None)
 
 
 def _start_in_seconds(watch: idle_watch.IdleWatch, most_s: float) -> None:
@@ -205,7 +205,7 @@ def test_input_keeps_the_window_open(with_accounts: Application, qtbot: QtBot) -
         QTest.keyClick(with_accounts.window, Qt.Key.Key_Shift)
         QTest.qWait(120)
     assert ended == []
-    qtbot.waitUntil(lambda: ended == [True], timeout=5000)
+    qtbot.waitUntil(lambda: ended == [True])
     assert not watch.is_running
 
 

@@ -29,6 +29,7 @@ from insole_studio.features.clinic.restore_dialog import RestoreDialog
 from insole_studio.features.clinic.verify_dialog import VerifyDialog
 from insole_studio.settings import BackupDay
 from insole_studio.user_paths import UserPaths
+from tests.patience import PATIENCE_S
 
 Run = Callable[[str, type], object]
 IDENTITY = pyrage.x25519.Identity.generate()
@@ -300,7 +301,7 @@ def test_a_restore_waits_until_a_backup_has_stopped(
     dialog = run_while_working(clinic, qtbot)
     type_into(dialog.secret, SECRET)
     dialog.show_button.click()
-    qtbot.waitUntil(lambda: "patients 1" in dialog.contents.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "patients 1" in dialog.contents.text())
     assert planned.is_running
     for told in ("newer than the backup", "The record is as it was on"):
         dialog.restore_button.click()
@@ -325,7 +326,7 @@ def test_no_backup_begins_once_the_record_is_closed_to_be_restored(
     goes_on = Event()
 
     def look_slowly(_folder: Path) -> None:
-        goes_on.wait(10)
+        goes_on.wait(PATIENCE_S)
 
     monkeypatch.setattr(backups, "newest_in", look_slowly)
     planned = clinic.features.clinic.backups
@@ -351,7 +352,7 @@ def run_while_working(clinic: Application, qtbot: QtBot) -> RestoreDialog:
     """Open the dialog while a backup is being made, and wait for its list."""
     clinic.window.actions_by_key["restore_record"].trigger()
     dialog = shown(clinic, RestoreDialog)
-    qtbot.waitUntil(lambda: len(dialog.table.rows) == 1, timeout=10_000)
+    qtbot.waitUntil(lambda: len(dialog.table.rows) == 1)
     return dialog
 
 
@@ -434,7 +435,7 @@ def test_a_damaged_record_is_restored_from_the_start_page(
     file = clinic.services.paths.records_folder / "records.sqlite3"
     file.write_bytes(b"no database at all" * 1000)
     record.open()
-    qtbot.waitUntil(lambda: record.state is RecordState.REFUSED, timeout=9000)
+    qtbot.waitUntil(lambda: record.state is RecordState.REFUSED)
     page = clinic.features.records.start
     assert page is not None
     assert "restore the record from a backup" in page.message.text()

@@ -57,7 +57,7 @@ def start_page(app: Application) -> StartPage:
 def reopen(app: Application, qtbot: QtBot, state: RecordState) -> None:
     record = app.services.clinic
     record.open()
-    qtbot.waitUntil(lambda: record.state is state, timeout=20_000)
+    qtbot.waitUntil(lambda: record.state is state)
 
 
 def restore(app: Application, secret: str, rest: Callable[[], None]) -> None:
@@ -86,9 +86,9 @@ def test_a_damaged_record_with_accounts_is_read_after_signing_in(
     assert "is damaged; restore the record from a backup" in dialog.problem.text()
     assert dialog.restore.isVisible()
     sign_in(dialog, "eva", "a wrong password")
-    qtbot.waitUntil(lambda: "is wrong" in dialog.message.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "is wrong" in dialog.message.text())
     sign_in(dialog, "eva", OTHER_PASSWORD)
-    qtbot.waitUntil(lambda: backed_up.services.clinic.is_open, timeout=10_000)
+    qtbot.waitUntil(lambda: backed_up.services.clinic.is_open)
     rest()
     page = start_page(backed_up)
     assert [row.cells[0] for row in page.found.rows] == ["Anna Berg"]
@@ -109,7 +109,7 @@ def test_a_damaged_record_with_accounts_is_restored_before_signing_in(
     reopen(backed_up, qtbot, RecordState.SIGNED_OUT)
     dialog = shown(backed_up, SignInDialog)
     sign_in(dialog, "eva", OTHER_PASSWORD)
-    qtbot.waitUntil(lambda: "is damaged" in dialog.message.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "is damaged" in dialog.message.text())
     dialog.restore.click()
     restore(backed_up, secret, rest)
     record = backed_up.services.clinic
@@ -118,7 +118,7 @@ def test_a_damaged_record_with_accounts_is_restored_before_signing_in(
     assert dialog.problem.text() == ""
     assert not dialog.restore.isVisible()
     sign_in(dialog, "eva", OTHER_PASSWORD)
-    qtbot.waitUntil(lambda: record.is_open, timeout=10_000)
+    qtbot.waitUntil(lambda: record.is_open)
     assert not record.is_read_only
 
 
@@ -156,7 +156,7 @@ def test_a_database_that_another_program_holds_is_told_and_opened_later(
         assert "is held by another program; wait until that has finished" in page.message.text()
         assert page.remedies["retry_record"].isVisible()
     page.remedies["retry_record"].click()
-    qtbot.waitUntil(lambda: record.is_open, timeout=20_000)
+    qtbot.waitUntil(lambda: record.is_open)
     rest()
     assert [row.cells[0] for row in page.found.rows] == ["Anna Berg"]
     assert page.message.text() == ""

@@ -54,14 +54,14 @@ def opened(
     eva.prescriptions.save(visit.id, FootRecord.begun(make_foot(Side.LEFT), source), None)
     take_over(with_accounts, qtbot, "eva", OTHER_PASSWORD)
     with_accounts.features.records.open_visit(visit.id)
-    qtbot.waitUntil(lambda: with_accounts.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: with_accounts.case.kept is not None)
     return with_accounts
 
 
 def take_over(app: Application, qtbot: QtBot, name: str, password: str) -> None:
     sign_in(shown(app, SignInDialog), name, password)
     lock = app.features.clinic.lock
-    qtbot.waitUntil(lambda: lock.dialog is None, timeout=10_000)
+    qtbot.waitUntil(lambda: lock.dialog is None)
 
 
 def texts_of(app: Application) -> set[str]:
@@ -89,12 +89,12 @@ def test_what_was_just_changed_is_saved_while_the_window_is_locked(
     record = opened.case.record
     opened.window.actions_by_key["lock"].trigger()
     assert opened.features.clinic.lock.dialog is not None
-    qtbot.waitUntil(lambda: newest(eva, opened) == ("eva", 4.5), timeout=10_000)
+    qtbot.waitUntil(lambda: newest(eva, opened) == ("eva", 4.5))
     assert "Anna" not in opened.window.windowTitle()
     take_over(opened, qtbot, "eva", OTHER_PASSWORD)
     assert opened.case.record is record
     assert "Anna" in opened.window.windowTitle()
-    qtbot.waitUntil(lambda: opened.services.keeper.state is KeepState.SAVED, timeout=10_000)
+    qtbot.waitUntil(lambda: opened.services.keeper.state is KeepState.SAVED)
 
 
 def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
@@ -105,7 +105,7 @@ def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
     take_over(opened, qtbot, "tom", TOMS_PASSWORD)
     assert newest(eva, opened) == ("eva", 4.5)
     thicken(opened, 5.0)
-    qtbot.waitUntil(lambda: newest(eva, opened) == ("tom", 5.0), timeout=10_000)
+    qtbot.waitUntil(lambda: newest(eva, opened) == ("tom", 5.0))
 
 
 def test_an_administrator_who_takes_over_finds_no_case(
@@ -116,7 +116,7 @@ def test_an_administrator_who_takes_over_finds_no_case(
     thicken(opened, 4.5)
     opened.window.actions_by_key["lock"].trigger()
     take_over(opened, qtbot, "admin", PASSWORD)
-    qtbot.waitUntil(lambda: opened.case.is_empty, timeout=10_000)
+    qtbot.waitUntil(lambda: opened.case.is_empty)
     assert opened.window.page is opened.features.records.start
     assert "Anna" not in opened.window.windowTitle()
     (version,) = eva.prescriptions.versions(visit_id, Side.LEFT)[:1]
@@ -222,7 +222,7 @@ def test_an_administrator_sees_no_case_that_waits_for_a_decision_and_nothing_of_
     tom.prescriptions.save(visit_id, changed, theirs.bases[Side.LEFT])
     thicken(opened, 4.5)
     keeper = opened.services.keeper
-    qtbot.waitUntil(lambda: keeper.state is KeepState.CONFLICT, timeout=10_000)
+    qtbot.waitUntil(lambda: keeper.state is KeepState.CONFLICT)
     opened.window.actions_by_key["lock"].trigger()
     seen: list[str] = []
     opened.services.clinic.state_changed.connect(
@@ -247,7 +247,7 @@ def test_quitting_a_locked_window_shows_nothing_and_asks_nothing(
 ) -> None:
     opened.window.actions_by_key["lock"].trigger()
     dialog = shown(opened, SignInDialog)
-    with qtbot.waitSignal(opened.controller.closed, timeout=5000):
+    with qtbot.waitSignal(opened.controller.closed):
         dialog.close_button.click()
     assert opened.features.clinic.lock.dialog is not None
     assert "Anna" not in opened.window.windowTitle()

@@ -71,7 +71,7 @@ def test_the_record_on_a_server_is_used_and_left_again(
     assert "is empty: a new record would begin there" in dialog.message.text()
     dialog.use.click()
     record = clinic.services.clinic
-    qtbot.waitUntil(lambda: record.is_open and record.location.is_shared, timeout=20_000)
+    qtbot.waitUntil(lambda: record.is_open and record.location.is_shared)
     assert record.ask_now(lambda r: r.persons.everybody()) == []
     written = clinic.services.paths.settings_file.read_text()
     assert postgres_url in written
@@ -83,5 +83,5 @@ def test_the_record_on_a_server_is_used_and_left_again(
     assert "patients in it: 0" in dialog.message.text()
     dialog.here.click()
     dialog.use.click()
-    qtbot.waitUntil(lambda: record.is_open and not record.location.is_shared, timeout=20_000)
+    qtbot.waitUntil(lambda: record.is_open and not record.location.is_shared)
     assert len(record.ask_now(lambda r: r.persons.everybody())) == 1

@@ -78,7 +78,7 @@ def stage(qapp: QApplication, qtbot: QtBot, case: Case, chosen: Chosen) -> Itera
 @pytest.fixture
 def settle(qtbot: QtBot, stage: CompareStage) -> Callable[[], None]:
     def wait() -> None:
-        qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=60_000)
+        qtbot.waitUntil(lambda: not stage.jobs.is_running())
 
     wait()
     return wait

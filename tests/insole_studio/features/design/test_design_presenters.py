@@ -421,7 +421,7 @@ class TestModels:
         foot = replace(scanned)  # whose surface for display is not known yet
         case.open_foot(foot, NOWHERE)
         assert view.shown["show_mesh"] == (foot.mesh, None)
-        qtbot.waitUntil(lambda: view.shown["show_mesh"][0] is not foot.mesh, timeout=20_000)
+        qtbot.waitUntil(lambda: view.shown["show_mesh"][0] is not foot.mesh)
         assert view.shown["show_mesh"] == (foot.display_surface().mesh, None)
         assert view.shown["show_side"] == (side,)
         assert view.shown["show_directions"][0] is side
@@ -437,7 +437,7 @@ class TestModels:
     ) -> None:
         presenter = InsolePresenter(view, ShownModels(**facts))
         open_foot()
-        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: surface.mesh is not None)
         _, alone = view.shown["show_directions"]
         presenter.show_shoe(True)
         (shoe,), (_, box) = view.shown["show_shoe"], view.shown["show_directions"]
@@ -459,7 +459,7 @@ class TestModels:
     ) -> None:
         presenter = InsolePresenter(view, ShownModels(**facts))
         open_foot()
-        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: surface.mesh is not None)
         before = surface.height_mm(0.0, 150.0)
         far = surface.height_mm(0.0, 40.0)
         case.select(add_pelott(case, height_mm=6.0).id)
@@ -493,11 +493,11 @@ class TestModels:
             request_action=lambda _key: None,
         )
         open_foot()
-        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: surface.mesh is not None)
         flat = surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0)
         tool_controller.take("posting")
         view.field_edited.emit("posting.rearfoot_deg", 4.0)
-        qtbot.waitUntil(lambda: surface.is_current, timeout=20_000)
+        qtbot.waitUntil(lambda: surface.is_current)
         # A left foot's medial side is +x; a varus post raises it.
         assert surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0) > flat + 3.0
 
@@ -520,7 +520,7 @@ class TestSection:
         )
         assert "section tool" in view.shown["show_sentence"][0]
         open_foot(side)
-        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: surface.mesh is not None)
         section.show(SectionPlane((0.0, 150.0)))
         presenter.show()
         before = height_in(view, 0.0)
@@ -544,7 +544,7 @@ class TestSection:
             view, case=case, surface=surface, section=section, tool_controller=tool_controller
         )
         open_foot()
-        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: surface.mesh is not None)
         section.show(SectionPlane((20.0, 110.0), 90.0))
         top, _bottom, _skin, ends = view.shown["show_cut"]
         assert ends == ("Heel", "Toes")
@@ -582,7 +582,7 @@ class TestWarnings:
             look_at=looked.append,
         )
         open_foot()
-        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: surface.mesh is not None)
         assert view.shown["show_warnings"] == ([],)
         pad = Pelott(centre_mm=(70.0, 150.0))
         assert case.record.design is not None

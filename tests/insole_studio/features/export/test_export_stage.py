@@ -139,7 +139,7 @@ def stage(
 @pytest.fixture
 def settle(qtbot: QtBot, stage: ExportStage) -> Callable[[], None]:
     def wait() -> None:
-        qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=30_000)
+        qtbot.waitUntil(lambda: not stage.jobs.is_running())
 
     wait()
     return wait

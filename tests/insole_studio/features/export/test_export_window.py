@@ -84,7 +84,7 @@ def stage(
     app.features.export.open()
     built = app.features.export.stage
     assert built is not None
-    qtbot.waitUntil(lambda: not built.jobs.is_running(), timeout=30_000)
+    qtbot.waitUntil(lambda: not built.jobs.is_running())
     yield built
     app.features.export.close()
 
@@ -92,7 +92,7 @@ def stage(
 @pytest.fixture
 def settle(qtbot: QtBot, stage: ExportStage) -> Callable[[], None]:
     def wait() -> None:
-        qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=30_000)
+        qtbot.waitUntil(lambda: not stage.jobs.is_running())
 
     return wait
 
@@ -394,7 +394,7 @@ def test_blocks_that_cannot_be_read_are_named(
     app.features.export.open()
     stage = app.features.export.stage
     assert stage is not None
-    qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=30_000)
+    qtbot.waitUntil(lambda: not stage.jobs.is_running())
     assert "blocks.json is not valid JSON" in stage.view.error.text()
     stage.close()
 
@@ -468,10 +468,10 @@ def test_an_order_that_arrived_is_verified(
     solid.write_bytes(b"solid")
     export, status = app.features.export, app.window.statusBar()
     export.ask_verify_order()
-    qtbot.waitUntil(lambda: "26-7KQ4M is complete" in status.currentMessage(), timeout=10_000)
+    qtbot.waitUntil(lambda: "26-7KQ4M is complete" in status.currentMessage())
     solid.unlink()
     export.ask_verify_order()
     dialogs = app.services.messages.dialogs
-    qtbot.waitUntil(lambda: bool(dialogs), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(dialogs))
     assert "do not make it:\na-left.stl is missing" in dialogs[0].report
     dialogs[0].close()

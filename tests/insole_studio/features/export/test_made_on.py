@@ -132,7 +132,7 @@ def stage(
 @pytest.fixture
 def settle(qtbot: QtBot, stage: ExportStage) -> Callable[[], None]:
     def wait() -> None:
-        qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=30_000)
+        qtbot.waitUntil(lambda: not stage.jobs.is_running())
 
     wait()
     return wait
@@ -181,7 +181,7 @@ def test_zones_are_drawn_and_a_typed_weight_holds_without_enter(
     assert stage.view.swatches.texts == ("heel 28 %", "arch 40 %", "forefoot 25 %")
     assert not list(tmp_path.glob("*.3mf"))  # nothing is exported that was not shown
     strike(stage, KEYS.Key_Return, CTRL)
-    qtbot.waitUntil(stage.jobs.is_running, timeout=5_000)  # the button is seen to go down
+    qtbot.waitUntil(stage.jobs.is_running)  # the button is seen to go down
     settle()
     with zipfile.ZipFile(tmp_path / "anna-left.3mf") as archive:
         config = archive.read("Metadata/Slic3r_PE_model.config").decode()

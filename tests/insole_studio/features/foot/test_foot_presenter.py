@@ -113,7 +113,7 @@ class Bench:
         return self._ask(sentence)
 
     def until(self, is_ready: Callable[[], bool]) -> None:
-        self._qtbot.waitUntil(is_ready, timeout=60_000)
+        self._qtbot.waitUntil(is_ready)
 
     def settle(self) -> None:
         self.until(lambda: not self.jobs.is_running())

@@ -27,7 +27,6 @@ from insole_studio.features.foot.stage import FootStage
 from insole_studio.scene.view_camera import Preset
 
 LEFT = Qt.MouseButton.LeftButton
-PATIENCE_MS = 60_000
 
 
 @pytest.fixture
@@ -48,7 +47,7 @@ def stage(app: Application, qtbot: QtBot, session: Path) -> FootStage:
     """The stage with a session that is read and placed; its foot is not made."""
     app.features.case_files.opener.open_path(session)
     opened = shown_stage(app)
-    qtbot.waitUntil(lambda: opened.view.table.rowCount() == 3, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: opened.view.table.rowCount() == 3)
     opened.view.cancel_requested.emit()
     opened.activateWindow()
     QTest.qWait(50)  # until the panels have their places
@@ -310,7 +309,7 @@ def test_a_session_of_three_views_follows_one_of_six(
     six = with_views(session, tmp_path / "six", ["left", "right", "top", "heel", "toes", "inside"])
     app.features.case_files.opener.open_path(six)
     stage = shown_stage(app)
-    qtbot.waitUntil(lambda: stage.view.table.rowCount() == 6, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: stage.view.table.rowCount() == 6)
     stage.view.cancel_requested.emit()
     QTest.qWait(50)
     app.features.case_files.opener.open_path(session)
@@ -318,7 +317,7 @@ def test_a_session_of_three_views_follows_one_of_six(
     assert stage.view.foot.scene._mesh is None
     assert stage.view.markers.picture._image.isNull()
     with qtbot.captureExceptions() as exceptions:
-        qtbot.waitUntil(lambda: stage.view.table.rowCount() == 3, timeout=PATIENCE_MS)
+        qtbot.waitUntil(lambda: stage.view.table.rowCount() == 3)
     assert exceptions == []
     assert app.jobs.is_running("reconstruct")
     assert stage.view._name.text() == session.stem

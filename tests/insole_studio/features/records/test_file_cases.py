@@ -49,10 +49,10 @@ def test_a_case_becomes_a_visit(
     open_case(clinic, make_foot)
     clinic.controller.run_action("add_to_record", False)
     (dialog,) = clinic.window.findChildren(ChoosePersonDialog)
-    qtbot.waitUntil(lambda: bool(dialog.table.rows), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(dialog.table.rows))
     dialog.table.take_first()
     QTest.mouseClick(dialog.new if is_new else dialog.add, LEFT)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     kept = clinic.case.kept
     assert kept is not None
     assert (kept.person.id == known.id) is not is_new
@@ -80,7 +80,7 @@ def test_a_record_that_cannot_be_opened_is_told_and_files_go_on(
         connection.close()
     app.features.records.show_start()
     app.services.clinic.open()
-    qtbot.waitUntil(lambda: app.services.clinic.state is RecordState.REFUSED, timeout=10_000)
+    qtbot.waitUntil(lambda: app.services.clinic.state is RecordState.REFUSED)
     page = app.features.records.start
     assert page is not None
     said = page.message.text()
@@ -97,19 +97,19 @@ def test_an_export_of_a_visit_is_an_order_with_its_files(
     clinic: Application, records: Records, visit: Visit, tmp_path: Path, qtbot: QtBot
 ) -> None:
     clinic.features.records.open_visit(visit.id)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     solid = tmp_path / "insole-left.stl"
     solid.write_bytes(b"solid insole")
     ordered = Ordered((solid,), OrderTerms(remarks="soft heel"), "26-7KQ4M")
     clinic.features.export.exported_files.emit(clinic.case.record, ordered)
     notices = clinic.services.notices
-    qtbot.waitUntil(lambda: bool(notices.notices), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(notices.notices))
     (order,) = records.orders.of_person(visit.person_id)
     kept = records.orders.get(order.id)
     assert [file.name for file in kept.files] == ["insole-left.stl"]
     assert (kept.number, kept.remarks) == ("26-7KQ4M", "soft heel")
     notices.take("record-order")
-    qtbot.waitUntil(lambda: bool(clinic.window.findChildren(OrderDialog)), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(clinic.window.findChildren(OrderDialog)))
     (dialog,) = clinic.window.findChildren(OrderDialog)
     assert dialog.due.text() == (date.today() + timedelta(days=14)).isoformat()
     dialog.shop.setText("CNC Nord")
@@ -118,5 +118,5 @@ def test_an_export_of_a_visit_is_an_order_with_its_files(
     assert dialog.refusal.text().startswith("2026-02-30 is no date")
     dialog.due.setText(date.today().isoformat())
     QTest.mouseClick(dialog.keep, LEFT)
-    qtbot.waitUntil(lambda: records.orders.get(order.id).shop == "CNC Nord", timeout=10_000)
+    qtbot.waitUntil(lambda: records.orders.get(order.id).shop == "CNC Nord")
     assert records.orders.get(order.id).due_on == date.today()

@@ -122,7 +122,7 @@ def field_dialog(clinic: Application, qtbot: QtBot) -> FieldConflictDialog:
         dialogs = clinic.window.findChildren(FieldConflictDialog)
         return [dialog for dialog in dialogs if dialog.isVisible()]
 
-    qtbot.waitUntil(lambda: bool(shown()), timeout=20_000)
+    qtbot.waitUntil(lambda: bool(shown()))
     return shown()[0]
 
 
@@ -239,16 +239,14 @@ def test_a_visit_shows_pictures_of_foot_and_insole(
 ) -> None:
     labels = page.cards[visit.id]._pictures
     assert [(key.side, key.kind) for key in labels] == [(Side.LEFT, "foot"), (Side.LEFT, "insole")]
-    qtbot.waitUntil(
-        lambda: all(not label.pixmap().isNull() for label in labels.values()), timeout=20_000
-    )
+    qtbot.waitUntil(lambda: all(not label.pixmap().isNull() for label in labels.values()))
 
 
 def test_a_visit_is_opened_from_its_card(
     clinic: Application, page: PersonPage, visit: Visit, qtbot: QtBot
 ) -> None:
     press(page, visit, "open")
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     assert clinic.window.page is None
     clinic.stage.steps.chosen.emit("patient")
     assert clinic.window.page is page
@@ -312,7 +310,7 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     lifted = foot.with_design(foot.design.with_added(HeelLift(height_mm=6.0)))
     records.prescriptions.save(visit.id, lifted, opened.bases[Side.LEFT])
     clinic.controller.run_action("new_visit_same", False)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     assert clinic.services.keeper.visit_id != visit.id
     source = ScanSource("mesh", "/nowhere/new.ply", "1" * 64)
     clinic.case.open_foot(make_foot(Side.LEFT), source)
@@ -322,8 +320,7 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     assert isinstance(lift, HeelLift)
     assert lift.height_mm == 6.0
     qtbot.waitUntil(
-        lambda: bool(records.prescriptions.versions(clinic.services.keeper.visit_id, Side.LEFT)),
-        timeout=10_000,
+        lambda: bool(records.prescriptions.versions(clinic.services.keeper.visit_id, Side.LEFT))
     )
 
 
@@ -338,17 +335,17 @@ def test_two_visits_are_compared(
     earlier = records.visits.add(Visit(visit.person_id, date.today() - timedelta(days=365)))
     source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
     records.prescriptions.save(earlier.id, FootRecord.begun(make_foot(Side.LEFT), source), None)
-    qtbot.waitUntil(lambda: len(page.cards) == 2, timeout=10_000)
+    qtbot.waitUntil(lambda: len(page.cards) == 2)
     for card in page.cards.values():
         qtbot.waitUntil(card.compare.isEnabled)
         card.compare.click()
     QTest.mouseClick(page._compare, LEFT)
     compare = clinic.features.compare
-    qtbot.waitUntil(lambda: compare.stage is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: compare.stage is not None)
     assert compare.stage is not None
     today = date.today().isoformat()
     assert compare.stage.view.sources["a"].currentText() == f"{today}: Left foot"
-    qtbot.waitUntil(lambda: not compare.stage.jobs.is_running(), timeout=20_000)
+    qtbot.waitUntil(lambda: not compare.stage.jobs.is_running())
     compare.close()
 
 
@@ -359,7 +356,7 @@ def test_measures_over_time_are_plotted(
         day = date.today() - timedelta(days=days)
         measures = {"left_foot_length_mm": length_mm, "right_foot_length_mm": length_mm + 1}
         records.visits.add(Visit(visit.person_id, day, measures=measures))
-    qtbot.waitUntil(page.chart.isVisible, timeout=10_000)
+    qtbot.waitUntil(page.chart.isVisible)
     assert page.chart.measures.currentText() == "Foot length (mm)"
     said = page.chart.plot.accessibleDescription()
     assert said == "LEFT 250.0 → 252.0; RIGHT 251.0 → 253.0"
@@ -459,7 +456,7 @@ def test_export_is_of_the_patient_on_the_page_or_in_the_open_visit(
     clinic.features.records.show_person(other.id)
     rest()
     clinic.features.records.open_visit(visit.id)  # as from the lists of the start page
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     clinic.controller.run_action("export_patient", False)
     assert "Anna Berg" in name_asked()
 

@@ -93,7 +93,7 @@ def test_todays_visits_are_listed_and_yesterdays_are_not(
     records.visits.add(Visit(anna.id, today, reason="Heel pain"))
     records.visits.add(Visit(anna.id, today - timedelta(days=1), reason="Before"))
     page = page_of(clinic)
-    qtbot.waitUntil(lambda: len(page.today.rows) == 1, timeout=3000)
+    qtbot.waitUntil(lambda: len(page.today.rows) == 1)
     assert page.today.rows[0].cells[:2] == ("Anna Berg", "Heel pain")
 
 
