@@ -62,6 +62,27 @@ def test_a_case_is_freed_when_another_one_is_opened(
     assert living(watched) == []
 
 
+def test_a_session_is_freed_with_its_stage_before_garbage_is_collected(
+    app: Application, settle: Settle, small_session: Path
+) -> None:
+    app.features.foot.open_session(small_session, hand_over=False)
+    settle()
+    stage = app.features.foot.stage
+    assert stage is not None
+    work, (made,) = stage.presenter._work, stage.presenter._made_feet.values()
+    assert work is not None
+    watched: dict[str, weakref.ref[object]] = {
+        "session": weakref.ref(work),
+        "view": weakref.ref(next(iter(work.opened.measured.values()))),
+        "foot": weakref.ref(made.scan.foot),
+        "shown mesh": weakref.ref(stage.view.foot.scene._mesh),
+    }
+    del work, made, stage
+    app.features.foot.close()
+    assert not gc.isenabled()
+    assert [name for name, found in watched.items() if found() is not None] == []
+
+
 def test_an_application_is_freed_when_it_is_closed(
     qapp: QApplication, paths: UserPaths, make_foot: MakeFoot
 ) -> None:

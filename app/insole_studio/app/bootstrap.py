@@ -264,7 +264,7 @@ def run_application(
     app.controller.closed.connect(qt.quit)
     app.features.records.show_start()
     app.window.show()
-    GarbageCollection(app.window)
+    app.case.opened.connect(GarbageCollection(app.window).leave_case)
     Preload(app.window)
     app.recover()
     crashes.offer(app.services)

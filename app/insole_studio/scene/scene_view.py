@@ -263,7 +263,9 @@ class SceneView(QWidget):
         return self._canvas.picture()
 
     def close_scene(self) -> None:
-        """Free the renderer; may be called more than once."""
+        """Free the renderer and the meshes that were shown; may be called more than once."""
+        if self._is_alive:
+            self.clear()
         self._is_alive = False
         if self._renderer is not None:
             self._canvas.surface.removeEventFilter(self)

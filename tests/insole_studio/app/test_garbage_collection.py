@@ -28,3 +28,18 @@ def test_cycles_go_with_the_timer_and_not_before(qtbot: QtBot, monkeypatch) -> N
     qtbot.waitUntil(lambda: gone() is None)
     assert kept
     parent.deleteLater()
+
+
+def test_what_a_case_has_left_does_not_wait_until_the_oldest_generation_is_due(
+    qtbot: QtBot, monkeypatch
+) -> None:
+    monkeypatch.setattr(garbage_collection, "INTERVAL_MS", 20)
+    parent = QObject()
+    garbage = GarbageCollection(parent)
+    stage = Cycle()
+    gone = weakref.ref(stage)
+    gc.collect()  # it is old when it is left
+    del stage
+    garbage.leave_case()
+    qtbot.waitUntil(lambda: gone() is None)
+    parent.deleteLater()

@@ -304,6 +304,11 @@ class FootStagePresenter:
         self._panel.show_progress(0.0, "")
         self._show_buttons()
 
+    def close(self) -> None:
+        """Cancel the running jobs and let go of the session."""
+        self.cancel()
+        self._forget("")
+
     def go_on(self) -> None:
         """Hand the feet over and leave; one still being made is handed over when it is ready."""
         self._leaves = True

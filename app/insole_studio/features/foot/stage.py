@@ -103,12 +103,12 @@ class FootStage(StageFrame):
         super().changeEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Cancel the running jobs."""
+        """Cancel the running jobs and let go of the session, which is large."""
         event.accept()
         if self._is_open:
             self._is_open = False
             self._jobs.progressed.disconnect(self.presenter.progressed)
-            self.presenter.cancel()
+            self.presenter.close()
             self.view.close_scene()
             self.closed.emit()
 
