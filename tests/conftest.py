@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from insole_studio.native_heap import return_freed_memory
+
 settings.register_profile("any machine", deadline=None)
 settings.load_profile("any machine")
 
@@ -30,6 +32,13 @@ def pytest_collection_finish() -> None:
     """Collect what the tests leave, and look through nothing that was there before them."""
     gc.freeze()
     gc.enable()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def returned_memory() -> Iterator[None]:
+    """Hand back what a module has freed: commands of the product keep it in the heap."""
+    yield
+    return_freed_memory()
 
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"

@@ -43,11 +43,17 @@ def right_foot(right_mesh: TriangleMesh) -> Foot:
 
 
 @pytest.fixture(scope="session")
-def real_foot(shared_data: Path) -> Callable[[str, Side], Foot]:
-    """Give the foot of a scan of the reference data, which is read and placed once."""
+def placed_scan(shared_data: Path) -> Callable[[str, Side], Foot]:
+    """Read and place each scan of the reference data once."""
 
     @cache
     def placed(file: str, side: Side) -> Foot:
         return place_foot(read_mesh(shared_data / "feet" / file).mesh, side, frame="unknown")
 
     return placed
+
+
+@pytest.fixture(scope="module")
+def real_foot(placed_scan: Callable[[str, Side], Foot]) -> Callable[[str, Side], Foot]:
+    """Give the foot of a reference scan; what is derived from it goes with the module."""
+    return cache(lambda file, side: replace(placed_scan(file, side)))

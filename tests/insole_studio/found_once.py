@@ -41,7 +41,7 @@ from insole_core.workflows import (
 )
 from insole_studio.features.export import export_actions
 
-KEPT = 8
+KEPT = 4
 """Results of each kind, the feet with all that is derived from them included."""
 
 SHARED = (
