@@ -16,7 +16,6 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks._measure import print_table
-from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -32,11 +31,11 @@ from insole_core.insole.prescription.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.surface.contact import contact_base
 from insole_core.insole.surface.height_field import HeightField
-from insole_core.insole.surface.pads_on_surface import apply_pads, moved_pad
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
+from insole_core.workflows.edited_insole import EditedInsole
+from insole_core.workflows.insole_builder import InsoleBuilder
 
 PAD = Pelott(centre_mm=(5.0, 165.0))
 FIFTEEN = (
@@ -82,25 +81,6 @@ def dragged(design: InsoleDesign, i: int) -> InsoleDesign:
     return design.with_changed(replace(PAD, centre_mm=place))
 
 
-class Hand:
-    """Performs what the application does per pointer event: heights, vertices and normals."""
-
-    def __init__(self, foot: Foot, design: InsoleDesign) -> None:
-        self.design = design
-        self.base = contact_base(foot, design)
-        self.surface = apply_pads(self.base, design)
-        self.vertices = self.surface.nodes.copy()
-        self.normals = self.surface.normals_of(slice(None), slice(None))
-
-    def show(self, design: InsoleDesign) -> None:
-        change = moved_pad(self.base, self.surface, self.design, design)
-        self.design, self.surface, window = design, change.surface, change.window
-        shape = self.surface.heights_mm.shape
-        at = window.rows, window.columns
-        self.vertices.reshape(*shape, 3)[(*at, 2)] = self.surface.heights_mm[at]
-        self.normals[at] = self.surface.normals_of(*at)
-
-
 def filter_rows(field: HeightField) -> list[tuple[str, str, str, str]]:
     """Time the same pad on the same mesh by trimesh and by pyvista, normals included."""
     import pyvista
@@ -135,24 +115,25 @@ def main() -> None:
     foot = place_foot(mesh, Side.LEFT, frame="reference")
     one = InsoleDesign(Side.LEFT, (PAD,), grid_mm=0.5, margin_mm=12)
     many = replace(one, corrections=FIFTEEN)
-    hand = Hand(foot, one)
-    rows = [row("drag", times_ms(lambda i: hand.show(dragged(one, i)), DRAGS), "6 / 12")]
-    full = Hand(foot, many)
+    hand, full = (EditedInsole(InsoleBuilder().bare(foot, each), each) for each in (one, many))
+    rows = [row("drag", times_ms(lambda i: hand.follow(dragged(one, i)), DRAGS), "6 / 12")]
     rows.append(
         row(
-            "drag, 15 corrections", times_ms(lambda i: full.show(dragged(many, i)), DRAGS), "6 / 12"
+            "drag, 15 corrections",
+            times_ms(lambda i: full.follow(dragged(many, i)), DRAGS),
+            "6 / 12",
         )
     )
     rows.append(row("rebuild of 15", times_ms(lambda _: build_insole(foot, many), 30), "60"))
     history = [one, dragged(one, 7)]
-    rows.append(row("undo", times_ms(lambda i: hand.show(history[i % 2]), 50), "20"))
-    rows.extend(filter_rows(hand.base.surface))
-    grid = hand.surface.heights_mm.shape
+    rows.append(row("undo", times_ms(lambda i: hand.follow(history[i % 2]), 50), "20"))
+    rows.extend(filter_rows(hand.contact))
+    grid = hand.contact.heights_mm.shape
     print(f"{grid[0]} x {grid[1]} nodes")
     print_table(("edit", "median ms", "99 % ms", "limit"), rows)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     for i in range(EDITS):
-        hand.show(dragged(one, i))
+        hand.follow(dragged(one, i))
     grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
     print(f"peak memory grew by {grown:.1f} MB over {EDITS} edits (limit 5)")
 

@@ -9,7 +9,13 @@ from functools import cached_property
 import numpy as np
 import scipy
 
-from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
+from insole_core.geometry.arrays import (
+    BoolArray,
+    ByteArray,
+    FloatArray,
+    IndexArray,
+    IntArray,
+)
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh_topology import MeshTopology
 from insole_core.geometry.transforms import transform
@@ -43,9 +49,7 @@ class TriangleMesh:
     @cached_property
     def triangle_normals(self) -> FloatArray:
         """(m, 3) unit normals; zero for a triangle without area."""
-        cross = self._triangle_cross
-        length = np.linalg.norm(cross, axis=1, keepdims=True)
-        return np.asarray(np.divide(cross, length, out=np.zeros_like(cross), where=length > 0))
+        return _unit(self._triangle_cross)
 
     @cached_property
     def triangle_areas_mm2(self) -> FloatArray:
@@ -55,9 +59,22 @@ class TriangleMesh:
     @cached_property
     def vertex_normals(self) -> FloatArray:
         """(n, 3) unit normals, area-weighted over the triangles of each vertex."""
-        total = np.asarray(self.links.corners @ self._triangle_cross)
-        length = np.linalg.norm(total, axis=1, keepdims=True)
-        return np.asarray(np.divide(total, length, out=np.zeros_like(total), where=length > 0))
+        return _unit(np.asarray(self.links.corners @ self._triangle_cross))
+
+    def normals_at(self, vertices: IntArray) -> FloatArray:
+        """Return the `vertex_normals` (k, 3) of some vertices, by the triangles around them alone.
+
+        Parameters
+        ----------
+        vertices : (k,) int64
+            Their numbers.
+        """
+        around = self.links.corners[vertices]
+        touched = np.zeros(len(self.triangles), dtype=bool)
+        touched[around.indices] = True
+        cross = np.zeros((len(self.triangles), 3))
+        cross[touched] = replace(self, triangles=self.triangles[touched])._triangle_cross
+        return _unit(np.asarray(around @ cross))
 
     @cached_property
     def vertex_areas(self) -> FloatArray:
@@ -158,3 +175,9 @@ class TriangleMesh:
         v = [values.take(c) - values.take(a) for values in coordinates]
         pairs = ((1, 2), (2, 0), (0, 1))
         return np.stack([u[i] * v[j] - u[j] * v[i] for i, j in pairs], axis=1)
+
+
+def _unit(vectors: FloatArray) -> FloatArray:
+    """Scale vectors (n, 3) to length 1; those without length stay."""
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return np.asarray(np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0))

@@ -183,63 +183,63 @@ class EditedInsole:
         return window.widened(differs.shape)
 
     def _move_all(self) -> IntArray:
-        """Move all vertices, those of a body only where pads make it another one."""
-        bare = self.bare
-        if bare.plan.is_plain or not self.is_exact:
+        """Move all vertices, and only where pads make the body another one if it is exact."""
+        if not self.is_exact:
             return self._move_vertices(_whole(self.contact))
-        self.mesh.vertices[:] = bare.solid.vertices
-        self.normals[:] = bare.solid.vertex_normals
+        self.mesh.vertices[:] = self.bare.solid.vertices
+        self.normals[:] = self.bare.solid.vertex_normals
         self._move_vertices(self._window_of_pads())
-        return np.arange(len(bare.solid.vertices))
+        return np.arange(len(self.mesh.vertices))
 
     def _move_vertices(self, window: Window) -> IntArray:
         """Move the vertices that depend on a window of the nodes; return their indices."""
         bare, vertices = self.bare, self.mesh.vertices
-        if bare.plan.is_plain:
-            moved = bare.vertices_in(window)
-            xy = bare.solid.vertices[moved, :2]
-            vertices[moved, 2] = self.contact.height_at(xy)
-            self.normals[moved] = _normals_at(self.contact, window, xy)
-        else:
-            moved = self._move_body(window)
+        moved = self._move_body(window)
         below = bare.rim + bare.top_count
         walls = 2 * bare.top_count + np.arange(2 * len(bare.rim))
         vertices[walls, 2] = vertices[np.concatenate([bare.rim, below]), 2]
-        self.mesh = TriangleMesh(vertices, self.mesh.triangles)
-        return np.concatenate([moved, walls])
+        self.mesh = bare.solid.moved(vertices)
+        moved = np.concatenate([moved, walls])
+        self.normals[moved] = self.mesh.normals_at(moved)
+        return moved
 
     def _move_body(self, window: Window) -> IntArray:
         """Move top and bottom by what the body differs from that of the bare insole."""
-        bare, shape = self.bare, self.contact.heights_mm.shape
-        reach = int(np.ceil(bare.plan.reach_mm / self.contact.step_mm)) + 1
         if window.is_empty:
             return np.zeros(0, dtype=np.int64)
+        bare, shape = self.bare, self.contact.heights_mm.shape
+        reach = 0
+        if not bare.plan.is_plain:
+            reach = int(np.ceil(bare.plan.reach_mm / self.contact.step_mm)) + 1
         window = window.widened(shape, reach)
-        read = window.widened(shape, reach)
+        around = window.widened(shape)  # between its nodes lie vertices that move
+        read = around.widened(shape, reach)
         pitch_mm = PITCH_MM if self.is_exact else _QUICK_PITCH_MM
         contact = _part(self.contact, self.contact.heights_mm, read)
         body = bare.plan.within(read.rows, read.columns).body(contact, pitch_mm)
-        inner = window.relative_to(read)
-        top = bare.vertices_in(window)
-        self._move_face(top, window, body.top_mm[inner], bare.body.top_mm, up=1.0)
-        bottom = top + bare.top_count
-        self._move_face(bottom, window, body.bottom_mm[inner], bare.body.bottom_mm, up=-1.0)
-        return np.concatenate([top, bottom])
+        inner = around.relative_to(read)
+        moved = bare.vertices_in(window)
+        top, bottom = moved[moved < bare.top_count], moved[moved >= bare.top_count]
+        self._move_face(top, around, body.top_mm[inner], bare.body.top_mm)
+        if bare.plan.is_plain:
+            return top
+        self._move_face(bottom, around, body.bottom_mm[inner], bare.body.bottom_mm)
+        return moved
 
     def _move_face(
-        self, moved: IntArray, window: Window, heights: FloatArray, bare: FloatArray, up: float
+        self, moved: IntArray, window: Window, heights: FloatArray, bare: FloatArray
     ) -> None:
-        """Move vertices of a face by what its heights in a window differ from the bare insole's."""
+        """Move vertices of a face by what its heights differ from those of the bare insole.
+
+        Parameters
+        ----------
+        window
+            Of the heights: around all vertices that move.
+        """
         solid, field = self.bare.solid, _part(self.contact, heights, window)
-        xy = solid.vertices[moved, :2]
         rise = replace(field, heights_mm=heights - bare[window.rows, window.columns])
-        risen = np.nan_to_num(rise.height_at(xy))
+        risen = rise.height_at(solid.vertices[moved, :2])
         self.mesh.vertices[moved, 2] = solid.vertices[moved, 2] + risen
-        whole = Window(0, heights.shape[0], 0, heights.shape[1])
-        normals = np.where(
-            risen[:, None] != 0, up * _normals_at(field, whole, xy), solid.vertex_normals[moved]
-        )
-        self.normals[moved] = normals
 
 
 def _part(field: HeightField, heights_mm: FloatArray, window: Window) -> HeightField:
@@ -273,15 +273,3 @@ def _lasting_key(foot: Foot, design: InsoleDesign) -> BareKey:
     finish = None if design.finish is None else Finish()
     base = None if design.base is None else replace(design.base, contact_share=0.0)
     return bare_key(foot, replace(design, finish=finish, base=base))
-
-
-def _normals_at(field: HeightField, window: Window, xy: FloatArray) -> FloatArray:
-    """Return unit normals (n, 3) of a field at points in or near a window, by nearest node."""
-    first_row, first_column = max(window.first_row - 2, 0), max(window.first_column - 2, 0)
-    normals = field.normals_of(
-        slice(first_row, window.end_row + 2), slice(first_column, window.end_column + 2)
-    )
-    row = np.rint((xy[:, 1] - field.y0_mm) / field.step_mm).astype(int) - first_row
-    column = np.rint((xy[:, 0] - field.x0_mm) / field.step_mm).astype(int) - first_column
-    rows, columns = normals.shape[:2]
-    return np.asarray(normals[np.clip(row, 0, rows - 1), np.clip(column, 0, columns - 1)])

@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, build_insole, check_design_for
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.surface.contact import ContactBase, base_key, contact_base
+from insole_core.insole.surface.contact import ContactBase, base_key, contact_base, values_but
 from insole_core.insole.surface.followed_base import coarse_base
 from insole_core.insole.surface.pads_on_surface import Window, added_corrections
 from insole_core.insole.surface.rocker import rockers
@@ -24,6 +24,8 @@ from insole_core.solids.solid import ClosedInsole, closed_insole, insole_solid
 
 _KEPT, _LEAST_KEPT, _MOST_BYTES = 8, 4, 128_000_000
 """Enough to change between devices at once; on fine grids for the other foot and an undo."""
+
+_READ_IN_PART = frozenset({"corrections", "thickness_mm", "layers"})
 
 BareKey: TypeAlias = tuple[Any, ...]
 
@@ -95,7 +97,10 @@ class BareInsole:
         )
 
     def vertices_in(self, window: Window) -> IntArray:
-        """Return the indices (n,) of the top's vertices that depend on the nodes of a window."""
+        """Return the indices (n,) of the vertices of both faces that depend on a window's nodes.
+
+        Where walls lean, those of the bottom lie beside those of the top.
+        """
         field = self.base.surface
         low = field.y0_mm + (window.first_row - 1) * field.step_mm
         high = field.y0_mm + window.end_row * field.step_mm
@@ -108,7 +113,7 @@ class BareInsole:
 
     @cached_property
     def _by_y(self) -> tuple[IntArray, FloatArray]:
-        y = self.solid.vertices[: self.top_count, 1]
+        y = self.solid.vertices[: 2 * self.top_count, 1]
         order = np.argsort(y, kind="stable")
         return order, y[order]
 
@@ -214,8 +219,8 @@ def _bare(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> B
 
 def bare_key(foot: Foot, design: InsoleDesign) -> BareKey:
     """Return everything that the bare insole of a foot and design depends on, as a hashable key."""
-    body = design.bottom, design.shell, design.taken_off_mm, rockers(design)
-    return foot, base_key(design), design.outline, body
+    body = values_but(design, _READ_IN_PART | {"device"})
+    return foot, base_key(design), design.taken_off_mm, rockers(design), body
 
 
 def without_added(design: InsoleDesign) -> InsoleDesign:

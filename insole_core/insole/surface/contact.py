@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Set
+from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from typing import Any, TypeAlias
 
@@ -98,6 +99,10 @@ BaseKey: TypeAlias = tuple[Any, ...]
 _SHAPING = (Posting, ForefootTwist, HeelSkive, HeelLift, HeelCup)
 
 
+_READ_IN_PART = frozenset({"corrections", "thickness_mm", "layers", "shell"})
+_NOT_READ = frozenset({"bottom", "device"})
+
+
 def base_key(design: InsoleDesign) -> BaseKey:
     """Return all values of a design on which its contact base depends: equal keys, equal base."""
     shaping = (c for c in design.active if isinstance(c, _SHAPING))
@@ -106,13 +111,13 @@ def base_key(design: InsoleDesign) -> BaseKey:
         *(replace(c, id="", author="", created_at="") for c in shaping),
         None if shell is None else (shell.posts, shell.heel_pitch_mm, shell.trim_mm),
         design.least_thickness_mm,
-        design.grid_mm,
-        design.max_height_mm,
-        design.margin_mm,
-        design.outline,
-        design.base,
-        design.finish,
+        *values_but(design, _READ_IN_PART | _NOT_READ),
     )
+
+
+def values_but(design: InsoleDesign, left_out: Set[str]) -> tuple[Any, ...]:
+    """Return the values of a design for a key: all fields, a new one too, but those named."""
+    return tuple(getattr(design, f.name) for f in fields(design) if f.name not in left_out)
 
 
 def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:

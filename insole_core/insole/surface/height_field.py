@@ -69,35 +69,6 @@ class HeightField:
         cv2.fillPoly(mask, [pixels], 1)
         return np.asarray(cv2.dilate(mask, np.ones((2 * beside + 1,) * 2, np.uint8)) > 0)
 
-    def normals_of(self, rows: slice, columns: slice) -> FloatArray:
-        """Compute the unit normals of a window of the nodes, pointing up.
-
-        They are equal to those of the full grid: central differences, one-sided at its edge.
-
-        Parameters
-        ----------
-        rows, columns
-            Slices with step 1; the window may be empty.
-
-        Returns
-        -------
-        (k, l, 3) float64
-        """
-        (top, bottom), (left, right) = (
-            at.indices(size)[:2]
-            for at, size in zip((rows, columns), self.heights_mm.shape, strict=True)
-        )
-        if top >= bottom or left >= right:
-            return np.empty((max(bottom - top, 0), max(right - left, 0), 3))
-        # One more node on each side, so that differences are central wherever possible.
-        i, j = max(top - 1, 0), max(left - 1, 0)
-        part = self.heights_mm[i : bottom + 1, j : right + 1]
-        along_y, along_x = (np.gradient(part, self.step_mm, axis=axis) for axis in (0, 1))
-        inner = slice(top - i, bottom - i), slice(left - j, right - j)
-        upward = np.stack([-along_x[inner], -along_y[inner], np.ones_like(part[inner])], axis=-1)
-        upward /= np.sqrt(np.einsum("ijc,ijc->ij", upward, upward))[..., None]
-        return np.asarray(upward)
-
     def slope_deg(self) -> FloatArray:
         """Compute the inclination (ny, nx) of the surface from the horizontal, degrees."""
         along_y, along_x = np.gradient(self.heights_mm, self.step_mm)

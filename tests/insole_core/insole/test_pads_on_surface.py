@@ -34,7 +34,10 @@ def surface(foot, design):
 
 
 def all_normals(field):
-    return field.normals_of(slice(None), slice(None))
+    slopes = np.stack(
+        [*np.gradient(-field.heights_mm, field.step_mm), np.ones(field.heights_mm.shape)]
+    )
+    return np.moveaxis(slopes / np.linalg.norm(slopes, axis=0), 0, -1)
 
 
 @pytest.mark.parametrize(
@@ -205,11 +208,3 @@ def test_without_a_place_the_foots_own_arch_reaches_the_target(request, side):
     apex = np.array(contact_base(foot, design).arch_apex_mm)
     assert apex[0] * foot.side.medial_sign > 8
     assert surface(foot, design).height_at(apex) == pytest.approx(32.0, abs=0.05)
-
-
-def test_normals_of_a_window_are_those_of_the_whole(left_foot):
-    field = surface(left_foot, PLAIN.with_added(PAD))
-    columns = field.heights_mm.shape[1]
-    whole = all_normals(field)
-    for window in [(slice(0, 20), slice(0, columns)), (slice(50, 80), slice(40, 70))]:
-        assert np.array_equal(field.normals_of(*window), whole[window])

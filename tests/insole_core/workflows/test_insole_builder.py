@@ -5,7 +5,8 @@ from __future__ import annotations
 import gc
 import weakref
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
+from dataclasses import fields, replace
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -18,6 +19,8 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.finishing.thin_plate import Plate
 from insole_core.insole.prescription.design import (
     BaseForm,
+    BrushStroke,
+    Correction,
     Finish,
     Form,
     InsoleDesign,
@@ -30,10 +33,12 @@ from insole_core.insole.prescription.design import (
     Rocker,
     Shell,
 )
+from insole_core.insole.surface.contact import _SHAPING
+from insole_core.insole.surface.pads_on_surface import Added
 from insole_core.progress import Cancelled, Progress
 from insole_core.solids.solid import insole_solid
 from insole_core.workflows.edited_insole import EditedInsole
-from insole_core.workflows.insole_builder import InsoleBuilder
+from insole_core.workflows.insole_builder import InsoleBuilder, bare_key
 
 PAD = Pelott(centre_mm=(2.0, 130.0))
 PLAIN = InsoleDesign(Side.LEFT, (PAD,), grid_mm=1.0, thickness_mm=3.0)
@@ -54,6 +59,31 @@ def with_arch(height_mm: float) -> InsoleDesign:
     return replace(FINISHED, finish=Finish(rim=rim))
 
 
+FORM = Form(
+    name="Flat",
+    source="",
+    length_mm=250.0,
+    ball_width_mm=95.0,
+    along_shares=(0.0, 0.3, 0.7, 1.0),
+    across_shares=(0.0, 0.3, 0.7, 1.0),
+    heights_mm=((4.0, 2.0, 2.0, 3.0),) * 4,
+)
+
+
+OTHER_VALUES = {
+    "thickness_mm": 4.0,
+    "grid_mm": 2.0,
+    "max_height_mm": 20.0,
+    "margin_mm": 8.0,
+    "outline": Outline(extent="three_quarter"),
+    "layers": Layers(cover_mm=6.0),
+    "bottom": "following",
+    "base": BaseForm(form=FORM, contact_share=0.5),
+    "finish": Finish(),
+    "shell": Shell(),
+}
+
+
 @pytest.fixture
 def builder() -> InsoleBuilder:
     return InsoleBuilder()
@@ -62,6 +92,13 @@ def builder() -> InsoleBuilder:
 @pytest.fixture
 def edited(builder: InsoleBuilder, left_foot: Foot) -> EditedInsole:
     return EditedInsole(builder.bare(left_foot, PLAIN), PLAIN)
+
+
+def assert_on_contact(edited: EditedInsole) -> None:
+    """Let the top within its rim, which is cut as it is made, lie on the contact surface."""
+    inner = np.setdiff1d(np.arange(edited.bare.top_count), edited.bare.rim)
+    top = edited.mesh.vertices[inner]
+    assert top[:, 2] == pytest.approx(edited.contact.height_at(top[:, :2]), abs=1e-9)
 
 
 def test_the_builder_builds_what_the_pure_function_builds(
@@ -194,8 +231,7 @@ def test_an_edited_insole_is_that_of_a_full_rebuild(edited: EditedInsole, left_f
         assert np.array_equal(edited.contact.heights_mm, rebuilt.contact.heights_mm)
         assert np.array_equal(edited.mesh.vertices, whole.mesh.vertices)
         assert np.allclose(edited.normals, whole.normals, atol=1e-12)
-        top = edited.mesh.vertices[: edited.bare.top_count]
-        assert np.array_equal(top[:, 2], rebuilt.contact.height_at(top[:, :2]))
+        assert_on_contact(edited)
     assert not edited.can_follow(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0)))
 
 
@@ -212,8 +248,7 @@ def test_a_dragged_rim_is_followed_closely_and_exact_again_at_its_old_place(
         assert not edited.is_exact
         exact = builder.insole(left_foot, dragged).contact
         assert np.abs(edited.contact.heights_mm - exact.heights_mm).max() < 1.0
-        top = edited.mesh.vertices[: edited.bare.top_count]
-        assert np.array_equal(top[:, 2], edited.contact.height_at(top[:, :2]))
+        assert_on_contact(edited)
     edited.follow(FINISHED)
     assert edited.is_exact
     assert np.array_equal(edited.mesh.vertices, start)
@@ -244,15 +279,6 @@ def test_a_rim_that_contradicts_itself_is_told_and_leaves_the_surface(
     assert edited.problem == ""
 
 
-FORM = Form(
-    name="Flat",
-    source="",
-    length_mm=250.0,
-    ball_width_mm=95.0,
-    along_shares=(0.0, 0.3, 0.7, 1.0),
-    across_shares=(0.0, 0.3, 0.7, 1.0),
-    heights_mm=((4.0, 2.0, 2.0, 3.0),) * 4,
-)
 ON_FORM = replace(FINISHED, base=BaseForm(form=FORM, contact_share=0.5))
 
 
@@ -344,6 +370,48 @@ def test_under_a_pad_the_preview_is_what_is_made(
     assert np.allclose(edited.normals, again.normals, atol=1e-9)
     skin = edited.skins[1]
     assert np.array_equal(skin.vertices, edited.mesh.vertices), "the section shows it too"
+
+
+@pytest.mark.parametrize("bottom", ["flat", "following"])
+def test_a_stroke_across_a_pad_leaves_no_groove(
+    builder: InsoleBuilder, left_foot: Foot, bottom: str
+) -> None:
+    shell = Shell(taper_mm=2.0, edge_radius_mm=1.0)
+    design = replace(FINISHED, bottom=bottom, shell=shell)
+    bare = builder.bare(left_foot, design)
+    edited = EditedInsole(bare, design)
+    stroke = BrushStroke(points_mm=((-18.0, 128.0),))
+    for number in range(1, 7):
+        points = (*stroke.points_mm, (-18.0 + 8.0 * number, 128.0 + 3.0 * number))
+        stroke = replace(stroke, points_mm=points)
+        edited.follow(design.with_added(stroke))
+    for now in (edited.design, design):
+        edited.follow(now)
+        whole = EditedInsole(bare, now)
+        assert edited.mesh.vertices == pytest.approx(whole.mesh.vertices, abs=1e-9)
+        assert edited.normals == pytest.approx(edited.mesh.vertex_normals, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        replace(PLAIN, **{field.name: value})
+        for field in fields(InsoleDesign)
+        if (value := OTHER_VALUES.get(field.name)) is not None
+    ],
+)
+def test_a_changed_value_asks_for_another_insole(left_foot: Foot, changed: InsoleDesign) -> None:
+    assert bare_key(left_foot, changed) != bare_key(left_foot, PLAIN)
+
+
+def test_what_asks_for_no_other_insole_is_named() -> None:
+    assert {field.name for field in fields(InsoleDesign)} - OTHER_VALUES.keys() == {
+        "side",  # the foot's
+        "corrections",  # below
+        "device",  # a name
+    }
+    without_key = {c for c in get_args(Correction) if c not in (*_SHAPING, Rocker)}
+    assert without_key == set(get_args(Added)), "what is added can be followed"
 
 
 def test_what_is_too_thin_is_told_by_every_step_in_the_same_words(
