@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable
 
 PATIENCE_S = 60
+PATIENCE_MS = 1000 * PATIENCE_S
 
 
 def wait_for(has_happened: Callable[[], object]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import threading
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from functools import cache, partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,6 +13,7 @@ from types import SimpleNamespace
 import numpy as np
 import pyrage
 import pytest
+from canned_questions import CannedQuestions
 from found_once import SharedResults, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
 from postgres_server import PostgresServer, binaries, running_server
@@ -29,11 +30,8 @@ from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
-from insole_studio.services.last_folders import Kept
-from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
 from insole_studio.user_paths import UserPaths
-from insole_studio.widgets.fields_dialog import Field
-from tests.patience import PATIENCE_S
+from tests.patience import PATIENCE_MS
 
 LENGTH_MM = 250.0
 
@@ -51,86 +49,6 @@ def plantar_foot(side: Side) -> Foot:
     triangles = np.concatenate([np.stack([a, c, b], 1), np.stack([a, d, c], 1)])
     colors = np.full(vertices.shape, (220, 180, 160), dtype=np.uint8)
     return Foot(side, TriangleMesh(vertices, triangles, colors), np.eye(4), LENGTH_MM)
-
-
-class CannedQuestions:
-    """Answers without asking; a test sets what."""
-
-    def __init__(self) -> None:
-        self.anyway = False
-        self.unsaved = Answer.DISCARD
-        self.replace = True
-        self.same_side = SameSide.CANCEL
-        self.typed: str | None = None
-        self.given: dict[str, str] | None = None
-        self.path: Path | None = None
-        self.asked: list[str] = []
-
-    def on(self, _window: object) -> CannedQuestions:
-        return self
-
-    def open_anyway(self, sentence: str) -> bool:
-        self.asked.append(sentence)
-        return self.anyway
-
-    def make_alone(self, sentence: str, _side: Side) -> bool:
-        return self.open_anyway(sentence)
-
-    def about_unsaved(self, _name: str) -> Answer:
-        self.asked.append("unsaved")
-        return self.unsaved
-
-    def about_same_side(self, _side: Side) -> SameSide:
-        self.asked.append("same side")
-        return self.same_side
-
-    def about_case_in_use(self, sentence: str) -> InUse:
-        self.asked.append(sentence)
-        return InUse.CANCEL
-
-    def about_failed_save(self, sentence: str) -> Unsaved:
-        self.asked.append(sentence)
-        return Unsaved.GO_ON
-
-    about_changed_file = about_failed_save
-
-    def text(self, _title: str, _question: str, _value: str) -> str | None:
-        return self.typed
-
-    def fields(self, _title: str, sentence: str, fields: Sequence[Field]) -> dict[str, str] | None:
-        self.asked.append(sentence)
-        shown = {field.key: field.value for field in fields}
-        return None if self.given is None else shown | self.given
-
-    def may_replace_own(self, name: str) -> bool:
-        self.asked.append(f"replace {name}")
-        return self.replace
-
-    def may_discard(self, name: str) -> bool:
-        self.asked.append(f"discard {name}")
-        return self.unsaved is Answer.DISCARD
-
-    def may_lose_corrections(self, sentence: str) -> bool:
-        self.asked.append(sentence)
-        return self.replace
-
-    def may_remove_sample(self) -> bool:
-        self.asked.append("remove sample")
-        return self.unsaved is Answer.DISCARD
-
-    def folder_to_open(self, _title: str, _kept: Kept) -> Path | None:
-        return self.path
-
-    def file_to_open(self, _kinds: str, _kept: Kept) -> Path | None:
-        return self.path
-
-    def may_replace(self, _paths: object) -> bool:
-        return True
-
-    def file_to_write(self, _suggestion: str, _kinds: str, _kept: Kept) -> Path | None:
-        return self.path
-
-    name_to_write = file_to_write
 
 
 @pytest.fixture(scope="session")
@@ -205,7 +123,7 @@ def no_leaks() -> Iterator[None]:
 def qtbot(qtbot: QtBot) -> QtBot:
     """Let Qt's bot wait as long as all tests do, and not five seconds only."""
     for name in ("waitUntil", "waitSignal", "waitExposed"):
-        setattr(qtbot, name, partial(getattr(qtbot, name), timeout=1000 * PATIENCE_S))
+        setattr(qtbot, name, partial(getattr(qtbot, name), timeout=PATIENCE_MS))
     return qtbot
 
 
@@ -274,9 +192,7 @@ def settle(qtbot: QtBot, app: Application) -> Callable[[], None]:
     """Wait until all background work is done and delivered."""
 
     def wait() -> None:
-        qtbot.waitUntil(
-            lambda: not (app.jobs.is_running() or app.autosave.is_writing), timeout=60_000
-        )
+        qtbot.waitUntil(lambda: not (app.jobs.is_running() or app.autosave.is_writing))
 
     return wait
 

@@ -66,7 +66,9 @@ def test_a_killed_program_leaves_its_case(tmp_path: Path) -> None:
 def test_windows_killed_while_the_database_goes_and_comes_lose_nothing_they_said_was_kept() -> None:
     """The benchmark `autosave_kills` tries hundreds."""
     call = [sys.executable, killed_windows.__file__, "3"]
-    done = subprocess.run(call, timeout=600, check=False, capture_output=True, text=True)
+    done = subprocess.run(
+        call, timeout=PATIENCE_S * 10, check=False, capture_output=True, text=True
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     assert "'kills': 3" in done.stdout
 
@@ -131,7 +133,7 @@ class SlowDisk:
     def write(self, *given: Any) -> None:
         if threading.current_thread() is not threading.main_thread():
             self.has_started.set()
-            assert self.goes_on.wait(timeout=30)
+            assert self.goes_on.wait(PATIENCE_S)
         write_journal(*given)
 
 
@@ -179,10 +181,10 @@ def test_a_start_leaves_what_another_window_is_writing_to_it(
     case = Case()
     autosave = Autosave(case, jobs, tmp_path)
     case.apply(Patient(name="Anna"), "Edit")
-    qtbot.waitUntil(slow_disk.has_started.is_set, timeout=60_000)
+    qtbot.waitUntil(slow_disk.has_started.is_set)
     assert find_recovered(tmp_path, pytest.fail) == []
     slow_disk.goes_on.set()
-    qtbot.waitUntil(lambda: autosave.is_kept, timeout=60_000)
+    qtbot.waitUntil(lambda: autosave.is_kept)
     (copy,) = tmp_path.glob("*.insole")
     assert read_case(copy).patient.name == "Anna"
     assert not list(tmp_path.glob("*.broken-*"))
@@ -198,9 +200,9 @@ def test_changes_that_follow_one_another_are_written_meanwhile(
     typing = QTimer()
     typing.timeout.connect(lambda: case.apply(Patient(name=f"{next(names)}"), "Edit"))
     typing.start(50)
-    qtbot.waitUntil(lambda: bool(list(tmp_path.glob("[!.]*.insole"))), timeout=60_000)
+    qtbot.waitUntil(lambda: bool(list(tmp_path.glob("[!.]*.insole"))))
     typing.stop()
-    qtbot.waitUntil(lambda: autosave.is_kept, timeout=60_000)
+    qtbot.waitUntil(lambda: autosave.is_kept)
     autosave.forget()
     autosave.close()
 

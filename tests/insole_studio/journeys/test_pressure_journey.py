@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CannedQuestions
+from canned_questions import CannedQuestions
 from PIL import Image
 from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, Qt

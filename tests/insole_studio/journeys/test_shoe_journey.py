@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from conftest import CannedQuestions
+from canned_questions import CannedQuestions
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 

@@ -480,7 +480,7 @@ def test_escape_and_its_button_close_a_stage(
     for leave in ways:
         window.open()
         stage = window.stage
-        qtbot.waitUntil(stage.view.leave.isVisible, timeout=60_000)  # all is made
+        qtbot.waitUntil(stage.view.leave.isVisible)  # all is made
         leave(stage)
         assert window.stage is None
     settle()

@@ -56,8 +56,8 @@ def test_cards_wrap_and_scroll_beside_the_buttons(
     assert view.minimumSizeHint().width() <= width
     cards = view.findChildren(SensorCard)
     bar = view._grid.verticalScrollBar()
-    qtbot.waitUntil(lambda: len({card.x() for card in cards}) == columns, timeout=60_000)
-    qtbot.waitUntil(lambda: (bar.maximum() > 0) is scrolls, timeout=60_000)
+    qtbot.waitUntil(lambda: len({card.x() for card in cards}) == columns)
+    qtbot.waitUntil(lambda: (bar.maximum() > 0) is scrolls)
     assert (view.width(), view.height()) == (width, height)
     for card in cards:
         across = place(card, view)
@@ -72,5 +72,5 @@ def test_a_sensor_that_is_unplugged_leaves_no_gap(view: CaptureView, qtbot: QtBo
     view.resize(1366, 700)
     view.show_sensors(rows(4))
     view.show_sensors(rows(3))
-    qtbot.waitUntil(lambda: place(view._cards["A2"], view).right() > 1366 - 40, timeout=60_000)
+    qtbot.waitUntil(lambda: place(view._cards["A2"], view).right() > 1366 - 40)
     assert len({card.x() for card in view._cards.values()}) == 3

@@ -91,22 +91,22 @@ def test_whoever_has_a_first_password_chooses_their_own(
     dialog = shown(with_accounts, SignInDialog)
     assert not dialog.own.first.isVisible()
     sign_in(dialog, "tom", FIRST)
-    qtbot.waitUntil(dialog.own.first.isVisible, timeout=9000)
+    qtbot.waitUntil(dialog.own.first.isVisible)
     assert "chosen by somebody else" in dialog.message.text()
     type_into(dialog.name, "eva")  # whose password it is not
     assert not dialog.own.first.isVisible()
     sign_in(dialog, "tom", FIRST)
-    qtbot.waitUntil(lambda: dialog.isEnabled() and dialog.own.first.isVisible(), timeout=9000)
+    qtbot.waitUntil(lambda: dialog.isEnabled() and dialog.own.first.isVisible())
     for again, told in ((PASSWORD, "not the same"), (FIRST, "had before")):
         type_into(dialog.own.first, FIRST)
         type_into(dialog.own.again, again)
         dialog.sign_in.click()
-        qtbot.waitUntil(lambda told=told: told in dialog.message.text(), timeout=9000)
+        qtbot.waitUntil(lambda told=told: told in dialog.message.text())
     assert with_accounts.services.clinic.state is RecordState.SIGNED_OUT
     for line in (dialog.own.first, dialog.own.again):
         type_into(line, "yet other long words")
     dialog.sign_in.click()
-    qtbot.waitUntil(lambda: with_accounts.services.clinic.is_open, timeout=9000)
+    qtbot.waitUntil(lambda: with_accounts.services.clinic.is_open)
     assert records.accounts.sign_in("tom", "yet other long words").role is Role.TECHNICIAN
 
 

@@ -127,7 +127,7 @@ def test_another_user_may_take_over_while_a_case_of_a_file_is_unsaved(
     opened: Application, tom: Records, qtbot: QtBot
 ) -> None:
     opened.controller.run_action("new_case", False)
-    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=60_000)
+    qtbot.waitUntil(lambda: opened.case.kept is None)
     opened.case.apply(Patient("Bo Ek"), "Edit")
     opened.window.actions_by_key["lock"].trigger()
     take_over(opened, qtbot, "tom", TOMS_PASSWORD)
@@ -154,7 +154,7 @@ def test_an_administrator_sees_no_file_no_window_and_no_notice_of_a_patient_and_
     opened: Application, small_session: Path, qtbot: QtBot, rest: Callable[[], None]
 ) -> None:
     opened.controller.run_action("new_case", False)
-    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=60_000)
+    qtbot.waitUntil(lambda: opened.case.kept is None)
     opened.case.apply(Patient("Bo Ek"), "Edit")
     opened.features.foot.open_session(small_session, hand_over=False)
     opened.services.notices.put("handed", "Bo Ek: stored.", stays=True)
@@ -168,7 +168,7 @@ def test_an_administrator_sees_no_file_no_window_and_no_notice_of_a_patient_and_
     assert not [notice for notice in opened.services.notices.notices if "Bo Ek" in notice.text]
     opened.window.actions_by_key["lock"].trigger()
     take_over(opened, qtbot, "eva", OTHER_PASSWORD)
-    qtbot.waitUntil(lambda: opened.case.record.patient.name == "Bo Ek", timeout=60_000)
+    qtbot.waitUntil(lambda: opened.case.record.patient.name == "Bo Ek")
 
 
 def test_files_alone_leave_the_visit_that_was_open_as_accounts_were_asked_for(

@@ -25,6 +25,6 @@ def test_that_a_record_was_brought_up_to_date_is_told_with_the_copy_from_before(
     with closing(Database(place)) as database:
         migrate(database, f"{int(SCHEMA) - 1:04d}")
     record.open()
-    qtbot.waitUntil(lambda: record.is_open, timeout=60_000)
+    qtbot.waitUntil(lambda: record.is_open)
     (copy,) = folder.glob("records until *")
     assert any(copy.name in notice.text for notice in clinic.services.notices.notices)

@@ -82,12 +82,12 @@ def test_the_foot_of_a_capture_stores_it_only_once(
 ) -> None:
     """The capture room stores a folder, and the desk opens a copy of it, which is an archive."""
     captures = opened.features.records.captures
-    qtbot.waitUntil(lambda: captures._stored is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: captures._stored is not None)
     with zipfile.ZipFile(small_session) as archive:
         archive.extractall(tmp_path / "session")
     stored = other_station.captures.add(visit.id, "session", tmp_path / "session")
     notices = opened.services.notices
-    qtbot.waitUntil(lambda: bool(notices.notices), timeout=60_000)
+    qtbot.waitUntil(lambda: bool(notices.notices))
     copy = other_station.captures.copy_to(stored, tmp_path)
     source = ScanSource("session", str(copy), sha256_of(copy, MOST_BYTES))
     opened.case.open_foot(make_foot(Side.LEFT), source)
@@ -97,8 +97,7 @@ def test_the_foot_of_a_capture_stores_it_only_once(
         make_foot(Side.RIGHT), ScanSource("mesh", str(scan), sha256_of(scan, MOST_BYTES))
     )  # what is stored after it tells that it was not
     qtbot.waitUntil(
-        lambda: "right.stl" in [c.file_name for c in other_station.captures.of_visit(visit.id)],
-        timeout=60_000,
+        lambda: "right.stl" in [c.file_name for c in other_station.captures.of_visit(visit.id)]
     )
     assert [c.kind for c in other_station.captures.of_visit(visit.id)] == ["mesh", "session"]
 
@@ -129,7 +128,7 @@ def test_the_capture_room_stores_a_session_with_a_visit_of_its_work_list(
     assert capture.facts.sensor_serials
     bo = records.persons.add(Person("Bo Ek"))
     records.visits.add(Visit(bo.id, date.today(), capture_state=CaptureState.WANTED))
-    qtbot.waitUntil(lambda: visits.findText("Bo Ek") > 0, timeout=10_000)
+    qtbot.waitUntil(lambda: visits.findText("Bo Ek") > 0)
     assert stage.view.visit_id == wanted.id  # the other foot is of the same patient
     stage.close()
     assert clinic.features.foot.stage is None

@@ -278,9 +278,9 @@ def test_work_waits_for_a_database_that_is_away(
     away(True)
     thicken(opened, 5.5)
     keeper = opened.services.keeper
-    qtbot.waitUntil(lambda: keeper.state is KeepState.WAITING, timeout=10_000)
+    qtbot.waitUntil(lambda: keeper.state is KeepState.WAITING)
     kept = opened.window.status._kept
-    qtbot.waitUntil(lambda: "your work is kept here" in kept.text(), timeout=60_000)
+    qtbot.waitUntil(lambda: "your work is kept here" in kept.text())
     assert opened.autosave.is_kept
     away(False)
     wait_until_saved(opened, qtbot)
@@ -334,7 +334,7 @@ def test_a_journal_of_somebody_erased_meanwhile_goes_without_bringing_them_back(
     erase_person(records.context, visit.person_id, ErasureReason.REQUEST, date.today())
     away(False)
     opened.hand_over.take(find_recovered(paths.autosave_folder))
-    qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")), timeout=10_000)
+    qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")))
     assert newest_mm(records, visit) != 5.5
     assert records.persons.get(visit.person_id).name != "Anna Berg"
 
@@ -434,12 +434,12 @@ def test_what_the_record_refuses_of_a_journal_waits_in_sight_and_can_become_a_ca
     monkeypatch.setattr(Prescriptions, "save", refuse)
     opened.hand_over.take(find_recovered(paths.autosave_folder))
     notices = opened.services.notices
-    qtbot.waitUntil(lambda: bool(notices.notices), timeout=60_000)
+    qtbot.waitUntil(lambda: bool(notices.notices))
     (notice,) = notices.notices
     assert "is not in the record yet" in notice.text
     assert notice.offers == ("Open it as a case",)
     notices.take(notice.key)
-    qtbot.waitUntil(lambda: opened.case.kept is None, timeout=60_000)
+    qtbot.waitUntil(lambda: opened.case.kept is None)
     design = opened.case.record.design
     assert design is not None
     assert design.thickness_mm == 5.5
@@ -468,12 +468,12 @@ def test_a_record_that_does_not_answer_at_the_start_is_opened_as_soon_as_it_does
     with monkeypatch.context() as away:
         away.setattr(clinic_record, "_open", fail)
         clinic.reopen()
-        qtbot.waitUntil(lambda: clinic.state is RecordState.REFUSED, timeout=60_000)
+        qtbot.waitUntil(lambda: clinic.state is RecordState.REFUSED)
         opened.hand_over.take(find_recovered(paths.autosave_folder))
         (notice,) = notices.notices
         assert notice.text.startswith("Anna Berg: what was changed on ")
     said = "Anna Berg: what was not saved yet is now in the record."
-    qtbot.waitUntil(lambda: [shown.text for shown in notices.notices] == [said], timeout=60_000)
+    qtbot.waitUntil(lambda: [shown.text for shown in notices.notices] == [said])
     station = clinic.ask_now(lambda found: found)
     assert newest_mm(station, visit) == 5.5
 

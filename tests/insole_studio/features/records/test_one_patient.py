@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from conftest import CannedQuestions
+from canned_questions import CannedQuestions
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QToolButton
@@ -50,7 +50,7 @@ def look_up(app: Application, name: str, qtbot: QtBot) -> None:
     page = app.features.records.start
     assert page is not None
     QTest.keyClicks(page.search, name)
-    qtbot.waitUntil(lambda: [row.cells[0] for row in page.found.rows] == [name], timeout=10_000)
+    qtbot.waitUntil(lambda: [row.cells[0] for row in page.found.rows] == [name])
     QTest.keyClick(page.search, Qt.Key.Key_Return)
 
 
@@ -84,7 +84,7 @@ def test_title_steps_and_actions_are_those_of_the_page(
 ) -> None:
     questions.unsaved = Answer.DISCARD
     look_up(annas, "Åke Öberg", qtbot)
-    qtbot.waitUntil(lambda: "Öberg" in annas.window.windowTitle(), timeout=10_000)
+    qtbot.waitUntil(lambda: "Öberg" in annas.window.windowTitle())
     rest()
     assert annas.window.page is annas.features.records.person
     assert annas.case.is_empty
@@ -106,12 +106,12 @@ def test_a_visit_is_saved_and_left_when_another_patient_is_looked_up(
     rest: Callable[[], None],
 ) -> None:
     clinic.features.records.open_visit(visit.id)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     design = clinic.case.record.design
     assert design is not None
     clinic.case.apply(replace(design, thickness_mm=4.5), "Thickness")
     look_up(clinic, "Åke Öberg", qtbot)
-    qtbot.waitUntil(lambda: "Öberg" in clinic.window.windowTitle(), timeout=10_000)
+    qtbot.waitUntil(lambda: "Öberg" in clinic.window.windowTitle())
     rest()
     assert clinic.case.kept is None
     newest = records.prescriptions.versions(visit.id, Side.LEFT)[0]
@@ -122,7 +122,7 @@ def test_the_page_of_the_open_case_keeps_its_steps(
     clinic: Application, visit: Visit, qtbot: QtBot, rest: Callable[[], None]
 ) -> None:
     clinic.features.records.open_visit(visit.id)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     look_up(clinic, "Anna Berg", qtbot)
     rest()
     assert clinic.window.page is clinic.features.records.person

@@ -480,16 +480,16 @@ def test_an_empty_visit_is_deleted_and_one_with_contents_is_kept(
     clinic.controller.run_action(
         "new_visit", False
     )  # as by a key that is held: one visit all the same
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
     assert clinic.case.kept is not None
     empty = clinic.case.kept.visit
     clinic.controller._go_to_step("patient")
-    qtbot.waitUntil(lambda: set(page.cards) == {visit.id, empty.id}, timeout=10_000)
+    qtbot.waitUntil(lambda: set(page.cards) == {visit.id, empty.id})
     press(page, visit, "delete")
-    qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs))
     assert "versions of prescriptions (1)" in clinic.services.messages.dialogs[0].text()
     press(page, empty, "delete")  # although it is open in this window
-    qtbot.waitUntil(lambda: list(page.cards) == [visit.id], timeout=10_000)
+    qtbot.waitUntil(lambda: list(page.cards) == [visit.id])
     rest()
     assert clinic.window.page is page
     assert clinic.case.kept is None
