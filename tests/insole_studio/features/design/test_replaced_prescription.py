@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from conftest import CannedQuestions
+from canned_questions import CannedQuestions
 
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Variant
