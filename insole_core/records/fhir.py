@@ -14,7 +14,7 @@ from typing import Any, Final
 
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
+from insole_core.insole.prescription.prescription_lines import correction_lines, make_values
 from insole_core.records.order import Order, OrderState
 from insole_core.records.person import Person
 from insole_core.records.prescription import VersionSummary
@@ -150,7 +150,11 @@ def _parameters(design: InsoleDesign) -> Sequence[Resource]:
         "code": _coded(_LATERALITY, "side"),
         "valueCodeableConcept": _coded(_SIDES[design.side], str(design.side)),
     }
-    facts = make_facts(design).items()
+    facts = [
+        (f"{name}: {each}" if each else name, text)
+        for name, said in make_values(design).items()
+        for each, text in ({"": said} if isinstance(said, str) else said).items()
+    ]
     return [side, *({"code": _words(name), **_value(value)} for name, value in facts)]
 
 

@@ -97,7 +97,9 @@ def _elements(
         for name, letter in _POSTS.items()
         if name in facts
     ]
-    for line, correction in zip(correction_lines(design), design.active, strict=True):
+    for line, correction in zip(
+        correction_lines(design, part.landmarks), design.active, strict=True
+    ):
         listed.append(("", translate(line), _centre(correction, turn)))
     return tuple(Element(number, *each) for number, each in enumerate(listed, 1))
 

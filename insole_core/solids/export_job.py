@@ -302,6 +302,7 @@ def run_export_job(
             identification={**job.patient, **job.identification},
             material=" / ".join(dict.fromkeys(filter(None, job.materials.values()))),
             day=date.today(),
+            landmarks={part.side: part.landmarks for part in job.parts},
             warnings={part.side: part.warnings for part in job.parts},
             translate=job.translate,
         )

@@ -13,6 +13,7 @@ from datetime import date
 from pathlib import Path
 
 from insole_core.errors import InputError
+from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
@@ -91,6 +92,7 @@ def write_prescription_paper(
     material: str,
     day: date,
     provenance: Mapping[Side, Mapping[str, str]] | None = None,
+    landmarks: Mapping[Side, Landmarks] | None = None,
     warnings: Mapping[Side, Sequence[str]] | None = None,
     translate: Translate = str,
 ) -> None:
@@ -104,6 +106,8 @@ def write_prescription_paper(
         Date of the paper.
     provenance
         How the device of each foot came about, as the clinic's record knows it.
+    landmarks : insole frame
+        Of each foot, for the places of pads behind the heads.
     warnings
         What is unusual about the insole of each foot, a sentence each.
     translate
@@ -122,7 +126,9 @@ def write_prescription_paper(
     lines, make, unusual = [], {}, []
     for design in designs:
         side = translate(str(design.side))
-        lines += [f"{side.capitalize()}. {translate(line)}" for line in correction_lines(design)]
+        marks = (landmarks or {}).get(design.side)
+        said = correction_lines(design, marks)
+        lines += [f"{side.capitalize()}. {translate(line)}" for line in said]
         unusual += [
             f"{side.capitalize()}. {translate(sentence)}"
             for sentence in (warnings or {}).get(design.side, ())

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import ast
 import builtins
-import dataclasses
-import re
 import string
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple, get_args
+from typing import NamedTuple
 from xml.etree import ElementTree
 
 import numpy as np
@@ -27,9 +25,10 @@ from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_kinds import PAD_NAMES, pad_name
 from insole_core.insole.pads.pad_shapes import PAD_SHAPES
-from insole_core.insole.prescription.design import Correction, InsoleDesign, Shell
-from insole_core.insole.prescription.design_differences import LABELS, WORDS
+from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.prescription.design_differences import LABELS
 from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.prescription.vocabulary import NAMES, SPOKEN, WORDS
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
@@ -78,13 +77,8 @@ SHOES = {system.name for system in read_shoe_table().systems} | read_shoe_table(
 """Names in the table of shoe sizes."""
 PRESCRIBED = (
     {name[0].upper() + name[1:] for name in PAD_NAMES.values()}
-    | {
-        re.sub(r"_(mm|deg|eu)$", "", field.name).replace("_", " ")
-        for correction in get_args(Correction)
-        for field in dataclasses.fields(correction)
-    }
-    | {word.replace("_", " ") for word in (*PAD_SHAPES, "three_quarter", *DEFINITIONS)}
-    | {"rearfoot post", "forefoot post", "depth camera"}
+    | {word.replace("_", " ") for word in (*PAD_SHAPES, *DEFINITIONS)}
+    | {"rearfoot post", "forefoot post", "medial rim", "lateral rim", "depth camera"}
 )
 """Words of a prescription, of measures, and of calibrations that are made of identifiers."""
 SHOP = read_shop()
@@ -294,6 +288,13 @@ def test_materials_are_offered_by_their_swedish_names(swedish: Callable[[str], s
 
 def test_every_word_of_the_differences_has_a_swedish_one() -> None:
     words = {*LABELS.values(), *WORDS.values(), *map(pad_name, (p.template for p in load_pads()))}
+    assert words - CATALOGUE.keys() == set()
+
+
+def test_every_word_of_a_prescription_has_a_swedish_one() -> None:
+    fields = [spoken for part in SPOKEN.values() for spoken in part.values()]
+    words = {*NAMES.values(), *(said.name for said in fields)}
+    words |= {word for said in fields for word in said.words.values()}
     assert words - CATALOGUE.keys() == set()
 
 

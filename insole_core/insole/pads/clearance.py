@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.corrections import Pelott
@@ -50,3 +51,17 @@ def clearance(pad: Pelott, line: FloatArray) -> Clearance:
     order = along.argsort()
     distance = float(np.interp((front - line[0]) @ across, along[order], height[order]))
     return Clearance(line, front, front + distance * ahead, distance)
+
+
+def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
+    """Return how far a pad's front edge lies behind the line of heads 2 to 4; < 0 in front of it.
+
+    To snap a pad, move it ahead by the excess of this over the wanted distance.
+
+    Parameters
+    ----------
+    landmarks
+        Of the pad's foot, insole frame.
+    """
+    line = np.array([landmarks[f"metatarsal_head_{n}"].point[:2] for n in (2, 3, 4)])
+    return clearance(pad, line).distance_mm

@@ -15,7 +15,7 @@ from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
 from insole_core.insole.outline.outline_curve import inside_curve
-from insole_core.insole.pads.clearance import clearance
+from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_kinds import (
     ends_behind_heads,
@@ -176,20 +176,6 @@ def design_warnings(
 
 def _words(name: str) -> str:
     return _WORDS.get(name, name)
-
-
-def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
-    """Return how far a pad's front edge lies behind the line of heads 2 to 4; < 0 in front of it.
-
-    To snap a pad, move it ahead by the excess of this over the wanted distance.
-
-    Parameters
-    ----------
-    landmarks
-        Of the pad's foot, insole frame.
-    """
-    line = np.array([landmarks[f"metatarsal_head_{n}"].point[:2] for n in (2, 3, 4)])
-    return clearance(pad, line).distance_mm
 
 
 def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:

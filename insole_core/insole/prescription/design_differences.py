@@ -21,6 +21,7 @@ from insole_core.insole.prescription.rim_sliders import (
 )
 from insole_core.insole.prescription.shell import Post
 from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.vocabulary import WORDS
 from insole_core.messages import Message, joined
 
 LABELS: dict[str, str] = {
@@ -72,24 +73,6 @@ LABELS: dict[str, str] = {
     "forefoot": "Forefoot post",
 }
 """What each value of a design is called, in the order of the lines."""
-WORDS = {
-    "flat": "flat",
-    "following": "cupped",
-    "full": "full length",
-    "three_quarter": "three-quarter",
-    "sulcus": "sulcus",
-    "crest": "crest",
-    "as_scanned": "as scanned",
-    "foot": "from the foot",
-    "shoe_size": "from the shoe size",
-    "drawn": "drawn",
-    "medial": "medial",
-    "lateral": "lateral",
-    "push": "push",
-    "pull": "pull",
-    "smooth": "smooth",
-}
-"""How the words of a design are said."""
 _CORRECTIONS = {
     "posting": "posting",
     "forefoot_twist": "forefoot twist",

@@ -1,34 +1,80 @@
-"""A prescription in words, for printed documents: one line per correction, and the construction."""
+"""A prescription in words, for papers: a line for each correction, and how the insole is made.
+
+Names, units and words come from the `vocabulary`: all fields are said, but those without a value
+and those that do nothing beside others.
+"""
 
 from __future__ import annotations
 
-from dataclasses import fields
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, TypeAlias
 
-from insole_core.insole.pads.pad_kinds import pad_name
-from insole_core.insole.prescription.design import (
-    ArchRaise,
-    Correction,
-    Finish,
-    InsoleDesign,
-    Pelott,
-    Shell,
-)
+import numpy as np
+
+from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.side import Side
+from insole_core.insole.pads.clearance import behind_heads_mm
+from insole_core.insole.pads.pad_kinds import PAD_NAMES, ends_behind_heads, pad_name
+from insole_core.insole.prescription.corrections import Correction, Pelott, Place
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
+from insole_core.insole.prescription.shell import Shell
+from insole_core.insole.prescription.vocabulary import (
+    NAMES,
+    RAISING,
+    SPOKEN,
+    WORDS,
+    Spoken,
+    acts,
+    spoken,
+)
 from insole_core.messages import Message, joined
 
-_UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
-_DECIMALS, _DECIMALS_OF_A_SHARE = 1, 2
+Values: TypeAlias = dict[str, str]
+_PLACES = ("centre_mm", "apex_mm")
+_DECIMALS = 1
 """The precision of the tool's own fields."""
-_RAISING = {"rearfoot_deg", "forefoot_deg", "angle_deg"}
-"""Angles that raise the medial edge above 0, the lateral one below."""
-_LENGTH_SHARES = {"blend_start", "blend_end", "fade_start", "fade_end"}
-_SILENT = {"id", "enabled", "author", "created_at", "kind"}
 
 
-def correction_lines(design: InsoleDesign) -> tuple[Message, ...]:
-    """Return a line for every active correction: type, all its numbers, author and date."""
-    return tuple(_line(correction) for correction in design.active)
+def correction_lines(
+    design: InsoleDesign, landmarks: Landmarks | None = None
+) -> tuple[Message, ...]:
+    """Return a line for every active correction: name, all its values, author and date.
+
+    Parameters
+    ----------
+    landmarks
+        Of the foot, insole frame; with them a pad that is laid by the heads says how far behind.
+    """
+    return tuple(_line(correction, design.side, landmarks) for correction in design.active)
+
+
+def make_facts(design: InsoleDesign) -> dict[str, str]:
+    """Return device, base, outline, layers, finish and shell, a text for each, by name."""
+    return {
+        name: value if isinstance(value, str) else _text(value)
+        for name, value in make_values(design).items()
+    }
+
+
+def make_values(design: InsoleDesign) -> dict[str, str | Values]:
+    """Return what `make_facts` says, with the values of each part by their names."""
+    said: dict[str, str | Values] = {"device": design.device} if design.device else {}
+    if design.base is not None:
+        said["base form"] = {**_values(design.base.form), **_values(design.base)}
+    said |= {
+        "prescribed thickness": _mm(design.made_thickness_mm),
+        "insole": _values(design),
+        "outline": _values(design.outline),
+    }
+    if design.outline.shoe is not None:
+        said["shoe"] = _values(design.outline.shoe)
+    if design.layers.total_mm > 0:
+        said["layers"] = _values(design.layers)
+    if design.finish is not None:
+        said |= _finish_values(design.finish)
+    return said if design.shell is None else said | _shell_values(design.shell)
 
 
 def plain_number(value: float, decimals: int = _DECIMALS) -> str:
@@ -43,130 +89,105 @@ def number_message(value: float, decimals: int = _DECIMALS) -> Message:
     return Message("{number:g}", number=round(value, decimals) + 0.0)  # never -0
 
 
-def make_facts(design: InsoleDesign) -> dict[str, str]:
-    """Return device, base, thickness, layers, bottom, outline, finish and shell, by name."""
-    layers = design.layers
-    facts: dict[str, str] = {"device": design.device} if design.device else {}
-    if design.base is not None:
-        share = number_message(100 * design.base.contact_share)
-        form = design.base.form.name
-        facts["base form"] = Message("{form}, {share} % of the foot", form=form, share=share)
-    facts |= {
-        "prescribed thickness": _mm(design.made_thickness_mm),
-        "bottom": design.bottom,
-        "outline": joined([_words(design.outline.source), _words(design.outline.extent)]),
-    }
-    if design.outline.width_mm is not None:
-        facts["width"] = Message(
-            "{width} from the bisection of the 1st metatarsal", width=_mm(design.outline.width_mm)
-        )
-    if layers.total_mm > 0:
-        thicknesses = (layers.cover_mm, layers.shell_mm, layers.base_mm)
-        numbers = joined(map(number_message, thicknesses), " / ")
-        facts["cover / middle layer / base"] = Message("{numbers} mm", numbers=numbers)
-    if design.taken_off_mm > 0:
-        facts["cover, glued on later"] = _mm(design.taken_off_mm)
-    if design.finish is not None:
-        facts |= _finish_facts(design.finish)
-    return facts if design.shell is None else facts | _shell_facts(design, design.shell)
+def _finish_values(finish: Finish) -> dict[str, str | Values]:
+    said: dict[str, str | Values] = {"finish": _values(finish)}
+    heights = {"heel cup": cup_depth_mm(finish), "medial flange": medial_flange_mm(finish)}
+    said |= {name: _mm(height) for name, height in heights.items() if height is not None}
+    for border in ("medial", "lateral"):
+        stations = sorted((s for s in finish.rim if s.border == border), key=lambda s: s.along)
+        if stations:
+            said[f"{border} rim"] = joined((_text(_values(s), ", ") for s in stations), "; ")
+    return said
 
 
-def _finish_facts(finish: Finish) -> dict[str, str]:
-    """Return what is prescribed of the finish, by name; nothing that is 0."""
-    facts: dict[str, str] = {"toe zone": _words(finish.toe_zone)}
-    lengths = {
-        "heel cup": cup_depth_mm(finish),
-        "medial flange": medial_flange_mm(finish),
-        "arch fill": finish.arch_fill_mm,
-        "expansion": finish.expansion_mm,
-    }
-    return facts | {name: _mm(mm) for name, mm in lengths.items() if mm}
+def _shell_values(shell: Shell) -> dict[str, str | Values]:
+    posts: dict[str, str | Values] = {f"{post.region} post": _values(post) for post in shell.posts}
+    return {"shell": _values(shell), **posts}
 
 
-def _shell_facts(design: InsoleDesign, shell: Shell) -> dict[str, str]:
-    """Return what is prescribed of a shell, by name; nothing that is 0."""
-    facts: dict[str, str] = {"material of the shell": shell.material} if shell.material else {}
-    if shell.body_weight_kg is not None:
-        weight = number_message(shell.body_weight_kg)
-        facts["body weight"] = Message("{weight} kg", weight=weight)
-    facts["end taper"] = Message(
-        "{height} over {length}", height=_mm(shell.taper_mm), length=_mm(shell.taper_length_mm)
-    )
-    for post in shell.posts:
-        facts[f"{post.region} post"] = Message(
-            "{angle}, length {length}, edge {edge}",
-            angle=_raised(post.angle_deg),
-            length="usual" if post.length_mm is None else _mm(post.length_mm),
-            edge=_mm(post.edge_radius_mm),
-        )
-    if design.outline.extent == "three_quarter" and design.outline.source != "drawn":
-        points = shell.trim_mm
-        facts["trim line"] = (
-            "usual" if points is None else Message("through {count} points", count=len(points))
-        )
-    lengths = {
-        "edge radius": shell.edge_radius_mm,
-        "chamfer": shell.chamfer_mm,
-        "heel pitch": shell.heel_pitch_mm,
-    }
-    facts |= {name: _mm(mm) for name, mm in lengths.items() if mm > 0}
-    facts["draft of the walls"] = Message(
-        "medial {medial}°, lateral {lateral}°",
-        medial=number_message(shell.draft_medial_deg),
-        lateral=number_message(shell.draft_lateral_deg),
-    )
-    return facts
-
-
-def _mm(value: float) -> Message:
-    return Message("{number} mm", number=number_message(value))
-
-
-def _line(correction: Correction) -> Message:
-    values = [
-        _value(field.name, getattr(correction, field.name))
-        for field in fields(correction)
-        if field.name not in _unsaid(correction) and getattr(correction, field.name) is not None
-    ]
+def _line(correction: Correction, side: Side, landmarks: Landmarks | None) -> Message:
+    said = [_text(_values(correction))]
+    place = next((p for n in _PLACES if (p := getattr(correction, n, None)) is not None), None)
+    if place is not None:
+        said.append(_place(place, side))
+    if landmarks is not None and isinstance(correction, Pelott) and ends_behind_heads(correction):
+        said.append(_from_heads(behind_heads_mm(correction, landmarks)))
     signed = " ".join(word for word in (correction.author, correction.created_at[:10]) if word)
-    what = {"correction": _title(correction), "values": joined(values, "; ")}
+    what = {"correction": _title(correction), "values": joined(said, "; ")}
     if not signed:
         return Message("{correction}: {values}", **what)
     return Message("{correction}: {values} ({signed})", signed=signed, **what)
 
 
-def _unsaid(correction: Correction) -> set[str]:
-    """Return the fields that say nothing about the insole."""
-    if isinstance(correction, ArchRaise) and correction.target_mm is not None:
-        return {*_SILENT, "height_mm"}
-    return _SILENT
-
-
 def _title(correction: Correction) -> str:
-    if isinstance(correction, Pelott) and correction.kind:
-        name = pad_name(correction)
-        return name[0].upper() + name[1:]
-    return _words(correction.type).capitalize()
+    if not isinstance(correction, Pelott):
+        return NAMES[type(correction)]
+    name = pad_name(correction)
+    return name[0].upper() + name[1:]
 
 
-def _value(name: str, value: Any) -> Message:
-    if name in _RAISING:
-        words = _words(name.removesuffix("_deg"))
-        return Message("{name} {angle}", name=words, angle=_raised(value))
-    if name in _LENGTH_SHARES:
-        share = number_message(100 * value)
-        return Message("{name} {share} % of the length", name=_words(name), share=share)
-    unit = next((unit for suffix, unit in _UNITS.items() if name.endswith(suffix)), "")
-    for suffix in _UNITS:
-        name = name.removesuffix(suffix)
-    if isinstance(value, tuple) and value and isinstance(value[0], tuple):
-        return Message("{name} {count} points", name=_words(name), count=len(value))
-    numbers = value if isinstance(value, tuple) else (value,)
-    decimals = _DECIMALS if unit else _DECIMALS_OF_A_SHARE
-    values = joined(
-        _words(n) if isinstance(n, str) else number_message(n, decimals) for n in numbers
+def _values(part: Any) -> Values:
+    """Return the values of a part that are set and do something, by their names."""
+    return {
+        said.name: _value(said, value)
+        for name, said in ((name, spoken(part, name)) for name in SPOKEN[type(part)])
+        if name not in _PLACES
+        and acts(part, name)
+        and (value := getattr(part, name)) is not None
+        and value != ""
+    }
+
+
+def _text(values: Mapping[str, str], between: str = "; ") -> Message:
+    said = (Message("{name} {value}", name=name, value=value) for name, value in values.items())
+    return joined(said, between)
+
+
+def _value(said: Spoken, value: Any) -> Message:
+    if isinstance(value, bool):
+        return Message(said.words.get(value, "yes" if value else "no"))
+    if isinstance(value, str):
+        return Message(said.words.get(value) or WORDS.get(value) or PAD_NAMES.get(value, value))
+    if isinstance(value, tuple):
+        return _pair(said, value) if isinstance(value[0], float | int) else _curve(value)
+    if said.template == RAISING:
+        return _raised(value)
+    return Message(said.template, value=number_message(said.scale * value, said.decimals))
+
+
+def _pair(said: Spoken, pair: Place) -> Message:
+    both = joined((number_message(value, said.decimals) for value in pair), " × ")
+    return Message(said.template, value=both)
+
+
+def _curve(points_mm: tuple[Place, ...]) -> Message:
+    """Tell a drawn line by its points, its size and its middle."""
+    points = np.array(points_mm, float)
+    (width, length), (x, y) = np.ptp(points, axis=0), points.mean(axis=0)
+    return Message(
+        "through {count:g} points, {width} × {length} mm, its middle at x = {x}, y = {y} mm",
+        count=len(points),
+        width=number_message(float(width)),
+        length=number_message(float(length)),
+        x=number_message(float(x), 2),
+        y=number_message(float(y), 2),
     )
-    return Message("{name} {values}{unit}", name=_words(name), values=values, unit=unit)
+
+
+def _place(place_mm: Place, side: Side) -> Message:
+    """Say where a place lies, as the window does: medial of the axis on either foot."""
+    across, from_heel = place_mm[0] * side.medial_sign, _mm(place_mm[1])
+    values = {"across": _mm(abs(across)), "from_heel": from_heel}
+    if across < 0:
+        return Message("{across} lateral of the axis, {from_heel} from the heel", **values)
+    return Message("{across} medial of the axis, {from_heel} from the heel", **values)
+
+
+def _from_heads(distance_mm: float) -> Message:
+    distance = _mm(abs(distance_mm))
+    if distance_mm < 0:
+        return Message("{distance} ahead of the heads", distance=distance)
+    return Message("{distance} behind the heads", distance=distance)
 
 
 def _raised(angle_deg: float) -> Message:
@@ -178,5 +199,5 @@ def _raised(angle_deg: float) -> Message:
     return Message("{angle}° lateral", angle=angle)
 
 
-def _words(name: str) -> str:
-    return name.replace("_", " ")
+def _mm(value: float) -> Message:
+    return Message("{number} mm", number=number_message(value))

@@ -312,6 +312,10 @@
             <translation>En beställning behöver en version av en fot eller av båda fötterna från sitt besök; välj dem igen.</translation>
         </message>
         <message>
+            <source>Angle</source>
+            <translation>Vinkel</translation>
+        </message>
+        <message>
             <source>Another capture is to be written to {path}; wait until it has ended, or choose another name.</source>
             <translation>En annan avbildning ska skrivas till {path}; vänta tills den är klar, eller välj ett annat namn.</translation>
         </message>
@@ -346,6 +350,10 @@
         <message>
             <source>Arch support</source>
             <translation>Valvstöd</translation>
+        </message>
+        <message>
+            <source>Arch transition</source>
+            <translation>Övergång, hålfot</translation>
         </message>
         <message>
             <source>Around the heel</source>
@@ -384,6 +392,14 @@
             <translation>Säkerhetskopiorna har ännu ingen lösenfras; välj en först.</translation>
         </message>
         <message>
+            <source>Ball</source>
+            <translation>Trampdyna</translation>
+        </message>
+        <message>
+            <source>Ball width</source>
+            <translation>Trampdynans bredd</translation>
+        </message>
+        <message>
             <source>Baltic</source>
             <translation>Baltisk</translation>
         </message>
@@ -402,6 +418,14 @@
         <message>
             <source>Base layer</source>
             <translation>Baslager</translation>
+        </message>
+        <message>
+            <source>Begins at</source>
+            <translation>Börjar vid</translation>
+        </message>
+        <message>
+            <source>Behind the heads</source>
+            <translation>Bakom huvudena</translation>
         </message>
         <message>
             <source>Beside the ball</source>
@@ -440,12 +464,12 @@
             <translation>Båda fötterna i skanningen ser ut som en {side}; ange vilken fot som är vilken.</translation>
         </message>
         <message>
-            <source>Bottom</source>
-            <translation>Undersida</translation>
-        </message>
-        <message>
             <source>Brush</source>
             <translation>Pensel</translation>
+        </message>
+        <message>
+            <source>Brush stroke</source>
+            <translation>Penseldrag</translation>
         </message>
         <message>
             <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
@@ -592,20 +616,16 @@
             <translation>Överdrag</translation>
         </message>
         <message>
-            <source>Cover / middle layer / base</source>
-            <translation>Överdrag / mellanskikt / bas</translation>
-        </message>
-        <message>
             <source>Cover glued on later</source>
             <translation>Överdrag limmas på senare</translation>
         </message>
         <message>
-            <source>Cover to the toes.</source>
-            <translation>Överdrag till tårna.</translation>
+            <source>Cover is</source>
+            <translation>Överdraget</translation>
         </message>
         <message>
-            <source>Cover, glued on later</source>
-            <translation>Överdrag, limmas på senare</translation>
+            <source>Cover to the toes.</source>
+            <translation>Överdrag till tårna.</translation>
         </message>
         <message>
             <source>Cuboid raise</source>
@@ -676,6 +696,10 @@
             <translation>Leveransdag</translation>
         </message>
         <message>
+            <source>Depth</source>
+            <translation>Djup</translation>
+        </message>
+        <message>
             <source>Designed by</source>
             <translation>Utformad av</translation>
         </message>
@@ -732,6 +756,10 @@
             <translation>Finsko, trekvarts</translation>
         </message>
         <message>
+            <source>EU size</source>
+            <translation>EU-storlek</translation>
+        </message>
+        <message>
             <source>EVA pair</source>
             <translation>EVA par</translation>
         </message>
@@ -756,12 +784,16 @@
             <translation>EVA, hel längd</translation>
         </message>
         <message>
+            <source>Edge</source>
+            <translation>Kant</translation>
+        </message>
+        <message>
             <source>Edge radius</source>
             <translation>Kantradie</translation>
         </message>
         <message>
-            <source>End taper</source>
-            <translation>Ändarnas avfasning</translation>
+            <source>Ends at</source>
+            <translation>Slutar vid</translation>
         </message>
         <message>
             <source>English sizes of 8.47 mm, with 15 mm before the toes</source>
@@ -770,10 +802,6 @@
         <message>
             <source>Every capture needs a raw number and a distance; measure the missing ones.</source>
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
-        </message>
-        <message>
-            <source>Expansion</source>
-            <translation>Vidgning</translation>
         </message>
         <message>
             <source>Exporting orders</source>
@@ -856,6 +884,14 @@
             <translation>Fynd</translation>
         </message>
         <message>
+            <source>Finished height</source>
+            <translation>Färdig höjd</translation>
+        </message>
+        <message>
+            <source>Finishing</source>
+            <translation>Utformning av kanten</translation>
+        </message>
+        <message>
             <source>Finishing rim and toe zone</source>
             <translation>Färdigställer rand och tåzon</translation>
         </message>
@@ -888,6 +924,10 @@
             <translation>Passar skevheten</translation>
         </message>
         <message>
+            <source>Flank height</source>
+            <translation>Kanthöjd</translation>
+        </message>
+        <message>
             <source>Flat</source>
             <translation>Plan</translation>
         </message>
@@ -908,6 +948,10 @@
             <translation>Uppföljning</translation>
         </message>
         <message>
+            <source>Foot length</source>
+            <translation>Fotlängd</translation>
+        </message>
+        <message>
             <source>Foot ready</source>
             <translation>Foten är klar</translation>
         </message>
@@ -916,16 +960,32 @@
             <translation>För {weight_kg:g} kg kroppsvikt är {material} vanligen {usual_mm:g} mm tjockt, och det här inlägget är {thickness_mm:g} mm.</translation>
         </message>
         <message>
+            <source>Forefoot</source>
+            <translation>Framfot</translation>
+        </message>
+        <message>
             <source>Forefoot filler</source>
             <translation>Framfotsutfyllnad</translation>
+        </message>
+        <message>
+            <source>Forefoot from</source>
+            <translation>Framfot från</translation>
         </message>
         <message>
             <source>Forefoot post</source>
             <translation>Framfotskil</translation>
         </message>
         <message>
+            <source>Forefoot transition</source>
+            <translation>Övergång, framfot</translation>
+        </message>
+        <message>
             <source>Forefoot twist</source>
             <translation>Framfotsvridning</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>Form</translation>
         </message>
         <message>
             <source>Free some space: a session takes about 100 MB, a backup more.</source>
@@ -934,6 +994,22 @@
         <message>
             <source>Free-hand pad</source>
             <translation>Frihandspelott</translation>
+        </message>
+        <message>
+            <source>Front edge</source>
+            <translation>Framkant</translation>
+        </message>
+        <message>
+            <source>Full from</source>
+            <translation>Full från</translation>
+        </message>
+        <message>
+            <source>Full up to</source>
+            <translation>Full till</translation>
+        </message>
+        <message>
+            <source>Fullness across and along</source>
+            <translation>Fyllighet tvärs och längs</translation>
         </message>
         <message>
             <source>Functional hallux limitus</source>
@@ -976,6 +1052,10 @@
             <translation>Låt en administratör kopiera {rule} till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
+            <source>Heel</source>
+            <translation>Häl</translation>
+        </message>
+        <message>
             <source>Heel and ball of this foot lie in an impossible order, so no form of the library can be laid on it; choose a base from the foot, or scan again.</source>
             <translation>Fotens häl och trampdyna ligger i en omöjlig ordning, så ingen form ur biblioteket kan läggas på den; välj foten som bas eller skanna igen.</translation>
         </message>
@@ -997,11 +1077,15 @@
         </message>
         <message>
             <source>Heel pitch</source>
-            <translation>Hälfall</translation>
+            <translation>Klackhöjd</translation>
         </message>
         <message>
             <source>Heel skive</source>
             <translation>Hälskivning</translation>
+        </message>
+        <message>
+            <source>Heel transition</source>
+            <translation>Övergång, häl</translation>
         </message>
         <message>
             <source>Heel, 1st and 5th head lie on one line; put them in place.</source>
@@ -1010,6 +1094,10 @@
         <message>
             <source>Heel-spur recess</source>
             <translation>Hälsporreurtag</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Höjd</translation>
         </message>
         <message>
             <source>Heights from above</source>
@@ -1042,6 +1130,10 @@
         <message>
             <source>In the view {view} {reason}.</source>
             <translation>I vyn {view}: {reason}.</translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation>Insida</translation>
         </message>
         <message>
             <source>Insole</source>
@@ -1121,11 +1213,15 @@
         </message>
         <message>
             <source>Lateral draft</source>
-            <translation>Lateral släppning</translation>
+            <translation>Lutning lateralt</translation>
         </message>
         <message>
             <source>Lateral instability</source>
             <translation>Lateral instabilitet</translation>
+        </message>
+        <message>
+            <source>Lateral rim</source>
+            <translation>Lateral kant</translation>
         </message>
         <message>
             <source>Lateral rim, from heel to toes</source>
@@ -1136,12 +1232,20 @@
             <translation>Lateral skivning på 2 till 3.</translation>
         </message>
         <message>
+            <source>Layers</source>
+            <translation>Lager</translation>
+        </message>
+        <message>
             <source>Laying the grid over the sole</source>
             <translation>Lägger rutnätet över fotsulan</translation>
         </message>
         <message>
             <source>Least thickness</source>
             <translation>Minsta tjocklek</translation>
+        </message>
+        <message>
+            <source>Least thickness at the front edge</source>
+            <translation>Minsta tjocklek vid framkanten</translation>
         </message>
         <message>
             <source>Least thickness of the material</source>
@@ -1168,12 +1272,20 @@
             <translation>Benlängdsskillnad</translation>
         </message>
         <message>
+            <source>Length</source>
+            <translation>Längd</translation>
+        </message>
+        <message>
             <source>Length of the taper</source>
             <translation>Avsmalningens längd</translation>
         </message>
         <message>
             <source>Length × width × height</source>
             <translation>Längd × bredd × höjd</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Linje</translation>
         </message>
         <message>
             <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
@@ -1244,10 +1356,6 @@
             <translation>Material och utförande</translation>
         </message>
         <message>
-            <source>Material of the shell</source>
-            <translation>Skalets material</translation>
-        </message>
-        <message>
             <source>Measure</source>
             <translation>Mått</translation>
         </message>
@@ -1269,11 +1377,15 @@
         </message>
         <message>
             <source>Medial draft</source>
-            <translation>Medial släppning</translation>
+            <translation>Lutning medialt</translation>
         </message>
         <message>
             <source>Medial flange</source>
             <translation>Medial fläns</translation>
+        </message>
+        <message>
+            <source>Medial rim</source>
+            <translation>Medial kant</translation>
         </message>
         <message>
             <source>Medial rim, from heel to toes</source>
@@ -1516,6 +1628,10 @@
             <translation>Oval pelott</translation>
         </message>
         <message>
+            <source>Over</source>
+            <translation>Över</translation>
+        </message>
+        <message>
             <source>PA12, printed</source>
             <translation>PA12, utskriven</translation>
         </message>
@@ -1530,6 +1646,10 @@
         <message>
             <source>Paris points of 6.67 mm, with 15 mm before the toes</source>
             <translation>parispunkter om 6,67 mm, med 15 mm framför tårna</translation>
+        </message>
+        <message>
+            <source>Path</source>
+            <translation>Väg</translation>
         </message>
         <message>
             <source>Pelott</source>
@@ -1550,6 +1670,10 @@
         <message>
             <source>Piece</source>
             <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Läge</translation>
         </message>
         <message>
             <source>Place, date, signature</source>
@@ -1644,6 +1768,10 @@
             <translation>Antal</translation>
         </message>
         <message>
+            <source>Radius</source>
+            <translation>Radie</translation>
+        </message>
+        <message>
             <source>Read in {unit}.</source>
             <translation>Inläst i {unit}.</translation>
         </message>
@@ -1672,8 +1800,16 @@
             <translation>Läser {name}</translation>
         </message>
         <message>
+            <source>Rearfoot</source>
+            <translation>Bakfot</translation>
+        </message>
+        <message>
             <source>Rearfoot post</source>
             <translation>Bakfotskil</translation>
+        </message>
+        <message>
+            <source>Rearfoot up to</source>
+            <translation>Bakfot till</translation>
         </message>
         <message>
             <source>Reason</source>
@@ -1788,6 +1924,10 @@
             <translation>Rullsula</translation>
         </message>
         <message>
+            <source>Room</source>
+            <translation>Spelrum</translation>
+        </message>
+        <message>
             <source>Root</source>
             <translation>Root</translation>
         </message>
@@ -1856,12 +1996,24 @@
             <translation>Inställningar</translation>
         </message>
         <message>
+            <source>Shape</source>
+            <translation>Form</translation>
+        </message>
+        <message>
             <source>Shaping the foot</source>
             <translation>Formar foten</translation>
         </message>
         <message>
+            <source>Share of the foot</source>
+            <translation>Fotens andel</translation>
+        </message>
+        <message>
             <source>Sheet</source>
             <translation>Blad</translation>
+        </message>
+        <message>
+            <source>Shell</source>
+            <translation>Skal</translation>
         </message>
         <message>
             <source>Shoe</source>
@@ -1892,8 +2044,20 @@
             <translation>Simulerar vyn {name}</translation>
         </message>
         <message>
+            <source>Skin smoothing</source>
+            <translation>Hudutjämning</translation>
+        </message>
+        <message>
+            <source>Slope</source>
+            <translation>Lutning</translation>
+        </message>
+        <message>
             <source>Smoothing of skin folds</source>
             <translation>Utjämning av hudveck</translation>
+        </message>
+        <message>
+            <source>Soft tissue</source>
+            <translation>Mjukdelar</translation>
         </message>
         <message>
             <source>Soft tissue expansion</source>
@@ -1936,8 +2100,16 @@
             <translation>Försäkran om en specialanpassad produkt (förordning (EU) 2017/745, bilaga XIII)</translation>
         </message>
         <message>
+            <source>Strength</source>
+            <translation>Styrka</translation>
+        </message>
+        <message>
             <source>SureFit; orthoscan</source>
             <translation>SureFit; orthoscan</translation>
+        </message>
+        <message>
+            <source>Surface grid</source>
+            <translation>Ytans rutnät</translation>
         </message>
         <message>
             <source>Swedish personal number</source>
@@ -1954,6 +2126,14 @@
         <message>
             <source>Taking the background away</source>
             <translation>Tar bort bakgrunden</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Avsmalning</translation>
+        </message>
+        <message>
+            <source>Taper length</source>
+            <translation>Avsmalning</translation>
         </message>
         <message>
             <source>Telfer/OpenFO (3.0); above 95 kg the clinic's own judgement</source>
@@ -3376,6 +3556,10 @@
             <translation>Tåzon</translation>
         </message>
         <message>
+            <source>Toes</source>
+            <translation>Tår</translation>
+        </message>
+        <message>
             <source>Tolerance</source>
             <translation>Tolerans</translation>
         </message>
@@ -3400,6 +3584,10 @@
             <translation>Klipplinje</translation>
         </message>
         <message>
+            <source>Trimmed to it</source>
+            <translation>Skuren efter den</translation>
+        </message>
+        <message>
             <source>Trimming the insole</source>
             <translation>Beskär inlägget</translation>
         </message>
@@ -3410,6 +3598,10 @@
         <message>
             <source>Turkish</source>
             <translation>Turkisk</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>Vridning</translation>
         </message>
         <message>
             <source>Turn the board strongly, by 40 to 55°: {sides}.</source>
@@ -3804,10 +3996,6 @@
             <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
         </message>
         <message>
-            <source>angle</source>
-            <translation>vinkel</translation>
-        </message>
-        <message>
             <source>angle of the sole sensors (degrees)</source>
             <translation>fotsulesensorernas vinkel (grader)</translation>
         </message>
@@ -3824,20 +4012,12 @@
             <translation>ett annat program har den öppen; stäng den där, eller välj ett annat namn</translation>
         </message>
         <message>
-            <source>apex</source>
-            <translation>topp</translation>
-        </message>
-        <message>
             <source>arch</source>
             <translation>valv</translation>
         </message>
         <message>
             <source>arch apex over the plane of heel, 1st and 5th head</source>
             <translation>valvets topp över planet genom häl, 1:a och 5:e huvudet</translation>
-        </message>
-        <message>
-            <source>arch fill</source>
-            <translation>valvfyllnad</translation>
         </message>
         <message>
             <source>arch height</source>
@@ -3932,10 +4112,6 @@
             <translation>basform</translation>
         </message>
         <message>
-            <source>behind heads</source>
-            <translation>bakom huvudena</translation>
-        </message>
-        <message>
             <source>bends the edges of the picture more than a lens does</source>
             <translation>böjer bildens kanter mer än ett objektiv gör</translation>
         </message>
@@ -3964,20 +4140,8 @@
             <translation>övergång</translation>
         </message>
         <message>
-            <source>blend end</source>
-            <translation>övergångens slut</translation>
-        </message>
-        <message>
-            <source>blend start</source>
-            <translation>övergångens början</translation>
-        </message>
-        <message>
             <source>block</source>
             <translation>block</translation>
-        </message>
-        <message>
-            <source>body weight</source>
-            <translation>kroppsvikt</translation>
         </message>
         <message>
             <source>border</source>
@@ -4026,10 +4190,6 @@
         <message>
             <source>centre</source>
             <translation>mitt</translation>
-        </message>
-        <message>
-            <source>chamfer</source>
-            <translation>fas</translation>
         </message>
         <message>
             <source>change patients, visits and prescriptions</source>
@@ -4102,14 +4262,6 @@
         <message>
             <source>cover</source>
             <translation>överdrag</translation>
-        </message>
-        <message>
-            <source>cover / middle layer / base</source>
-            <translation>överdrag / mellanskikt / bas</translation>
-        </message>
-        <message>
-            <source>cover, glued on later</source>
-            <translation>överdrag, limmas på senare</translation>
         </message>
         <message>
             <source>crest</source>
@@ -4268,10 +4420,6 @@
             <translation>klar {day}</translation>
         </message>
         <message>
-            <source>edge radius</source>
-            <translation>kantradie</translation>
-        </message>
-        <message>
             <source>edge {value}</source>
             <translation>kant {value}</translation>
         </message>
@@ -4280,24 +4428,12 @@
             <translation>ägg</translation>
         </message>
         <message>
-            <source>egg ratio</source>
-            <translation>äggform, förhållande</translation>
-        </message>
-        <message>
-            <source>end taper</source>
-            <translation>ändarnas avfasning</translation>
-        </message>
-        <message>
             <source>erase patients</source>
             <translation>radera patienter</translation>
         </message>
         <message>
             <source>erased</source>
             <translation>raderad</translation>
-        </message>
-        <message>
-            <source>expansion</source>
-            <translation>utvidgning</translation>
         </message>
         <message>
             <source>export patients</source>
@@ -4314,14 +4450,6 @@
         <message>
             <source>extrinsic</source>
             <translation>extern</translation>
-        </message>
-        <message>
-            <source>fade end</source>
-            <translation>uttoningens slut</translation>
-        </message>
-        <message>
-            <source>fade start</source>
-            <translation>uttoningens början</translation>
         </message>
         <message>
             <source>family name</source>
@@ -4364,6 +4492,10 @@
             <translation>Fynden</translation>
         </message>
         <message>
+            <source>finish</source>
+            <translation>utformning av kanten</translation>
+        </message>
+        <message>
             <source>first head</source>
             <translation>första metatarsalhuvudet</translation>
         </message>
@@ -4394,10 +4526,6 @@
         <message>
             <source>following</source>
             <translation>följsam</translation>
-        </message>
-        <message>
-            <source>following the foot</source>
-            <translation>följer foten</translation>
         </message>
         <message>
             <source>foot</source>
@@ -4488,6 +4616,10 @@
             <translation>ger en längd som ingen sko har; kontrollera steg och minsta storlek</translation>
         </message>
         <message>
+            <source>glued on later</source>
+            <translation>limmas på senare</translation>
+        </message>
+        <message>
             <source>granted to whoever sits at this computer</source>
             <translation>ges till den som sitter vid datorn</translation>
         </message>
@@ -4570,10 +4702,6 @@
         <message>
             <source>heel pain</source>
             <translation>hälsmärta</translation>
-        </message>
-        <message>
-            <source>heel pitch</source>
-            <translation>klackhöjd</translation>
         </message>
         <message>
             <source>heel skive</source>
@@ -5036,8 +5164,16 @@
             <translation>lateral</translation>
         </message>
         <message>
+            <source>lateral rim</source>
+            <translation>lateral kant</translation>
+        </message>
+        <message>
             <source>laterally</source>
             <translation>lateralt</translation>
+        </message>
+        <message>
+            <source>layers</source>
+            <translation>lager</translation>
         </message>
         <message>
             <source>least</source>
@@ -5100,6 +5236,10 @@
             <translation>låg</translation>
         </message>
         <message>
+            <source>lower</source>
+            <translation>sänk</translation>
+        </message>
+        <message>
             <source>lower centre</source>
             <translation>nere i mitten</translation>
         </message>
@@ -5116,16 +5256,16 @@
             <translation>gjord med Insole Studio {version}</translation>
         </message>
         <message>
+            <source>made with it</source>
+            <translation>tillverkas med</translation>
+        </message>
+        <message>
             <source>make backups</source>
             <translation>göra säkerhetskopior</translation>
         </message>
         <message>
             <source>manage accounts</source>
             <translation>hantera konton</translation>
-        </message>
-        <message>
-            <source>material of the shell</source>
-            <translation>skalets material</translation>
         </message>
         <message>
             <source>medial</source>
@@ -5136,8 +5276,8 @@
             <translation>medial fläns</translation>
         </message>
         <message>
-            <source>medial {medial}°, lateral {lateral}°</source>
-            <translation>medialt {medial}°, lateralt {lateral}°</translation>
+            <source>medial rim</source>
+            <translation>medial kant</translation>
         </message>
         <message>
             <source>medially</source>
@@ -5704,8 +5844,8 @@
             <translation>px isär i färgbilden</translation>
         </message>
         <message>
-            <source>radius</source>
-            <translation>radie</translation>
+            <source>raise</source>
+            <translation>höj</translation>
         </message>
         <message>
             <source>read the audit log</source>
@@ -5916,6 +6056,10 @@
             <translation>skal</translation>
         </message>
         <message>
+            <source>shoe</source>
+            <translation>sko</translation>
+        </message>
+        <message>
             <source>shoe height</source>
             <translation>skohöjd</translation>
         </message>
@@ -5946,10 +6090,6 @@
         <message>
             <source>side must be "left" or "right", and is {value}.</source>
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
-        </message>
-        <message>
-            <source>sigma</source>
-            <translation>sigma</translation>
         </message>
         <message>
             <source>sign prescriptions</source>
@@ -6060,10 +6200,6 @@
             <translation>måttband runt foten genom trampdynans två punkter</translation>
         </message>
         <message>
-            <source>target</source>
-            <translation>mål</translation>
-        </message>
-        <message>
             <source>technician</source>
             <translation>tekniker</translation>
         </message>
@@ -6150,6 +6286,10 @@
         <message>
             <source>the foot is cut off at the {edges} edge of the depth picture; turn the sensor or move it back</source>
             <translation>foten är avskuren vid djupbildens kant ({edges}); vrid sensorn eller flytta den bakåt</translation>
+        </message>
+        <message>
+            <source>the foot itself</source>
+            <translation>foten själv</translation>
         </message>
         <message>
             <source>the form {form}</source>
@@ -6324,16 +6464,12 @@
             <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
-            <source>three quarter</source>
-            <translation>trekvarts</translation>
-        </message>
-        <message>
             <source>three-quarter</source>
             <translation>trekvarts</translation>
         </message>
         <message>
-            <source>through {count} points</source>
-            <translation>genom {count} punkter</translation>
+            <source>through {count:g} points, {width} × {length} mm, its middle at x = {x}, y = {y} mm</source>
+            <translation>genom {count:g} punkter, {width} × {length} mm, dess mitt vid x = {x}, y = {y} mm</translation>
         </message>
         <message>
             <source>to the left</source>
@@ -6358,10 +6494,6 @@
         <message>
             <source>total contact</source>
             <translation>helkontakt</translation>
-        </message>
-        <message>
-            <source>trim line</source>
-            <translation>klipplinje</translation>
         </message>
         <message>
             <source>turn</source>
@@ -6436,10 +6568,6 @@
             <translation>uppåt</translation>
         </message>
         <message>
-            <source>usual</source>
-            <translation>vanlig</translation>
-        </message>
-        <message>
             <source>variant {name}</source>
             <translation>variant {name}</translation>
         </message>
@@ -6512,16 +6640,20 @@
             <translation>{account} är den enda administratören; lägg först till en till.</translation>
         </message>
         <message>
+            <source>{across} lateral of the axis, {from_heel} from the heel</source>
+            <translation>{across} lateralt om axeln, {from_heel} från hälen</translation>
+        </message>
+        <message>
+            <source>{across} medial of the axis, {from_heel} from the heel</source>
+            <translation>{across} medialt om axeln, {from_heel} från hälen</translation>
+        </message>
+        <message>
             <source>{angle} lateral</source>
             <translation>{angle} lateralt</translation>
         </message>
         <message>
             <source>{angle} medial</source>
             <translation>{angle} medialt</translation>
-        </message>
-        <message>
-            <source>{angle}, length {length}, edge {edge}</source>
-            <translation>{angle}, längd {length}, kant {edge}</translation>
         </message>
         <message>
             <source>{angle}° lateral</source>
@@ -6744,6 +6876,14 @@
             <translation>högst {deviation:.3f} mm</translation>
         </message>
         <message>
+            <source>{distance} ahead of the heads</source>
+            <translation>{distance} framför metatarsalhuvudena</translation>
+        </message>
+        <message>
+            <source>{distance} behind the heads</source>
+            <translation>{distance} bakom metatarsalhuvudena</translation>
+        </message>
+        <message>
             <source>{dpi:g} dots per inch are none of a scanner; they must be {low:g} to {high:g}.</source>
             <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
         </message>
@@ -6960,10 +7100,6 @@
             <translation>{foot} om den är i {unit}</translation>
         </message>
         <message>
-            <source>{form}, {share} % of the foot</source>
-            <translation>{form}, {share} % av foten</translation>
-        </message>
-        <message>
             <source>{frame} is missing, but later frames are there; restore it or renumber.</source>
             <translation>{frame} saknas, men senare bilder finns; återställ den eller numrera om.</translation>
         </message>
@@ -6994,10 +7130,6 @@
         <message>
             <source>{heights} mm over the toes</source>
             <translation>{heights} mm över tårna</translation>
-        </message>
-        <message>
-            <source>{height} over {length}</source>
-            <translation>{height} över {length}</translation>
         </message>
         <message>
             <source>{key} of form has {count} stations, and must have {least} to {most}; add or remove some.</source>
@@ -7168,20 +7300,8 @@
             <translation>{name} är {value} (vanligt: {low} till {high})</translation>
         </message>
         <message>
-            <source>{name} {angle}</source>
-            <translation>{name} {angle}</translation>
-        </message>
-        <message>
-            <source>{name} {count} points</source>
-            <translation>{name} {count} punkter</translation>
-        </message>
-        <message>
-            <source>{name} {share} % of the length</source>
-            <translation>{name} {share} % av längden</translation>
-        </message>
-        <message>
-            <source>{name} {values}{unit}</source>
-            <translation>{name} {values}{unit}</translation>
+            <source>{name} {value}</source>
+            <translation>{name} {value}</translation>
         </message>
         <message>
             <source>{name}, trimmed to it</source>
@@ -7202,10 +7322,6 @@
         <message>
             <source>{number:g}</source>
             <translation>{number:g}</translation>
-        </message>
-        <message>
-            <source>{numbers} mm</source>
-            <translation>{numbers} mm</translation>
         </message>
         <message>
             <source>{number} mm</source>
@@ -7968,6 +8084,10 @@
             <translation>{value:g}°</translation>
         </message>
         <message>
+            <source>{value} % of the length</source>
+            <translation>{value} % av längden</translation>
+        </message>
+        <message>
             <source>{value} at the forefoot</source>
             <translation>{value} i framfoten</translation>
         </message>
@@ -7984,8 +8104,16 @@
             <translation>{value} lång</translation>
         </message>
         <message>
+            <source>{value} mm from the bisection of the 1st metatarsal</source>
+            <translation>{value} mm från första metatarsalbenets delningslinje</translation>
+        </message>
+        <message>
             <source>{value} over the floor</source>
             <translation>{value} över golvet</translation>
+        </message>
+        <message>
+            <source>{value}° medial</source>
+            <translation>{value}° medialt</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>
@@ -7994,10 +8122,6 @@
         <message>
             <source>{volume:.1f} cm³</source>
             <translation>{volume:.1f} cm³</translation>
-        </message>
-        <message>
-            <source>{weight} kg</source>
-            <translation>{weight} kg</translation>
         </message>
         <message>
             <source>{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of that range.</source>
@@ -8066,10 +8190,6 @@
         <message>
             <source>{where} must be two numbers in [ ].</source>
             <translation>{where} måste vara två tal i [ ].</translation>
-        </message>
-        <message>
-            <source>{width} from the bisection of the 1st metatarsal</source>
-            <translation>{width} från första metatarsalbenets mittlinje</translation>
         </message>
         <message>
             <source>{zone} {density:g} %</source>

@@ -14,9 +14,9 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.clinic_rules import (
-    behind_heads_mm,
     design_warnings,
     load_rules,
 )

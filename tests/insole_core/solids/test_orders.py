@@ -250,8 +250,8 @@ def test_prescription_names_every_number_and_its_author():
     pad = Pelott(centre_mm=(12.0, 150.0), height_mm=6.0, author="A. Berg", created_at="2026-11-20T")
     off = replace(pad, id="off", enabled=False)
     (line,) = correction_lines(InsoleDesign(Side.LEFT, corrections=(pad, off)))
-    assert line.startswith("Pelott: shape egg; centre 12, 150 mm;")
-    assert "height 6 mm" in line
+    assert line.startswith("Pelott: Height 6 mm; Turn 0°; Length 60 mm; Width 40 mm; Taper 50 %; ")
+    assert "12 mm medial of the axis, 150 mm from the heel" in line
     assert line.endswith("(A. Berg 2026-11-20)")
 
 

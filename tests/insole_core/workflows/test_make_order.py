@@ -353,10 +353,10 @@ def test_numbers_on_paper_have_the_precision_of_the_tool(
 def test_a_prescription_prints_no_needless_digits() -> None:
     pad = Pelott(centre_mm=(12.3456, -0.0), height_mm=1.92154, turn_deg=-0.0, egg_ratio=1 / 3)
     (line,) = correction_lines(InsoleDesign(Side.LEFT, (pad,)))
-    assert "height 1.9 mm" in line
-    assert "centre 12.3, 0 mm" in line
-    assert "turn 0°" in line
-    assert "egg ratio 0.33" in line
+    assert "Height 1.9 mm" in line
+    assert "12.3 mm medial of the axis, 0 mm from the heel" in line
+    assert "Turn 0°" in line
+    assert "Taper 33.3 %" in line
 
 
 def test_a_prescription_names_an_element_and_the_height_of_an_arch() -> None:
@@ -367,17 +367,21 @@ def test_a_prescription_names_an_element_and_the_height_of_an_arch() -> None:
     own = replace(relief, id="own", kind="felt_pad")
     arch = ArchRaise(target_mm=28.0, apex_mm=(16.0, 120.0))
     lines = correction_lines(InsoleDesign(Side.LEFT, (relief, own, arch)))
-    assert lines[0].startswith("Relief under the 3rd head: shape cut out; centre -9, 186 mm;")
-    assert lines[1].startswith("Felt pad: shape cut out;")
-    assert lines[2] == ("Arch raise: target 28 mm; apex 16, 120 mm; length 100 mm; width 50 mm")
+    assert lines[0].startswith("Relief under the 3rd head: Shape cut-out; Height -2 mm;")
+    assert "9 mm lateral of the axis, 186 mm from the heel" in lines[0]
+    assert lines[1].startswith("Felt pad: Shape cut-out;")
+    assert lines[2] == (
+        "Arch raise: Finished height 28 mm; Length 100 mm; Width 50 mm; "
+        "16 mm medial of the axis, 120 mm from the heel"
+    )
 
 
 def test_a_prescription_says_which_edge_is_raised_and_where() -> None:
     posting = Posting(rearfoot_deg=-9.2, forefoot_deg=4.0)
     (line,) = correction_lines(InsoleDesign(Side.LEFT, (posting,)))
     assert line == (
-        "Posting: rearfoot 9.2° lateral; forefoot 4° medial; blend start 25 % of the length; "
-        "blend end 65 % of the length; method extrinsic"
+        "Posting: Rearfoot 9.2° lateral; Forefoot 4° medial; Posting extrinsic; "
+        "Rearfoot up to 25 % of the length; Forefoot from 65 % of the length"
     )
 
 

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from insole_core.geometry.side import Side
-from insole_core.insole.pads.pad_shapes import DOMED, local_outline, pad_size, resized
+from insole_core.insole.pads.pad_shapes import local_outline, pad_size, resized
 from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
@@ -41,6 +41,7 @@ from insole_core.insole.prescription.design_limits import (
     Range,
     range_beside,
 )
+from insole_core.insole.prescription.vocabulary import acts
 from insole_studio.features.design.correction_names import word_of
 from insole_studio.features.design.rows import ChoiceSpec, FieldSpec
 from insole_studio.texts import tr
@@ -556,7 +557,7 @@ def _allowed(part: Any, name: str) -> Range:
 
 
 def _spec(part: Any, editable: Editable, key: str, side: Side) -> FieldSpec | ChoiceSpec | None:
-    if isinstance(part, Outline) and not _acts(part, editable.name):
+    if editable.name not in _SIZES and not acts(part, editable.name):
         return None
     label, tip = editable.label(), editable.tip()
     words = CHOICES.get(type(part), {}).get(editable.name)
@@ -607,10 +608,6 @@ def _decimals(editable: Editable) -> int:
 
 
 def _number(part: Any, editable: Editable) -> float | None:
-    if isinstance(part, Pelott) and not _has(part, editable.name):
-        return None
-    if isinstance(part, ArchRaise) and editable.name == "height_mm" and part.target_mm is not None:
-        return None
     if isinstance(part, Pelott) and editable.name in _SIZES:
         return pad_size(part)[_SIZES.index(editable.name)]
     if editable.number is not None:
@@ -626,21 +623,3 @@ def _pair(part: Any, name: str) -> tuple[float, float] | None:
         half = np.ptp(local_outline(part), axis=0) / 2
         return round(float(half[0]), 1), round(float(half[1]), 1)
     return pair
-
-
-def _acts(outline: Outline, name: str) -> bool:
-    """Return whether a value applies to this kind of outline."""
-    if outline.source == "drawn":
-        return name == "source"
-    if name == "toe_allowance_mm":
-        return outline.source == "foot" and outline.extent == "full"
-    return name != "shoe_size_eu" or outline.source == "shoe_size"
-
-
-def _has(pad: Pelott, name: str) -> bool:
-    """Return whether a pad of this shape has a value."""
-    if name == "egg_ratio":
-        return pad.shape == "egg"
-    if name == "sigma_mm":
-        return pad.shape in DOMED
-    return True
