@@ -21,6 +21,8 @@ from insole_core.cases.stored_mesh import pack_mesh, unpack_mesh
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_json import design_from_json
 from insole_core.json_object import JsonObject
 from insole_core.records.audit import AuditLog
 from insole_core.records.content_store import ContentStore
@@ -174,6 +176,20 @@ class Prescriptions:
         if row is None:
             raise _gone()
         return self.foot_of(row)
+
+    def newest_designs(self, visit_id: str) -> dict[str, InsoleDesign]:
+        """Return what the newest version of each foot of a visit prescribes, by the version's id.
+
+        No surface is read.
+
+        Raises
+        ------
+        InsoleError
+            When a design cannot be read.
+        """
+        with self._context.reading() as connection:
+            rows = self.newest_of(connection, visit_id)
+        return {row.id: _chosen_design(_document_of(row)) for row in rows}
 
     def last_prescribed(self, person_id: str) -> list[FootRecord]:
         """Return for each foot of a person the last version that prescribes something.
@@ -375,6 +391,13 @@ class _StoredMeshes:
 
 def _document_of(row: Row[Any]) -> JsonObject:
     return JsonObject.parse(f"{row.side}, version {row.number}", row.document.encode())
+
+
+def _chosen_design(document: JsonObject) -> InsoleDesign:
+    chosen = document.text("chosen")
+    variants = document.objects("variants")
+    variant = next(found for found in variants if found.text("name") == chosen)
+    return design_from_json(variant.value("design"))
 
 
 def _prescribes(row: Row[Any]) -> bool:

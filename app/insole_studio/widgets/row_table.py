@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QCollator,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
 from PySide6.QtGui import QBrush, QColor, QFont, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 _WARNING = QColor("#b3261e")
 _WARNING_ON_DARK = QColor("#ff9a8f")
 _DARK_BELOW = 128
+_MOST_DIGITS = 20
 
 
 @dataclass(frozen=True)
@@ -31,7 +40,10 @@ class TableRow:
 
 
 class RowTable(QTableView):
-    """A table whose rows are chosen by a double click or Enter; texts are shown as they are."""
+    """A table whose rows are chosen by a double click or Enter; texts are shown as they are.
+
+    A click on a heading sorts by it, a second one the other way round, a third one not any more.
+    """
 
     chosen = Signal(str)
     """The key of the row that was chosen."""
@@ -63,6 +75,11 @@ class RowTable(QTableView):
         self.verticalHeader().hide()
         header = self.horizontalHeader()
         header.setHighlightSections(False)
+        header.setSectionsClickable(True)
+        header.sectionClicked.connect(self._sort_by)
+        self._given: tuple[TableRow, ...] = ()
+        """The rows in the order in which they came."""
+        self._sorted_by: tuple[int, Qt.SortOrder] | None = None
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         for column in range(len(headings)):
             mode = QHeaderView.ResizeMode
@@ -83,12 +100,29 @@ class RowTable(QTableView):
         return self._rows.rows[number].key if number >= 0 else ""
 
     def show_rows(self, rows: Sequence[TableRow]) -> None:
-        """Show rows; the cursor stays on the row of the same key."""
-        if tuple(rows) == self._rows.rows:
+        """Show rows; the cursor stays on the row of the same key, and the table as it is sorted."""
+        if tuple(rows) == self._given:
             return
+        self._given = tuple(rows)
+        self._show_sorted()
+
+    def _sort_by(self, column: int) -> None:
+        """Sort by a column: upwards, downwards, or in the order in which the rows came."""
+        up, down = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
+        after = {(column, up): (column, down), (column, down): None}
+        self._sorted_by = (
+            (column, up) if self._sorted_by is None else after.get(self._sorted_by, (column, up))
+        )
+        header = self.horizontalHeader()
+        header.setSortIndicatorShown(self._sorted_by is not None)
+        if self._sorted_by is not None:
+            header.setSortIndicator(*self._sorted_by)
+        self._show_sorted()
+
+    def _show_sorted(self) -> None:
         before = self.current_key
-        self._rows.replace(rows)
-        keys = [row.key for row in rows]
+        self._rows.replace(self._in_order())
+        keys = [row.key for row in self._rows.rows]
         if before in keys:
             self.selectRow(keys.index(before))
         self._announce()
@@ -107,11 +141,29 @@ class RowTable(QTableView):
         else:
             super().keyPressEvent(event)
 
+    def _in_order(self) -> list[TableRow]:
+        """Return the rows as they are sorted; those with an empty cell come last in any case."""
+        if self._sorted_by is None:
+            return list(self._given)
+        column, order = self._sorted_by
+        collator = QCollator()
+        full = [row for row in self._given if row.cells[column]]
+        full.sort(
+            key=lambda row: collator.sortKey(_padded(row.cells[column])),
+            reverse=order is Qt.SortOrder.DescendingOrder,
+        )
+        return [*full, *(row for row in self._given if not row.cells[column])]
+
     def _choose(self, index: QModelIndex) -> None:
         self.chosen.emit(self._rows.rows[index.row()].key)
 
     def _announce(self) -> None:
         self.current_changed.emit(self.current_key)
+
+
+def _padded(text: str) -> str:
+    """Return a text in which numbers sort by their value: 9 before 10, in every locale."""
+    return re.sub(r"\d+", lambda digits: digits[0].zfill(_MOST_DIGITS), text.casefold())
 
 
 _Index = QModelIndex | QPersistentModelIndex

@@ -141,6 +141,15 @@ def design_differences(old: InsoleDesign, new: InsoleDesign) -> tuple[Message, .
     )
 
 
+def corrections_in_words(design: InsoleDesign) -> tuple[Message, ...]:
+    """Return name and values of each correction of a design, such as "Heel lift, 6 mm"."""
+    named = ((_name(correction), _main(correction)) for correction in design.corrections)
+    return tuple(
+        Message("{correction}, {values}", correction=name, values=values) if values else name
+        for name, values in named
+    )
+
+
 def _values(design: InsoleDesign) -> dict[str, Any]:
     """Return every value that is neither a part nor a correction; none of a part that is None."""
     shell = design.shell

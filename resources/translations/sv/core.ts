@@ -6760,6 +6760,10 @@
             <translation>{comparison} Återställ till en tom plats, eller låt den här journalen läggas åt sidan.</translation>
         </message>
         <message>
+            <source>{correction}, {values}</source>
+            <translation>{correction}, {values}</translation>
+        </message>
+        <message>
             <source>{correction}: {values}</source>
             <translation>{correction}: {values}</translation>
         </message>

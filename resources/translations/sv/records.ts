@@ -16,6 +16,10 @@
             <translation>En ny avbildning av detta besök har kommit från {who} klockan {time}.</translation>
         </message>
         <message>
+            <source>A scan of this visit is prescribed as last time: {feet}. Capture or import it.</source>
+            <translation>En skanning av det här besöket ordineras som förra gången: {feet}. Avbilda eller importera den.</translation>
+        </message>
+        <message>
             <source>Add a patient to the clinic's record</source>
             <translation>Lägg till en patient i klinikens journal</translation>
         </message>
@@ -376,6 +380,10 @@
             <translation>Inte sparat än: två versioner, bestäm</translation>
         </message>
         <message>
+            <source>Nothing was prescribed for this patient before; a scan begins anew.</source>
+            <translation>Inget har ordinerats för den här patienten tidigare; en skanning börjar om från början.</translation>
+        </message>
+        <message>
             <source>Number</source>
             <translation>Nummer</translation>
         </message>
@@ -522,6 +530,10 @@
         <message>
             <source>Shop and due date…</source>
             <translation>Verkstad och klardatum…</translation>
+        </message>
+        <message>
+            <source>Show more</source>
+            <translation>Visa fler</translation>
         </message>
         <message>
             <source>Sign this version</source>
@@ -680,8 +692,28 @@
             <translation>dagar</translation>
         </message>
         <message>
+            <source>due {day}</source>
+            <translation>klar den {day}</translation>
+        </message>
+        <message>
+            <source>left: {words}</source>
+            <translation>vänster: {words}</translation>
+        </message>
+        <message>
+            <source>no corrections</source>
+            <translation>inga korrigeringar</translation>
+        </message>
+        <message>
             <source>no due date</source>
             <translation>inget datum</translation>
+        </message>
+        <message>
+            <source>right: {words}</source>
+            <translation>höger: {words}</translation>
+        </message>
+        <message>
+            <source>shoe size EU {size}</source>
+            <translation>skostorlek EU {size}</translation>
         </message>
         <message>
             <source>signed by {name}</source>

@@ -36,6 +36,16 @@ def order_rows(orders: Sequence[OrderSummary], today: date) -> list[TableRow]:
     ]
 
 
+def order_text(order: OrderSummary, today: date) -> str:
+    """Return an order as a line of its visit: number, state, due date."""
+    parts = (
+        tr("Order {number}").format(number=order.number),
+        state_text(order.state),
+        tr("due {day}").format(day=due_text(order, today)) if order.due_on else "",
+    )
+    return ", ".join(filter(None, parts))
+
+
 def due_text(order: OrderSummary, today: date) -> str:
     """Return when an order is due, and whether it is late."""
     day = day_text(order.due_on)

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import logging
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from functools import partial
 from typing import TYPE_CHECKING
 
 from insole_core.cases.days import read_day
-from insole_core.errors import Conflict, InputError
+from insole_core.errors import Conflict, InputError, InsoleError
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.capture import Capture
 from insole_core.records.field_checks import check_name, check_text
 from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
+from insole_core.records.order import OrderSummary
 from insole_core.records.person import Person
 from insole_core.records.personal_numbers import check_personal_number
 from insole_core.records.prescription import VersionSummary
@@ -21,12 +24,16 @@ from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.field_conflict_dialog import AskFields, collided_fields
+from insole_studio.features.records.order_rows import order_text
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.record_texts import (
     capture_text,
     day_text,
+    measures_text,
+    prescribed_text,
     scan_text,
     version_text,
+    visit_time_text,
 )
 from insole_studio.features.records.rows import DATE_FIELDS, PERSON_FIELDS, FootLine, VisitRow
 from insole_studio.features.records.trends import trends_of
@@ -37,7 +44,7 @@ if TYPE_CHECKING:
     from insole_core.records.records import Records
 
 READ = "records-person"
-
+log = logging.getLogger(__name__)
 
 _MOST_FINDINGS = 200
 """Characters of the findings that a card shows."""
@@ -49,12 +56,15 @@ _MOST_PICTURED = 12
 
 @dataclass(frozen=True)
 class VisitView:
-    """A visit with the newest version of each foot, its captures, and who else has it open."""
+    """A visit with the newest version of each foot, captures, orders, and who else has it open."""
 
     visit: Visit
     newest: tuple[VersionSummary, ...]
     captures: tuple[Capture, ...]
     others: tuple[str, ...]
+    designs: Mapping[str, InsoleDesign]
+    """What versions prescribe, by their ids."""
+    orders: tuple[OrderSummary, ...]
 
 
 @dataclass(frozen=True)
@@ -229,10 +239,11 @@ def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView
     person = records.persons.open(person_id) if seen else records.persons.get(person_id)
     with records.snapshot():
         visits = records.visits.of_person(person.id)
-        return PersonView(person, tuple(_visit_view(records, visit) for visit in visits))
+        orders = records.orders.of_person(person.id)
+        return PersonView(person, tuple(_visit_view(records, visit, orders) for visit in visits))
 
 
-def _visit_view(records: Records, visit: Visit) -> VisitView:
+def _visit_view(records: Records, visit: Visit, orders: Sequence[OrderSummary]) -> VisitView:
     versions = (records.prescriptions.versions(visit.id, side)[:1] for side in Side)
     others = records.presence.others(visit.id)
     return VisitView(
@@ -240,7 +251,18 @@ def _visit_view(records: Records, visit: Visit) -> VisitView:
         tuple(version for newest in versions for version in newest),
         tuple(records.captures.of_visit(visit.id)),
         tuple(f"{present.author}, {present.station}" for present in others),
+        _designs(records, visit),
+        tuple(order for order in orders if order.visit_id == visit.id),
     )
+
+
+def _designs(records: Records, visit: Visit) -> Mapping[str, InsoleDesign]:
+    """Return what was prescribed; a damaged design costs its card these words, not the page."""
+    try:
+        return records.prescriptions.newest_designs(visit.id)
+    except InsoleError as error:
+        log.warning("a design of visit %s cannot be read: %s", visit.id, error)
+        return {}
 
 
 def _fields_of(person: Person) -> dict[str, str]:
@@ -294,18 +316,26 @@ def _row(shown: VisitView) -> VisitRow:
         notes.append(tr("Capture: {state}").format(state=state))
     if shown.others:
         notes.append(tr("Open at the moment: {who}").format(who="; ".join(shown.others)))
+    if measures := measures_text(visit):
+        notes.append(measures)
     if visit.findings:
         notes.append(" ".join(visit.findings.split())[:_MOST_FINDINGS])
+    notes += [order_text(order, date.today()) for order in shown.orders]
     feet = tuple(
-        FootLine(version.side, _version_line(version), version.signed_by is not None)
+        FootLine(
+            version.side,
+            prescribed_text(shown.designs.get(version.id)),
+            _version_line(version),
+            version.signed_by is not None,
+        )
         for version in shown.newest
     )
     return VisitRow(
         visit.id,
-        visit.visited_on.isoformat(),
+        visit_time_text(visit),
         visit.reason,
         feet,
-        "   ".join(notes),
+        tuple(notes),
         tuple(map(scan_text, shown.captures[:_MOST_SCANS])),
         tuple(
             translate_core_message(line)

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from datetime import date, datetime
 
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_differences import corrections_in_words
 from insole_core.records.capture import Capture
 from insole_core.records.person import PersonSummary
 from insole_core.records.prescription import VersionSummary
-from insole_core.records.visit import CaptureState, VisitSummary
-from insole_studio.texts import tr
+from insole_core.records.visit import CaptureState, Visit, VisitSummary
+from insole_studio.texts import localised, tr, translate_core_message
 from insole_studio.widgets.row_table import TableRow
 
 
@@ -46,6 +48,31 @@ def scan_text(capture: Capture) -> str:
         return tr("Captured {time}; calibration of the sensors not recorded").format(time=time)
     day = facts.calibrated_on[:10]
     return tr("Captured {time}; sensors calibrated {day}").format(time=time, day=day)
+
+
+def visit_time_text(visit: Visit) -> str:
+    """Return the day of a visit, with the time at which it was begun if that was on this day."""
+    begun, day = moment_text(visit.created_at), visit.visited_on.isoformat()
+    return begun if begun.startswith(f"{day} ") else day
+
+
+def measures_text(visit: Visit) -> str:
+    """Return weight and shoe size of a visit; empty where neither is known."""
+    weight, size = visit.weight_kg, visit.shoe_size_eu
+    parts = (
+        "" if weight is None else f"{localised(weight, 'g')} kg",
+        "" if size is None else tr("shoe size EU {size}").format(size=localised(size, "g")),
+    )
+    return ", ".join(filter(None, parts))
+
+
+def prescribed_text(design: InsoleDesign | None) -> str:
+    """Return device and corrections of a prescription; empty where it cannot be read."""
+    if design is None:
+        return ""
+    corrections = [translate_core_message(words) for words in corrections_in_words(design)]
+    device = translate_core_message(design.device)
+    return "; ".join([*filter(None, [device]), *(corrections or [tr("no corrections")])])
 
 
 def version_text(version: VersionSummary) -> str:

@@ -222,7 +222,8 @@ class RecordTransfer(QObject):
 
         def tell(counts: Message) -> None:
             said = translate_core_message(counts)
-            self._messages.say(tr("Import: {counts}").format(counts=said))
+            sentence = tr("Import: {counts}").format(counts=said)
+            self._services.notices.put(IMPORT, sentence, stays=True)
             dialog.accept()
             self.imported.emit()
 

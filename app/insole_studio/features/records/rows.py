@@ -26,13 +26,16 @@ class FootLine:
     Parameters
     ----------
     text
-        Device and author of the newest version.
+        Device and corrections of the newest version.
+    version
+        Its number and author.
     is_signed
         Whether that version is signed.
     """
 
     side: Side
     text: str
+    version: str = ""
     is_signed: bool = False
 
 
@@ -42,8 +45,11 @@ class VisitRow:
 
     Parameters
     ----------
-    note
-        What there is to know first: a capture that is waited for, who has it open.
+    day
+        With the time at which it was begun, where that is known: there may be two on one day.
+    notes
+        A line each: a capture that is waited for, who has it open; weight and shoe size; findings;
+        orders.
     scan, scan_details
         When it was scanned, and when the sensors were calibrated; and what each step left.
     """
@@ -52,7 +58,7 @@ class VisitRow:
     day: str
     reason: str
     feet: tuple[FootLine, ...] = ()
-    note: str = ""
+    notes: tuple[str, ...] = ()
     scan: tuple[str, ...] = ()
     scan_details: tuple[str, ...] = ()
 

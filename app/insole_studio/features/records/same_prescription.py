@@ -12,11 +12,14 @@ from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
 from insole_core.workflows.template_transfer import fitted, last_design
+from insole_studio.features.records.record_texts import prescribed_text
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
+
+NOTICE = "same-prescription"
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,7 @@ class SamePrescription(QObject):
         self._case = services.case
         self._coming: _Coming | None = None
         self._case.foot_changed.connect(self._begin_foot)
+        self._case.opened.connect(self._tell)
 
     def expect(self, visit_id: str, templates: Mapping[Side, Template], *, applied: bool) -> None:
         """Expect the scans of a visit.
@@ -51,10 +55,31 @@ class SamePrescription(QObject):
         """
         self._coming = _Coming(visit_id, templates, applied)
 
+    def _tell(self) -> None:
+        """Say what the scans of the visit will be prescribed, while it has none."""
+        coming = self._coming
+        if coming is None or self._services.keeper.visit_id != coming.visit_id:
+            return
+        if not coming.applied or self._case.record.feet:
+            return
+        side = {Side.LEFT: tr("left: {words}"), Side.RIGHT: tr("right: {words}")}
+        feet = [
+            side[foot].format(words=prescribed_text(coming.templates[foot].design))
+            for foot in Side
+            if foot in coming.templates
+        ]
+        sentence = (
+            tr("A scan of this visit is prescribed as last time: {feet}. Capture or import it.")
+            if feet
+            else tr("Nothing was prescribed for this patient before; a scan begins anew.")
+        )
+        self._services.notices.put(NOTICE, sentence.format(feet=";  ".join(feet)))
+
     def _begin_foot(self) -> None:
         coming, foot = self._coming, self._case.record.current
         if coming is None or foot is None or self._services.keeper.visit_id != coming.visit_id:
             return
+        self._services.notices.drop(NOTICE)
         template = coming.templates.get(foot.side)
         if template is None or foot.earlier is not None or foot.design.corrections:
             return

@@ -37,6 +37,7 @@ class StartPage(QWidget):
     action_requested = Signal(str)
     recent_file_chosen = Signal(str)
     reminder_put_off = Signal()
+    more_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -54,6 +55,9 @@ class StartPage(QWidget):
         self.found = RowTable((tr("Name"), tr("Born"), tr("Number"), tr("Last visit")))
         self.found.setAccessibleName(tr("Patients"))
         self.found.chosen.connect(self.person_chosen)
+        self.more = QPushButton(tr("Show more"))
+        self.more.clicked.connect(self.more_requested)
+        self.more.hide()
         self._nothing = QLabel()
         self._nothing.setObjectName("quiet")
         self._nothing.setWordWrap(True)
@@ -92,6 +96,10 @@ class StartPage(QWidget):
         self.found.show_rows(rows)
         self._nothing.setText("" if rows else nothing)
         self._nothing.setVisible(not rows)
+
+    def show_more(self, has_more: bool) -> None:
+        """Offer further patients where there are some."""
+        self.more.setVisible(has_more)
 
     def show_day(self, today: Sequence[TableRow], orders: Sequence[TableRow]) -> None:
         """Show today's visits and the open orders."""
@@ -179,6 +187,7 @@ class StartPage(QWidget):
         grid.addWidget(self._found_title, 0, 0)
         grid.addWidget(self.found, 1, 0, 3, 1)
         grid.addWidget(self._nothing, 4, 0)
+        grid.addWidget(self.more, 5, 0, Qt.AlignmentFlag.AlignLeft)
         grid.addWidget(_heading(tr("Today's visits")), 0, 1)
         grid.addWidget(self.today, 1, 1)
         grid.addWidget(_heading(tr("Open orders")), 2, 1)

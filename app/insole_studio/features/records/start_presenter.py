@@ -36,6 +36,8 @@ class StartPresenter:
         self._page = page
         self._clinic = clinic
         self._typed = ""
+        self._pages = 1
+        page.more_requested.connect(self.show_more)
         page.search_edited.connect(self.search)
         clinic.state_changed.connect(self.show_state)
         clinic.changed.connect(self.refresh)
@@ -44,6 +46,12 @@ class StartPresenter:
     def search(self, typed: str) -> None:
         """Find persons; the answer to what was typed last is the one that is shown."""
         self._typed = typed.strip()
+        self._pages = 1
+        self._search()
+
+    def show_more(self) -> None:
+        """Show as many patients again as are shown at first."""
+        self._pages += 1
         self._search()
 
     def refresh(self) -> None:
@@ -94,16 +102,20 @@ class StartPresenter:
 
     def _search(self) -> None:
         typed = self._typed
+        most = self._pages * (MOST_FOUND if typed else MOST_RECENT)
 
         def find(records: Records) -> list[PersonSummary]:
+            # one more than are shown tells whether there are more
             if typed:
-                return records.persons.search(typed, MOST_FOUND)
-            return records.persons.recent(MOST_RECENT)
+                return records.persons.search(typed, most + 1)
+            return records.persons.recent(most + 1)
 
         if self._clinic.is_open:
-            self._clinic.ask(SEARCH, find, self._show_found, self._show_failure)
+            self._clinic.ask(
+                SEARCH, find, lambda found: self._show_found(found, most), self._show_failure
+            )
 
-    def _show_found(self, found: list[PersonSummary]) -> None:
+    def _show_found(self, found: list[PersonSummary], most: int) -> None:
         if not self._clinic.may_show_patients:  # what somebody asked who has left meanwhile
             return
         title = tr("Found patients") if self._typed else tr("Recent patients")
@@ -112,7 +124,8 @@ class StartPresenter:
             if self._typed
             else tr("No patient yet. Begin with “New patient”, or open a file.")
         )
-        self._page.show_found(title, person_rows(found), nothing)
+        self._page.show_found(title, person_rows(found[:most]), nothing)
+        self._page.show_more(len(found) > most)
 
     def _show_lists(self, lists: _Lists) -> None:
         if not self._clinic.may_show_patients:

@@ -24,6 +24,7 @@ from insole_core.records.captures import MESH
 from insole_core.records.field_merge import FieldChoice
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
+from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_studio.app.bootstrap import Application
@@ -32,6 +33,7 @@ from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.person_page import PersonPage
+from insole_studio.features.records.record_texts import moment_text
 from insole_studio.features.records.visit_dialog import VisitDialog
 
 LEFT = Qt.MouseButton.LeftButton
@@ -93,11 +95,11 @@ def test_a_visit_says_when_it_was_captured_and_the_sensors_calibrated(
     tmp_path: Path,
 ) -> None:
     path = tmp_path / "scan.stl"
-    path.write_bytes(b"solid")
     told = CaptureFacts(
         "2026-11-20T10:00:00Z", ("<i>A1",), "2026-10-01T08:00:00Z", {"<i>A1: camera, px": 0.312}
     )
     for facts in (CaptureFacts(sensor_serials=("A1",)), told):
+        path.write_bytes(f"solid {facts.recorded_at}".encode())  # one scan is stored once
         records.captures.add(visit.id, MESH, path, facts)
     qtbot.waitUntil(lambda: "calibrated 2026-10-01" in page.cards[visit.id].scan.text())
     rest()
@@ -312,6 +314,9 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     clinic.controller.run_action("new_visit_same", False)
     qtbot.waitUntil(lambda: clinic.case.kept is not None)
     assert clinic.services.keeper.visit_id != visit.id
+    (notice,) = clinic.services.notices.notices
+    assert "as last time: left:" in notice.text
+    assert "heel lift, 6 mm" in notice.text
     source = ScanSource("mesh", "/nowhere/new.ply", "1" * 64)
     clinic.case.open_foot(make_foot(Side.LEFT), source)
     design = clinic.case.record.design
@@ -319,6 +324,7 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     (lift,) = design.corrections
     assert isinstance(lift, HeelLift)
     assert lift.height_mm == 6.0
+    assert clinic.services.notices.notices == []
     qtbot.waitUntil(
         lambda: bool(records.prescriptions.versions(clinic.services.keeper.visit_id, Side.LEFT))
     )
@@ -494,6 +500,50 @@ def test_an_empty_visit_is_deleted_and_one_with_contents_is_kept(
     assert clinic.window.page is page
     assert clinic.case.kept is None
     assert records.visits.of_person(visit.person_id) == [visit]
+
+
+def test_a_card_tells_what_was_prescribed_measured_and_ordered(
+    page: PersonPage, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    (version,) = records.prescriptions.versions(visit.id, Side.LEFT)
+    foot = records.prescriptions.read(version.id)
+    lift = replace(foot.design, device="Running", corrections=(HeelLift(height_mm=6.0),))
+    base = Base(version.id, version.revision)
+    records.prescriptions.save(visit.id, foot.with_design(lift), base)
+    newest = records.prescriptions.versions(visit.id, Side.LEFT)[0]
+    records.orders.add(visit.id, [newest.id], number="A 7", due_on=date.today())
+    told = replace(visit, weight_kg=72.5, shoe_size_eu=42.0, findings="Flat foot")
+    records.visits.change(told, visit.revision)
+    day = date.today().isoformat()
+    lines = ["72.5 kg, shoe size EU 42", "Flat foot", f"Order A 7, Designed, due {day}"]
+
+    def labels() -> list[str]:
+        return [label.text() for label in page.cards[visit.id].findChildren(QLabel)]
+
+    qtbot.waitUntil(lambda: "\n".join(lines) in labels(), timeout=10_000)
+    assert "Running; heel lift, 6 mm" in labels()
+    assert any(text.startswith("Version 2: ") for text in labels())
+    assert page.cards[visit.id].row.day == moment_text(visit.created_at)  # two of a day differ
+
+
+def test_the_files_of_others_are_not_offered_for_a_visit(
+    clinic: Application, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    clinic.services.recent.remember(Path("/scans/somebody-else.stl"))
+    empty = records.visits.add(Visit(visit.person_id, date.today()))
+
+    def offered() -> list[str]:
+        return [
+            button.property("row")
+            for button in clinic.stage.insole.findChildren(QPushButton)
+            if button.property("row") and not button.isHidden()
+        ]
+
+    clinic.controller.run_action("new_case", False)
+    qtbot.waitUntil(lambda: offered() == ["/scans/somebody-else.stl"], timeout=10_000)
+    clinic.features.records.open_visit(empty.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: offered() == [], timeout=10_000)
 
 
 def test_names_are_shown_as_they_are(

@@ -43,7 +43,9 @@ def open_table(clinic, questions, rest) -> Callable[[Path], TableImportDialog]:
     return open_it
 
 
-def test_a_table_is_imported_once_the_order_of_days_was_said(records, rest, table, open_table):
+def test_a_table_is_imported_once_the_order_of_days_was_said(
+    clinic, records, rest, table, open_table
+):
     dialog = open_table(table)
     assert [box.currentText() for box in dialog.columns] == ["Name", "Born", "Address, phone"]
     assert dialog.reading.text() == "3 rows, Windows-1252, semicolon"
@@ -64,6 +66,9 @@ def test_a_table_is_imported_once_the_order_of_days_was_said(records, rest, tabl
     assert found.keys() == {"Åsa Öberg", "Per Ek"}
     assert found["Åsa Öberg"].birth_date == date(1970, 3, 2)
     assert records.persons.get(found["Åsa Öberg"].id).contact == "Malmö"
+    assert [notice.text for notice in clinic.services.notices.notices] == [
+        "Import: 2 added (2 new, 1 refused)"
+    ]
     assert QApplication.activeModalWidget() is None
 
 

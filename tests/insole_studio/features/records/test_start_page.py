@@ -12,11 +12,14 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.records.person import Person
+from insole_core.records.persons import add_persons
 from insole_core.records.records import Records
+from insole_core.records.rights import Right
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.features.records.start_page import StartPage
+from insole_studio.features.records.start_presenter import MOST_FOUND
 from insole_studio.widgets.tour import Tour
 
 
@@ -197,3 +200,18 @@ def test_the_first_page_offers_what_a_new_user_needs(clinic: Application, action
     page.action_requested.connect(asked.append)
     shown.click()
     assert asked == [action]
+
+
+def test_further_patients_are_a_click_away(
+    clinic: Application, records: Records, rest: Callable[[], None], qtbot: QtBot
+) -> None:
+    many = [Person(f"Eva {number:02}") for number in range(MOST_FOUND + 10)]
+    with records.context.writing(Right.WRITE) as connection:
+        add_persons(records.context, connection, many)
+    page = page_of(clinic)
+    QTest.keyClicks(page.search, "eva")
+    qtbot.waitUntil(lambda: len(page.found.rows) == MOST_FOUND, timeout=10_000)
+    assert page.more.isVisible()
+    QTest.mouseClick(page.more, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: len(page.found.rows) == MOST_FOUND + 10, timeout=10_000)
+    assert not page.more.isVisible()

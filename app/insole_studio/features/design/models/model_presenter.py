@@ -692,7 +692,9 @@ class InsolePresenter(ModelPresenter):
             self.panel.show_empty(sentence, {"open": tr("Open case…")})
         else:
             self.panel.show_empty(tr("The insole is being built…"), {})
-        self.panel.show_list(tr("Go on with"), self._recent if is_start else ())
+        is_nobodys = self._case.is_empty and self._case.kept is None
+        # A scan or a case of somebody else, one click from a patient's visit, is never meant.
+        self.panel.show_list(tr("Go on with"), self._recent if is_start and is_nobodys else ())
 
 
 def _between(start: FloatArray, end: FloatArray) -> FloatArray:
