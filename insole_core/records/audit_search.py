@@ -138,14 +138,15 @@ def _authors(connection: Connection) -> list[str]:
 
 
 def verify_audit(context: RecordsContext, progress: Progress = SILENT) -> AuditReport:
-    """Verify the chain of the log for somebody who may read it.
+    """Verify the log, also against the last line noted beside the large files.
 
     Raises
     ------
     NotAllowed
     Cancelled
     """
-    return AuditLog(context.database, context.author).verify(progress=progress)
+    noted = context.database.witness.read()
+    return AuditLog(context.database, context.author).verify(noted, progress)
 
 
 def _person_id(connection: Connection, pseudonym: str) -> str:

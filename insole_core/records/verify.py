@@ -132,10 +132,11 @@ def verify_record(
         When database or files do not answer.
     Cancelled
     """
+    # Before the moment that the transaction sees, after which others may write further lines.
+    noted = context.database.witness.read() | dict(known or {})
     with context.database.reading() as connection:
         require(connection, context.author, Right.BACK_UP)
         problem = _problem_of_file(connection) if context.database.is_sqlite else ""
-        noted = context.database.witness.read() | dict(known or {})
         audit = verify_chain(connection, noted, progress.part(0, 0.2))
         rows = verify_rows(connection, progress.part(0.2, 0.3))
         signatures = verify_signatures(connection, progress.part(0.3, 0.4))

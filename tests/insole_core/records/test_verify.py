@@ -14,8 +14,10 @@ from stations import Stations
 from tampering import without_triggers
 
 from insole_core.errors import NotAllowed, RecordsError
+from insole_core.records import verify
 from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
+from insole_core.records.audit_search import verify_audit
 from insole_core.records.author import Role
 from insole_core.records.backup.back_up import set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
@@ -25,6 +27,7 @@ from insole_core.records.marks import mark_of
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
+from insole_core.records.rights import require
 from insole_core.records.row_report import problems_of_rows, verify_rows
 from insole_core.records.row_seals import SEALED, digests_of
 from insole_core.records.schema import persons
@@ -130,10 +133,24 @@ def test_a_log_whose_end_was_cut_off_is_told(stations: Stations) -> None:
             ))  # fmt: skip
         told = verify_record(context).problems()[0]
         assert f"ends with line {lines - cut}, but {lines} lines" in told
+        assert verify_audit(context).problem == told
     # Whoever goes on with such a log is told as well.
     for name in ("anna", "ben", "cleo", "dora"):
         records.accounts.add(name, name, Role.ORTHOPEDIST, "vier Schuhe gehen")
     assert f"Line {lines} of the audit log" in verify_record(context).problems()[0]
+
+
+def test_a_line_that_another_station_writes_meanwhile_is_no_lost_one(
+    context: RecordsContext, stations: Stations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = stations.open()
+
+    def require_and_be_overtaken(*arguments: Any) -> None:
+        require(*arguments)  # from here on, the transaction sees nothing new
+        other.persons.add(Person("Late Berg"))
+
+    monkeypatch.setattr(verify, "require", require_and_be_overtaken)
+    assert verify_record(context).problems() == []
 
 
 def test_a_change_of_any_column_is_found(context: RecordsContext) -> None:
