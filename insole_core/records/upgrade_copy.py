@@ -114,21 +114,31 @@ def put_back(context: RecordsContext, name: str) -> str:
         require(connection, context.author, Right.SET_UP)
     if name not in copies_of(database):
         raise RecordsError("There is no copy {name} of the record; choose one that is.", name=name)
-    if not database.is_sqlite:
-        database.witness.forget()  # the log of the copy ends earlier
-        return _put_back_schema(database, name)
+    put_back_copy = _put_back_file if database.is_sqlite else _put_back_schema
+    kept = put_back_copy(database, name)
+    database.witness.forget()  # the log of the copy ends earlier
+    return kept
+
+
+def _put_back_file(database: Database, name: str) -> str:
     path = database.place.database_file
     with database.writing() as connection:  # nobody else writes meanwhile
         found = str(connection.execute(text("SELECT version_num FROM alembic_version")).scalar())
         kept = keep_copy(database, connection, found)
     database.close()
-    with (
-        closing(sqlite3.connect(path.with_name(name))) as source,
-        closing(sqlite3.connect(path)) as target,
-        output_errors(path),
-    ):
-        source.backup(target)
-    database.witness.forget()
+    try:
+        with (
+            closing(sqlite3.connect(path.with_name(name))) as source,
+            closing(sqlite3.connect(path)) as target,
+        ):
+            source.backup(target)
+    except sqlite3.Error as error:
+        raise OutputError(
+            "The copy {copy} could not be put back ({reason}), so the record stays as it was; free "
+            "some space, or choose another copy.",
+            copy=name,
+            reason=str(error),
+        ) from error
     return kept
 
 

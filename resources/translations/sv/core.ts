@@ -2344,6 +2344,10 @@
             <translation>Kontakten är {length:.0f} mm lång på en fot på {foot:.0f} mm, för lite för att hitta dess plats; lägg den för hand.</translation>
         </message>
         <message>
+            <source>The copy {copy} could not be put back ({reason}), so the record stays as it was; free some space, or choose another copy.</source>
+            <translation>Kopian {copy} kunde inte återställas ({reason}), så journalen är kvar som den var; frigör utrymme eller välj en annan kopia.</translation>
+        </message>
+        <message>
             <source>The copy {path} of unsaved work is damaged; it is kept as {kept} for {days} days.</source>
             <translation>Kopian {path} av osparat arbete är skadad; den sparas som {kept} i {days} dagar.</translation>
         </message>

@@ -29,6 +29,7 @@ from backed_up_record import (
     context_of,
     make_record,
 )
+from record_samples import place_of_sample
 from sqlalchemy import insert, text
 from stations import proven
 
@@ -103,11 +104,10 @@ def test_a_restored_record_equals_the_one_that_was_backed_up(
 
 
 @pytest.mark.parametrize("tables", ["0001", SCHEMA])
-def test_persons_of_a_restored_record_are_found(tables: str, folder: Path, tmp_path: Path) -> None:
-    place = RecordsPlace.local(tmp_path)
-    sample = Path(__file__).parent / "schemas" / f"{tables}.sqlite.sql"
-    with closing(sqlite3.connect(place.database_file)) as connection:
-        connection.executescript(sample.read_text("utf-8"))
+def test_persons_of_a_restored_record_are_found(
+    tables: str, folder: Path, tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    place = place_of_sample(tables, "sqlite", tmp_path, request)
     older = RecordsContext(Database(place), ContentStore(place.contents), ANNA)
     set_up_backups(older, BackupKey.for_recipients([RECIPIENT]))
     back_up(older, folder)

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from postgres_server import PostgresServer, binaries, running_server
+from record_samples import SCHEMAS, place_of_sample
 from sqlalchemy import text
 from stations import ANNA, BEN, Stations
 
@@ -110,7 +111,7 @@ def test_an_older_program_writes_nothing_to_a_record_that_was_migrated(
 def test_a_migration_waits_for_an_older_program_that_writes_and_then_stops_it(
     tmp_path: Path, request: pytest.FixtureRequest, kind: str
 ) -> None:
-    place = _place_of_sample(SCHEMAS / f"0001.{kind}.sql", tmp_path, request)
+    place = place_of_sample("0001", kind, tmp_path, request)
     older = Database(place)
     older.schema = "0001"
     has_written, ended = threading.Event(), []
@@ -195,7 +196,7 @@ def test_an_interrupted_migration_is_made_anew(
 def test_a_migration_of_patients_that_is_interrupted_is_made_anew(
     tmp_path: Path, request: pytest.FixtureRequest, kind: str
 ) -> None:
-    place = _place_of_sample(SCHEMAS / f"0001.{kind}.sql", tmp_path, request)
+    place = place_of_sample("0001", kind, tmp_path, request)
     url = [] if place.is_local else [place.url.render_as_string(hide_password=False)]
     assert _killed_in_migration(place, "words", *url) == -9
     database = Database(place)
@@ -455,7 +456,6 @@ def test_the_newest_migration_is_the_one_this_program_wants() -> None:
     assert max(path.stem[1:5] for path in versions.glob("v*.py")) == SCHEMA
 
 
-SCHEMAS = Path(__file__).parent / "schemas"
 SAMPLES = sorted(SCHEMAS.glob("*.sql"))
 
 
@@ -469,7 +469,8 @@ def test_every_schema_has_a_sample_in_both_databases() -> None:
 def test_the_sample_of_every_schema_is_migrated(
     tmp_path: Path, sample: Path, request: pytest.FixtureRequest
 ) -> None:
-    place = _place_of_sample(sample, tmp_path, request)
+    revision, kind = sample.name.split(".")[:2]
+    place = place_of_sample(revision, kind, tmp_path, request)
     records = open_records(place, ANNA)
     [person] = records.persons.search("anna")
     assert records.visits.of_person(person.id)[0].findings == "flat foot"
@@ -481,18 +482,3 @@ def test_the_sample_of_every_schema_is_migrated(
     assert (rows.changed, rows.unlogged) == ({}, {})
     records.persons.add(Person("Ben"))
     records.close()
-
-
-def _place_of_sample(sample: Path, folder: Path, request: pytest.FixtureRequest) -> RecordsPlace:
-    script = sample.read_text("utf-8")
-    if ".sqlite." in sample.name:
-        place = RecordsPlace.local(folder)
-        with sqlite3.connect(place.database_file) as connection:
-            connection.executescript(script)
-        connection.close()
-        return place
-    server: PostgresServer = request.getfixturevalue("postgres")
-    server.execute("DROP DATABASE IF EXISTS sample")
-    server.execute("CREATE DATABASE sample")
-    server.execute(script, database="sample")
-    return RecordsPlace.of_url(server.url("sample"), folder / "contents")

@@ -6,18 +6,21 @@ from contextlib import closing
 from datetime import date
 
 import pytest
+from record_samples import place_of_sample
+from sqlalchemy import delete, text
 from stations import ANNA, Stations, proven
 
 from insole_core.errors import NotAllowed, OutputError, RecordsError
 from insole_core.records import upgrade_copy
 from insole_core.records.author import Role
 from insole_core.records.database import Database
-from insole_core.records.migrate import SCHEMA, migrate, schema_of
+from insole_core.records.migrate import SCHEMA, schema_of
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
+from insole_core.records.schema import clinic
 from insole_core.records.upgrade_copy import copies_of, put_back
 
 OLDER = f"{int(SCHEMA) - 1:04d}"
@@ -26,18 +29,9 @@ OLDER = f"{int(SCHEMA) - 1:04d}"
 @pytest.fixture(params=["sqlite", "postgresql"])
 def older(request: pytest.FixtureRequest, tmp_path) -> RecordsPlace:
     """A record with the tables before the newest ones, and a person."""
-    if request.param == "sqlite":
-        place = RecordsPlace.local(tmp_path)
-        place.database_file.touch()
-    else:
-        server = request.getfixturevalue("postgres")
-        server.execute("DROP DATABASE IF EXISTS older")
-        server.execute("CREATE DATABASE older")
-        place = RecordsPlace.of_url(server.url("older"), tmp_path / "contents")
-    with closing(Database(place)) as database:
-        migrate(database, OLDER)
-        records = Records(database, None, ANNA)  # type: ignore[arg-type]
-        records.persons.add(Person("Anna Berg"))
+    place = place_of_sample(OLDER, request.param, tmp_path, request)
+    with closing(Database(place)) as database, database.writing() as connection:
+        connection.execute(delete(clinic))  # whose files are not here
     return place
 
 
@@ -87,6 +81,23 @@ def test_a_record_that_cannot_be_copied_is_not_upgraded(
         open_records(older, ANNA)
     with closing(Database(older)) as database, database.reading() as connection:
         assert schema_of(connection) == OLDER
+
+
+def test_a_copy_that_cannot_be_put_back_leaves_the_record_as_it_is(older: RecordsPlace) -> None:
+    with closing(open_records(older, ANNA)) as records:
+        (copy,) = copies_of(records.context.database)
+        records.context.contents.put(b"a scan")
+        records.persons.add(Person("Ben Ek"))
+        if older.is_local:
+            older.database_file.with_name(copy).write_bytes(b"no database" * 1000)
+        else:
+            with records.context.database.writing() as connection:
+                connection.execute(text(f'DROP TABLE "{copy}".audit_head'))
+        with pytest.raises((OutputError, RecordsError)):
+            put_back(records.context, copy)
+    with closing(open_records(older, ANNA)) as records:
+        assert sorted(names(records)) == ["Anna Berg", "Ben Ek"]
+        assert records.audit.head()[0] in records.context.database.witness.read()
 
 
 def test_somebody_who_is_erased_is_in_no_copy(older: RecordsPlace) -> None:
