@@ -30,7 +30,7 @@ from insole_core.insole.prescription.prescription_lines import (
     make_facts,
     number_message,
 )
-from insole_core.messages import Message, Translate
+from insole_core.messages import Message, Translate, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import (
     Finding,
@@ -300,7 +300,7 @@ def run_export_job(
             beside.prescription,
             responsible=job.responsible,
             identification={**job.patient, **job.identification},
-            material=" / ".join(dict.fromkeys(filter(None, job.materials.values()))),
+            material=joined(dict.fromkeys(filter(None, job.materials.values())), " / "),
             day=date.today(),
             landmarks={part.side: part.landmarks for part in job.parts},
             warnings={part.side: part.warnings for part in job.parts},

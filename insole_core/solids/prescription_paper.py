@@ -140,7 +140,7 @@ def write_prescription_paper(
     write_prescription(
         {**identification, "side": sides, "date": day.isoformat()},
         lines,
-        {"material": material or "–", **make},
+        {"material": translate(material) or "–", **make},
         path,
         warnings=unusual,
         responsible={key.replace("_", " "): value for key, value in vars(responsible).items()},

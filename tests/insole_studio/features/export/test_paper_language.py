@@ -1,0 +1,100 @@
+"""The papers of a Swedish clinic hold no English words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from datetime import date, timedelta
+from pathlib import Path
+
+from PySide6.QtWidgets import QApplication
+from read_pdf import text_of_pdf
+
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
+from insole_core.export.shop_order import OrderTerms
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import (
+    ArchRaise,
+    BrushStroke,
+    ForefootTwist,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    InsoleDesign,
+    Layers,
+    Pelott,
+    Posting,
+    Rocker,
+)
+from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.resources import resource_path
+from insole_core.solids.export_rules import read_rules
+from insole_core.solids.prescription_paper import Responsible
+from insole_core.solids.shop import read_shop
+from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
+from insole_studio.texts import translation_into
+
+SHOP = read_shop()
+PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+CORRECTIONS = (
+    Pelott(centre_mm=(0.0, 185.0)),
+    Pelott(centre_mm=(0.0, 20.0), shape="cut_out", kind="heel_spur_recess", height_mm=-2.0),
+    Pelott(centre_mm=(-12.0, 150.0), shape="bar"),
+    Posting(rearfoot_deg=3.0, forefoot_deg=-2.0),
+    ForefootTwist(angle_deg=2.0),
+    HeelSkive(),
+    HeelLift(),
+    ArchRaise(),
+    HeelCup(),
+    Rocker(),
+    BrushStroke(points_mm=((0.0, 100.0), (9.0, 120.0))),
+)
+ALIKE = {
+    "block", "export", "full", "inversion", "lateral", "material", "medial", "patient", "pelott",
+    "pseudonym", "revision", "xiii",
+    "eva", "insole", "pair", "sha", "stl", "studio",
+}  # fmt: skip
+"""Words that are the same in both languages, and names: of the program, a block, a format."""
+
+
+def words_of(path: Path) -> set[str]:
+    found = set(re.findall(r"[a-zåäö]{3,}", text_of_pdf(path).lower()))
+    return {word for word in found if set(word) - set("abcdef")}  # but parts of a digest
+
+
+def test_papers_in_swedish_hold_no_word_of_the_english_ones(
+    qapp: QApplication, make_foot: Callable[[Side], Foot], tmp_path: Path
+) -> None:
+    device = read_device(resource_path("devices/functional-three-quarter.json"))
+    feet = tuple(
+        FootRecord.begun(
+            make_foot(side),
+            NOWHERE,
+            apply_device(
+                device, InsoleDesign(side, CORRECTIONS, grid_mm=2.0, layers=Layers(cover_mm=2.0))
+            ),
+        )
+        for side in Side
+    )
+    patient = Patient("Ö", "1970-02-28", "2026-11-20")
+    record = CaseRecord(patient, feet, Side.LEFT)
+    terms = OrderTerms(2, "", "", "", date.today() + timedelta(days=9))
+    choice = OrderChoice(
+        both=True, block=PAIR, prescription=True, pseudonym="26-7KQ4M", terms=terms,
+        material="EVA",
+    )  # fmt: skip
+    parts = make_parts(record, choice, read_rules())
+    for language in ("en", "sv"):
+        (tmp_path / language).mkdir()
+        write_order(
+            parts, choice, tmp_path / language / "o.stl",
+            shop=SHOP, patient=patient, responsible=Responsible("Ö", "Ö", "Ö", "Ö"),
+            translate=translation_into(language),
+        )  # fmt: skip
+    for paper, count in (("o-pair-job-sheet.pdf", 150), ("o-pair-prescription.pdf", 150)):
+        english, swedish = words_of(tmp_path / "en" / paper), words_of(tmp_path / "sv" / paper)
+        assert len(english - swedish) > count
+        assert english & swedish - ALIKE == set()
