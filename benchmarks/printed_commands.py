@@ -78,7 +78,7 @@ def _outcome(one: Printed, folder: Path) -> str:
 def prepare(folder: Path) -> None:
     """Write what the command lines name and do not make themselves."""
     mesh = foot_mesh()
-    write_obj(mesh, folder / "scan.obj")
+    write_obj(mirrored(mesh), folder / "scan.obj")
     for name in ("scan", "foot", "left"):
         write_ply(mesh, folder / f"{name}.ply")
     write_ply(mirrored(mesh), folder / "right.ply")
@@ -100,7 +100,9 @@ def captured(
     """Write sessions of the same sensors, of a body or of the foot that stands for a cast."""
     shape = FootShape(side=Side.LEFT) if body is None else None
     for seed, (name, other) in enumerate(zip(names, swedish, strict=True)):
-        options = SimulationOptions(seed=seed, sensor_seed=0, body=body, shape=shape)
+        options = SimulationOptions(
+            seed=seed, sensor_seed=0, body=body, shape=shape, frames=3, color_size=(640, 480)
+        )
         simulated = simulate_session(options)
         write_session(simulated.session, folder / name)
         shutil.copytree(folder / name, folder / other)
