@@ -10,6 +10,7 @@ import json
 import math
 import os
 import pkgutil
+import re
 import resource
 import select
 import shutil
@@ -25,6 +26,7 @@ from pathlib import Path
 from typing import Literal
 
 from insole_core.errors import InsoleError
+from insole_core.visible_text import is_control
 
 Expected = Literal["refused", "accepted", "any"]
 
@@ -259,6 +261,9 @@ def run_command(arguments: list[str]) -> None:
         except SystemExit as error:
             code = int(error.code or 0)
     lines = said.getvalue().strip().splitlines() or [""]
+    is_steered = any(is_control(letter) and letter not in "\n\t" for letter in said.getvalue())
+    if is_steered or re.search(r"[a-z]Warning: ", said.getvalue()):
+        raise RuntimeError(f"a warning, or a control character: {said.getvalue()[-600:]!a}")
     if code == 0:
         return
     if "Traceback" in said.getvalue() or code not in (1, 2):

@@ -26,6 +26,7 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks import _fuzz_records
 from benchmarks import _fuzz_samples as samples
 from benchmarks._fuzz_mutations import (
     PLACES,
@@ -944,4 +945,5 @@ _FAMILIES: dict[str, Callable[[random.Random], Iterator[Trial]]] = {
     "calibration": _calibration,
     "mesh": _meshes,
     "command": _command_lines,
+    **_fuzz_records.FAMILIES,
 }

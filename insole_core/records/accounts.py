@@ -265,7 +265,8 @@ class Accounts:
         NotAllowed
             When they are wrong, or the account is locked or disabled.
         """
-        found, author = self._proven(name, password)
+        with self._database.understanding():
+            found, author = self._proven(name, password)
         if found.must_change_password and not self._database.is_read_only:
             with self._database.writing() as connection:
                 _forgive(connection, found.id)
@@ -274,7 +275,8 @@ class Accounts:
                 account=found.name,
             )
         if not self._database.is_read_only:
-            with suppress(DamagedDatabase):  # from now on it may only be read, by whoever may
+            # From now on a damaged one may only be read, by whoever may.
+            with self._database.understanding(), suppress(DamagedDatabase):
                 self._note_success(author, found, password)
         return author
 
@@ -291,7 +293,8 @@ class Accounts:
             found = connection.execute(query).one_or_none() if user else None
         if found is None:
             return None
-        author = Author(found.name, self._who.station, Role(found.role), Proof.SYSTEM_USER)
+        with self._database.understanding():
+            author = Author(found.name, self._who.station, Role(found.role), Proof.SYSTEM_USER)
         if not self._database.is_read_only:
             with self._database.writing() as connection:
                 AuditLog.append(connection, author, "signed in", _ACCOUNT, found.id)

@@ -18,7 +18,7 @@ from sqlalchemy.pool import QueuePool
 
 from insole_core.errors import RecordsError
 from insole_core.messages import Message
-from insole_core.records.database_errors import DamagedDatabase, busy, described
+from insole_core.records.database_errors import DamagedDatabase, busy, described, unreadable
 from insole_core.records.head_witness import HeadWitness
 from insole_core.records.place import RecordsPlace
 
@@ -89,8 +89,21 @@ class Database:
         options: dict[str, Any] = {}
         if not self.is_sqlite:
             options = {"isolation_level": "REPEATABLE READ", "postgresql_readonly": True}
-        with self._transaction(**options) as connection:
+        with self.understanding(), self._transaction(**options) as connection:
             yield connection
+
+    @contextmanager
+    def understanding(self) -> Iterator[None]:
+        """Make values of what was read; a date, a word or a JSON text that is none is told as such.
+
+        Raises
+        ------
+        RecordsError
+        """
+        try:
+            yield
+        except (ValueError, TypeError, OverflowError, RecursionError) as error:
+            raise unreadable(self.place, error) from error
 
     @contextmanager
     def snapshot(self) -> Iterator[None]:

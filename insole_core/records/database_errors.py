@@ -40,6 +40,10 @@ _NO_FILE: Final = (
     "{place} cannot be opened or read ({reason}); check that its disk or share is connected, and "
     "that you may read and write there."
 )
+_UNREADABLE: Final = (
+    "{place} holds something that cannot be read ({reason}), so another program has changed it; "
+    "verify the record, and restore it from a backup."
+)
 _NO_RIGHT: Final = "{place} may not be changed by you; ask for the right to write to it."
 _REFUSED: Final = (
     "{place} refused what was to be written ({reason}); nothing was changed. Please report this."
@@ -133,6 +137,11 @@ def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
 def busy(place: RecordsPlace) -> Unreachable:
     """Return the sentence for a database whose connections are all in use."""
     return Unreachable(_BUSY, place=place.name)
+
+
+def unreadable(place: RecordsPlace, error: Exception) -> RecordsError:
+    """Return the error for a value in a table that is none of its kind, such as a date."""
+    return RecordsError(_UNREADABLE, place=place.name, reason=_first_line(str(error)))
 
 
 def _kind_of(place: RecordsPlace, error: DBAPIError) -> tuple[type[RecordsError], str]:

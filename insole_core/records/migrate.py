@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import re
 from collections.abc import Callable
 from typing import Final, TypeAlias
 
@@ -19,6 +20,7 @@ _FIRST_SEALED: Final = "0004"
 """From which on the audit log keeps digests of rows."""
 PROGRAM: Final = "Insole Studio"
 """Author of what the program does by itself."""
+_REVISION: Final = re.compile(r"000[1-9]|00[1-9]\d|0[1-9]\d\d|[1-9]\d{3}")
 Keep: TypeAlias = Callable[[Database, Connection, str], None]
 
 
@@ -26,13 +28,22 @@ def schema_of(connection: Connection) -> str | None:
     """Return the revision of a database; None where it has no tables yet."""
     if not inspect(connection).has_table(SCHEMA_TABLE.name):
         return None
-    found: str | None = connection.execute(select(SCHEMA_COLUMN)).scalar()
-    return found
+    row = connection.execute(select(SCHEMA_COLUMN)).first()
+    return None if row is None else str(row[0])
 
 
 def check_schema(found: str | None, name: str) -> None:
-    """Raise a `RecordsError` if a database comes from a newer program."""
-    if found is not None and found > SCHEMA:
+    """Raise a `RecordsError` if a database comes from a newer program, or from none."""
+    if found is None:
+        return
+    if _REVISION.fullmatch(found) is None:
+        raise RecordsError(
+            "{place} has tables of which no Insole Studio knows ({found}); name another record, or "
+            "restore this one from a backup.",
+            place=name,
+            found=found,
+        )
+    if found > SCHEMA:
         raise RecordsError(
             "{place} was made by a newer Insole Studio (tables {found}; this program knows them up "
             "to {newest}); install the newest version.",
@@ -75,6 +86,11 @@ def migrate(database: Database, schema: str = SCHEMA, keep: Keep | None = None) 
             connection.execute(select(func.pg_advisory_xact_lock(MIGRATION_LOCK)))
         found = schema_of(connection)
         check_schema(found, database.place.name)
+        if found is None and database.is_sqlite and inspect(connection).get_table_names():
+            raise RecordsError(
+                "{place} is the database of another program; name the folder of a record.",
+                place=database.place.name,
+            )
         if keep is not None and found is not None and found != schema:
             keep(database, connection, found)
         upgrade(connection, schema)

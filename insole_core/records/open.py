@@ -12,6 +12,7 @@ from sqlalchemy import Connection, Table, func, or_, select
 from insole_core.errors import RecordsError
 from insole_core.export.atomic import make_output_folder
 from insole_core.export.file_mode import PRIVATE_FILE
+from insole_core.export.temporary import remove
 from insole_core.export.write_errors import output_errors
 from insole_core.messages import Message
 from insole_core.records.author import Author
@@ -65,7 +66,7 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
             database.problem = _why_server_read_only(database)
         try:
             if not database.is_read_only:
-                migrate(database, keep=_keep)
+                _migrate(database)
             _check_tables(database, metadata.sorted_tables)
         except DamagedDatabase as error:
             database.close()
@@ -75,6 +76,16 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
         return Records(database, _content_store(database), who)
     except BaseException:
         database.close()
+        raise
+
+
+def _migrate(database: Database) -> None:
+    """Bring the tables up to date; where that fails, no copy is left of what stays as it is."""
+    try:
+        migrate(database, keep=_keep)
+    except BaseException:
+        if database.is_sqlite and database.upgraded_from is not None:
+            remove(database.place.database_file.with_name(database.upgraded_from))
         raise
 
 

@@ -185,8 +185,7 @@ class Visits:
     def _summaries(self, query: Select[Any]) -> list[VisitSummary]:
         query = query.order_by(visits.c.visited_on, visits.c.created_at)
         with self._context.reading() as connection:
-            rows = connection.execute(query).all()
-        return [_summary(row) for row in rows]
+            return [_summary(row) for row in connection.execute(query)]
 
 
 def patient_of(person: Person, visit: Visit) -> Patient:

@@ -38,7 +38,7 @@ from insole_studio.cli import (
 )
 from insole_studio.cli.argument_parser import Parser, PrintVersion
 from insole_studio.cli.order import command as order
-from insole_studio.cli.path_arguments import check_paths
+from insole_studio.cli.path_arguments import check_paths, check_texts
 from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, StopRequest
 from insole_studio.cli.subcommands import Command
@@ -100,6 +100,7 @@ def _exit_code(arguments: list[str], stop: StopRequest) -> int:
 
 def _run(arguments: list[str], stop: StopRequest) -> None:
     parsed = command_parser().parse_args(arguments)
+    check_texts(parsed)
     check_paths(parsed)
     settle_interrupted(state_folder_of_user())
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import errno
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 
 
@@ -26,6 +28,36 @@ class OutputPath(argparse.Action):
         """Store the value."""
         setattr(namespace, self.dest, values)
         namespace.outputs = {*getattr(namespace, "outputs", ()), self.dest}
+
+
+def check_texts(arguments: argparse.Namespace) -> None:
+    """Check that all that was given is text, and that every path can be the name of a file.
+
+    Raises
+    ------
+    UsageError
+        Names the first that is not.
+    """
+    for value in vars(arguments).values():
+        for text in value if isinstance(value, list | tuple) else [value]:
+            if isinstance(text, str) and not _is_text(text):
+                raise UsageError(f"{text} holds bytes that are no letters; type it again.")
+        for path in _paths(value):
+            try:
+                path.lstat()
+            except OSError as error:
+                if error.errno == errno.ENAMETOOLONG:
+                    raise UsageError(
+                        f"{path} is too long for the name of a file; choose a shorter one."
+                    ) from error
+
+
+def _is_text(text: str) -> bool:
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def check_paths(arguments: argparse.Namespace) -> None:

@@ -7920,6 +7920,10 @@
             <translation>{place} svarar inte ({reason}); kontrollera nätverket, adressen och att databasen är igång.</translation>
         </message>
         <message>
+            <source>{place} has tables of which no Insole Studio knows ({found}); name another record, or restore this one from a backup.</source>
+            <translation>{place} har tabeller som inget Insole Studio känner till ({found}); ange ett annat register, eller återställ detta från en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{place} holds a record that cannot be read.</source>
             <translation>{place} innehåller en journal som inte går att läsa.</translation>
         </message>
@@ -7936,6 +7940,10 @@
             <translation>{place} innehåller en annan journal än säkerhetskopian.</translation>
         </message>
         <message>
+            <source>{place} holds something that cannot be read ({reason}), so another program has changed it; verify the record, and restore it from a backup.</source>
+            <translation>{place} innehåller något som inte kan läsas ({reason}), så ett annat program har ändrat den; kontrollera registret och återställ det från en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{place} holds the record as the backup has it: nothing was changed since.</source>
             <translation>{place} innehåller journalen som den är i säkerhetskopian: ingenting har ändrats sedan dess.</translation>
         </message>
@@ -7946,6 +7954,10 @@
         <message>
             <source>{place} is held by another program; wait until that has finished, and try again.</source>
             <translation>{place} hålls av ett annat program; vänta tills det är klart och försök igen.</translation>
+        </message>
+        <message>
+            <source>{place} is the database of another program; name the folder of a record.</source>
+            <translation>{place} är ett annat programs databas; ange mappen för ett register.</translation>
         </message>
         <message>
             <source>{place} may not be changed by you; ask for the right to write to it.</source>

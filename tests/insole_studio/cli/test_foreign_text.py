@@ -79,19 +79,19 @@ def nothing(_given):
 
 E = EVIL
 CASES = {
-    "no such scan": (nothing, ["inspect-scan", f"{E}.stl"]),
+    "no such scan": (nothing, ["inspect", f"{E}.stl"]),
     "no such session": (nothing, ["reconstruct", f"{E}/s", "--out", "f.ply"]),
-    "not decodable": (nothing, ["inspect-scan", "x\udcff\udc80.stl"]),
-    "empty scan": (names(".stl", b""), ["inspect-scan", f"{E}.stl"]),
-    "scan of text": (names(".ply", b"ply\nformat " + E.encode()), ["inspect-scan", f"{E}.ply"]),
+    "not decodable": (nothing, ["inspect", "x\udcff\udc80.stl"]),
+    "empty scan": (names(".stl", b""), ["inspect", f"{E}.stl"]),
+    "scan of text": (names(".ply", b"ply\nformat " + E.encode()), ["inspect", f"{E}.ply"]),
     "name in an STL": (
-        names(".stl", f"solid {E}\nfacet normal {E}".encode()), ["inspect-scan", f"{E}.stl"],
+        names(".stl", f"solid {E}\nfacet normal {E}".encode()), ["inspect", f"{E}.stl"],
     ),
     "property of a PLY": (
         text_file("a.ply", f"ply\nformat ascii 1.0\nelement {E[:6]} 3\nend_header\n"),
-        ["inspect-scan", "a.ply"],
+        ["inspect", "a.ply"],
     ),
-    "good scan": (nothing, ["inspect-scan", f"{E}.ply"]),
+    "good scan": (nothing, ["inspect", f"{E}.ply"]),
     "measured": (nothing, ["measure", f"{E}.ply", "--side", "right", "--report", f"{E}.json"]),
     "folder in the way": (nothing, ["measure", f"{E}.ply", "--side", "right", "--report", E]),
     "no such folder": (nothing, ["measure", "foot.ply", "--report", f"{E}{E}/m.json"]),
@@ -112,7 +112,7 @@ CASES = {
     "entry of a zip": (
         zipped(E, f"{E}/manifest.json"), ["reconstruct", "given.zip", "--out", "f.ply"],
     ),
-    "entries of a zip": (zipped("manifest.json", E, E + "2"), ["inspect-scan", "given.zip"]),
+    "entries of a zip": (zipped("manifest.json", E, E + "2"), ["inspect", "given.zip"]),
     "order": (text_file("order.json", json.dumps({"format": E, E: 1})), ["order", "verify", "."]),
     "pressure": (
         names(".csv", f"{E};{E}\n1;2\n".encode()),
