@@ -93,7 +93,7 @@ class ExportView(QWidget):
         self.export.clicked.connect(self.export_requested)
         self._form_area, self._checks_area = VerticalScroll(), VerticalScroll()
         self._form_area.setWidget(self.form)
-        self._checks_area.setWidget(self.check_list)
+        self._checks_area.setWidget(_stacked(self.notes, self.check_list))
         self._bounds: FloatArray | None = None
         self._side: Side | None = None
         self._lay_out()
@@ -275,7 +275,7 @@ class ExportView(QWidget):
         middle.addWidget(self.summary)
         right.addWidget(_heading(tr("Checks")))
         right.addWidget(self._checks_area, 1)
-        for widget in (self.notes, self.error, self._reason_label, self.reason, self._progress):
+        for widget in (self.error, self._reason_label, self.reason, self._progress):
             right.addWidget(widget)
         buttons = QHBoxLayout()
         buttons.addWidget(self.leave)
@@ -299,6 +299,16 @@ class ExportView(QWidget):
         whole = QVBoxLayout(self)
         whole.addWidget(self.patient)
         whole.addLayout(layout, 1)
+
+
+def _stacked(*widgets: QWidget) -> QWidget:
+    """Return widgets below each other, which scroll together however much there is to tell."""
+    column = QWidget()
+    layout = QVBoxLayout(column)
+    layout.setContentsMargins(0, 0, 0, 0)
+    for widget in widgets:
+        layout.addWidget(widget)
+    return column
 
 
 def _heading(text: str) -> QLabel:
