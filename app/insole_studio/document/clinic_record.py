@@ -247,7 +247,10 @@ class ClinicRecord(QObject):
         done: Callable[[Result], None],
         failed: Callable[[Exception], None],
     ) -> None:
-        """Change the record in a job that no other one replaces; its answer always arrives."""
+        """Change the record in a job that no other one replaces.
+
+        Its answer arrives, unless the record is closed before.
+        """
         self._writes += 1
 
         def told(result: Result) -> None:

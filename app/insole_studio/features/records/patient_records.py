@@ -24,6 +24,7 @@ from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.visible_text import visible_line
 from insole_studio.document.case_name import case_name
+from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import PatientConflict
 from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
 from insole_studio.features.records.conflict_dialog import (
@@ -111,6 +112,7 @@ class PatientRecords(QObject):
         self._keeper.conflicted.connect(self.decide)
         services.recent.changed.connect(self._show_recent_files)
         self._clinic.state_changed.connect(self._show_recent_files)
+        self._clinic.state_changed.connect(self._let_add_again)
 
     def close(self) -> None:
         """Leave the open visit to other stations."""
@@ -243,6 +245,11 @@ class PatientRecords(QObject):
             self._tell(error)
 
         self._clinic.write(add, added, failed)
+
+    def _let_add_again(self) -> None:
+        """Let a visit be added where the record was closed before it could answer."""
+        if self._clinic.state is RecordState.CLOSED:
+            self._is_adding_visit = False
 
     def _delete_visit(self, visit_id: str) -> None:
         """Delete a visit of the person on the page if it is empty, or say why it is kept."""

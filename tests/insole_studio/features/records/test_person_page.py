@@ -502,6 +502,16 @@ def test_an_empty_visit_is_deleted_and_one_with_contents_is_kept(
     assert records.visits.of_person(visit.person_id) == [visit]
 
 
+def test_a_visit_can_be_added_after_the_record_was_opened_again(
+    clinic: Application, page: PersonPage, qtbot: QtBot
+) -> None:
+    clinic.controller.run_action("new_visit", False)
+    clinic.services.clinic.reopen()  # before the answer arrives
+    qtbot.waitUntil(lambda: clinic.services.clinic.is_open)
+    clinic.controller.run_action("new_visit", False)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+
+
 def test_a_card_tells_what_was_prescribed_measured_and_ordered(
     page: PersonPage, records: Records, visit: Visit, qtbot: QtBot
 ) -> None:
