@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from datetime import date, timedelta
 
 from insole_core.cases.case_record import Patient
+from insole_core.cases.written_dates import AmbiguousDate, read_date
 from insole_core.errors import InputError
 from insole_core.messages import Message, joined
 
@@ -13,12 +13,11 @@ DAY_FIELDS = ("born", "visit")
 EARLIEST = date(1900, 1, 1)
 LATEST_AHEAD = timedelta(days=366)
 """How far ahead a visit may be planned."""
-_WRITTEN = re.compile(r"(\d{4})(?:([-./ ])(\d{1,2})\2(\d{1,2})|(\d{2})(\d{2}))")
 _NAMES = {"born": "birth date", "visit": "date of the visit"}
 
 
 def read_day(key: str, text: str, today: date) -> str:
-    """Return a day as ISO 8601, however its year, month and day were written; empty if empty.
+    """Return a day as ISO 8601, written in any way that has one reading; empty if empty.
 
     Parameters
     ----------
@@ -33,11 +32,13 @@ def read_day(key: str, text: str, today: date) -> str:
     text = text.strip()
     if not text:
         return ""
-    day = _parsed(text)
-    if day is None:
+    try:
+        day = read_date(text, None)
+    except AmbiguousDate as error:
         raise InputError(
-            "{text} is no date; write year, month and day, such as 1970-02-28.", text=text
-        )
+            "{text} can be {first} or {second}; write the one that is meant.",
+            **error.message.values,
+        ) from error
     latest = today if key == "born" else today + LATEST_AHEAD
     if not EARLIEST <= day <= latest:
         raise InputError(
@@ -62,14 +63,3 @@ def doubtful_days(patient: Patient, today: date) -> str:
                 )
             )
     return joined(sentences, " ") if sentences else ""
-
-
-def _parsed(text: str) -> date | None:
-    match = _WRITTEN.fullmatch(text)
-    if match is None:
-        return None
-    year, _, month, day, month_8, day_8 = match.groups()
-    try:
-        return date(int(year), int(month or month_8), int(day or day_8))
-    except ValueError:
-        return None

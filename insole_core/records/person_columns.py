@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final
 
+from insole_core.cases.written_dates import DateOrder, needs_order, order_of
 from insole_core.errors import InputError
+from insole_core.folded_text import fold
 from insole_core.records.personal_numbers import KINDS
-from insole_core.records.search_text import fold
 from insole_core.records.text_table import TextTable
-from insole_core.records.written_dates import DateOrder, needs_order, order_of
 
 
 class PersonField(StrEnum):

@@ -10,6 +10,7 @@ from typing import Final
 
 from sqlalchemy import Connection, select
 
+from insole_core.folded_text import fold
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
@@ -20,7 +21,7 @@ from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.records import Records
 from insole_core.records.rights import Right
 from insole_core.records.schema import audit_head, persons
-from insole_core.records.search_text import fold, name_key_of
+from insole_core.records.search_text import name_key_of
 
 _Line = tuple[str, str, str]
 """Key of a name, the field, and a line of it without case and accents."""

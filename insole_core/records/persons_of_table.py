@@ -6,13 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import date
 
+from insole_core.cases.written_dates import read_date
 from insole_core.errors import InputError
 from insole_core.messages import Message
 from insole_core.records.person import Person, new_pseudonym
 from insole_core.records.person_columns import ColumnMapping, PersonField
 from insole_core.records.personal_numbers import KINDS, check_personal_number
 from insole_core.records.text_table import TableRow, TextTable
-from insole_core.records.written_dates import read_date
 
 
 @dataclass(frozen=True)

@@ -8,21 +8,14 @@ from collections.abc import Iterable, Iterator
 from datetime import date
 from typing import Final
 
+from insole_core.folded_text import fold
+
 MOST_KEY: Final = 80
 MOST_WORD: Final = 40
 """Letters of a word that count: an index of any database takes as many."""
-_LETTERS = str.maketrans({"ø": "o", "ł": "l", "đ": "d", "æ": "ae", "œ": "oe", "ı": "i", "’": "'"})
-"""Letters that Unicode does not take apart into a base letter and an accent."""
 _NUMBER: Final = re.compile(r"[./+-]*\d[\d./+-]*")
 _FULL_SWEDISH: Final = 12
 """Digits of a personal number with its century."""
-
-
-def fold(text: str) -> str:
-    """Return a text without case and accents, so that "Ångström" is found by "angstrom"."""
-    apart = unicodedata.normalize("NFKD", text.casefold())
-    plain = "".join(letter for letter in apart if not unicodedata.combining(letter))
-    return plain.translate(_LETTERS)
 
 
 def sort_key_of(name: str) -> str:

@@ -99,7 +99,7 @@ def _exit_code(arguments: list[str], stop: StopRequest) -> int:
 
 
 def _run(arguments: list[str], stop: StopRequest) -> None:
-    parsed = command_parser().parse_args(arguments)
+    parsed = command_parser().parse_args(_with_command(arguments))
     check_texts(parsed)
     check_paths(parsed)
     settle_interrupted(state_folder_of_user())
@@ -115,6 +115,14 @@ def _run(arguments: list[str], stop: StopRequest) -> None:
     unlist_parts_on_demand()
     parsed.command.run(parsed, Progress(print_progress))
     sys.stdout.flush()
+
+
+def _with_command(arguments: list[str]) -> list[str]:
+    """Let a file that stands in the place of a command be opened, as a desktop hands it over."""
+    first = arguments[0] if arguments else "-"
+    is_command = first.startswith("-") or any(first == command.NAME for command in COMMANDS)
+    is_file = bool(Path(first).suffix) or os.path.lexists(first)
+    return [window.NAME, *arguments] if is_file and not is_command else arguments
 
 
 def _left_by_reader() -> int:

@@ -6,6 +6,8 @@ from PySide6.QtCore import QDate, QEvent, QPoint, Qt
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QCalendarWidget, QLineEdit, QVBoxLayout, QWidget
 
+from insole_core.cases.written_dates import read_date
+from insole_core.errors import InputError
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 
@@ -29,8 +31,7 @@ class DateField(QLineEdit):
     def open_calendar(self) -> None:
         """Open the calendar below the field, at the date in it or today."""
         popup = _CalendarPopup(self)
-        typed = QDate.fromString(self.text().strip(), ISO)
-        popup.calendar.setSelectedDate(typed if typed.isValid() else QDate.currentDate())
+        popup.calendar.setSelectedDate(self._typed_day() or QDate.currentDate())
         popup.calendar.clicked.connect(self._choose)
         popup.calendar.activated.connect(self._choose)
         popup.adjustSize()
@@ -53,6 +54,13 @@ class DateField(QLineEdit):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_button"):
             self._button.setIcon(icon("calendar"))
+
+    def _typed_day(self) -> QDate | None:
+        try:
+            day = read_date(self.text(), None)
+        except InputError:
+            return None
+        return QDate(day.year, day.month, day.day)
 
     def _choose(self, day: QDate) -> None:
         popup = self.sender().parent()

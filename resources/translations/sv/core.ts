@@ -260,6 +260,14 @@
             <translation>akillesaxeln mot skanningens lodlinje; &gt; 0 lutar medialt</translation>
         </message>
         <message>
+            <source>Achilles tendinopathy</source>
+            <translation>Hälsenebesvär</translation>
+        </message>
+        <message>
+            <source>Achilles tendon</source>
+            <translation>hälsena</translation>
+        </message>
+        <message>
             <source>Added: {correction}, {values}</source>
             <translation>Nytt: {correction}, {values}</translation>
         </message>
@@ -290,6 +298,10 @@
         <message>
             <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
+        </message>
+        <message>
+            <source>Amputated forefoot</source>
+            <translation>Amputerad framfot</translation>
         </message>
         <message>
             <source>An account is named by up to 60 letters, digits and the signs . _ - @, and begins with a letter or digit; choose such a name.</source>
@@ -548,6 +560,10 @@
             <translation>Kontroller före export</translation>
         </message>
         <message>
+            <source>Chopart</source>
+            <translation>Chopart</translation>
+        </message>
+        <message>
             <source>Clinic</source>
             <translation>Klinik</translation>
         </message>
@@ -574,6 +590,10 @@
         <message>
             <source>Colouring the surface</source>
             <translation>Färglägger ytan</translation>
+        </message>
+        <message>
+            <source>Common use of the element, which cites no study</source>
+            <translation>Elementets vanliga användning, utan studie som källa</translation>
         </message>
         <message>
             <source>Compared: {lines} lines of the audit log with each other and with the last one noted beside the files; {rows} rows (persons, visits, captures, prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with what the log says of their last change; whether accounts are on; {signatures} signatures; {files} files with their SHA-256. Not compared: who works where just now, failed sign-ins, and what is drawn from other rows, such as the words of the search.</source>
@@ -630,6 +650,10 @@
         <message>
             <source>Cuboid raise</source>
             <translation>Kuboidstöd</translation>
+        </message>
+        <message>
+            <source>Cuboid syndrome</source>
+            <translation>Kuboidsyndrom</translation>
         </message>
         <message>
             <source>Cup 10 to 14, rim 4 to 8, fill 0, flat underside, at least 3 under the heel: the usual values of clinics that mill EVA; flange and forefoot: Insole Studio's own choice</source>
@@ -940,6 +964,10 @@
             <translation>Plattfot hos barn</translation>
         </message>
         <message>
+            <source>Flatfoot of an adult</source>
+            <translation>Plattfot hos vuxen</translation>
+        </message>
+        <message>
             <source>Folders</source>
             <translation>Mappar</translation>
         </message>
@@ -974,6 +1002,14 @@
         <message>
             <source>Forefoot post</source>
             <translation>Framfotskil</translation>
+        </message>
+        <message>
+            <source>Forefoot supinatus</source>
+            <translation>Framfotssupinatus</translation>
+        </message>
+        <message>
+            <source>Forefoot that hurts when it rolls off</source>
+            <translation>Smärta vid frånskjut</translation>
         </message>
         <message>
             <source>Forefoot transition</source>
@@ -1084,6 +1120,10 @@
             <translation>Hälskivning</translation>
         </message>
         <message>
+            <source>Heel spur</source>
+            <translation>Hälsporre</translation>
+        </message>
+        <message>
             <source>Heel transition</source>
             <translation>Övergång, häl</translation>
         </message>
@@ -1186,6 +1226,10 @@
         <message>
             <source>Joining the views</source>
             <translation>Fogar ihop vyerna</translation>
+        </message>
+        <message>
+            <source>Jones fracture</source>
+            <translation>Jonesfraktur</translation>
         </message>
         <message>
             <source>Journal of Foot and Ankle Research 7:18; Yonsei Med J 2022;63(9):864</source>
@@ -1304,6 +1348,10 @@
             <translation>Rad {number} i loggen är inte den sista som skrevs; jämför med en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>Lisfranc</source>
+            <translation>Lisfranc</translation>
+        </message>
+        <message>
             <source>Looking at both surfaces</source>
             <translation>Betraktar båda ytorna</translation>
         </message>
@@ -1402,6 +1450,26 @@
         <message>
             <source>Middle layer</source>
             <translation>Mellanlager</translation>
+        </message>
+        <message>
+            <source>Missing 1st toe</source>
+            <translation>1:a tån saknas</translation>
+        </message>
+        <message>
+            <source>Missing 2nd toe</source>
+            <translation>2:a tån saknas</translation>
+        </message>
+        <message>
+            <source>Missing 3rd toe</source>
+            <translation>3:e tån saknas</translation>
+        </message>
+        <message>
+            <source>Missing 4th toe</source>
+            <translation>4:e tån saknas</translation>
+        </message>
+        <message>
+            <source>Missing 5th toe</source>
+            <translation>5:e tån saknas</translation>
         </message>
         <message>
             <source>Morton's extension</source>
@@ -1632,6 +1700,26 @@
             <translation>Över</translation>
         </message>
         <message>
+            <source>Overload of the 1st metatarsal head</source>
+            <translation>Överbelastat 1:a metatarsalhuvud</translation>
+        </message>
+        <message>
+            <source>Overload of the 2nd metatarsal head</source>
+            <translation>Överbelastat 2:a metatarsalhuvud</translation>
+        </message>
+        <message>
+            <source>Overload of the 3rd metatarsal head</source>
+            <translation>Överbelastat 3:e metatarsalhuvud</translation>
+        </message>
+        <message>
+            <source>Overload of the 4th metatarsal head</source>
+            <translation>Överbelastat 4:e metatarsalhuvud</translation>
+        </message>
+        <message>
+            <source>Overload of the 5th metatarsal head</source>
+            <translation>Överbelastat 5:e metatarsalhuvud</translation>
+        </message>
+        <message>
             <source>PA12, printed</source>
             <translation>PA12, utskriven</translation>
         </message>
@@ -1642,6 +1730,10 @@
         <message>
             <source>Pad of 2 to 4.</source>
             <translation>Pelott på 2 till 4.</translation>
+        </message>
+        <message>
+            <source>Pain at the base of the 5th metatarsal</source>
+            <translation>Smärta vid 5:e metatarsalens bas</translation>
         </message>
         <message>
             <source>Paris points of 6.67 mm, with 15 mm before the toes</source>
@@ -1696,8 +1788,16 @@
             <translation>Placerar vyn {view}</translation>
         </message>
         <message>
+            <source>Plantar fasciitis</source>
+            <translation>Plantar fasciit</translation>
+        </message>
+        <message>
             <source>Plantar fasciitis with forefoot valgus</source>
             <translation>Plantar fasciit med framfotsvalgus</translation>
+        </message>
+        <message>
+            <source>Plantarflexed first ray</source>
+            <translation>Plantarflekterad första stråle</translation>
         </message>
         <message>
             <source>Podiatry Today; ProLab, hallux limitus</source>
@@ -1730,6 +1830,26 @@
         <message>
             <source>Prescription of a custom-made insole</source>
             <translation>Ordination av ett specialanpassat inlägg</translation>
+        </message>
+        <message>
+            <source>Pressure under the 1st toe</source>
+            <translation>Tryck under 1:a tån</translation>
+        </message>
+        <message>
+            <source>Pressure under the 2nd toe</source>
+            <translation>Tryck under 2:a tån</translation>
+        </message>
+        <message>
+            <source>Pressure under the 3rd toe</source>
+            <translation>Tryck under 3:e tån</translation>
+        </message>
+        <message>
+            <source>Pressure under the 4th toe</source>
+            <translation>Tryck under 4:e tån</translation>
+        </message>
+        <message>
+            <source>Pressure under the 5th toe</source>
+            <translation>Tryck under 5:e tån</translation>
         </message>
         <message>
             <source>ProLab, pediatric</source>
@@ -2092,6 +2212,14 @@
             <translation>Något rörde sig medan vyn {view} togs; håll foten stilla och ta vyn igen.</translation>
         </message>
         <message>
+            <source>Sore spot under the heel</source>
+            <translation>Öm punkt under hälen</translation>
+        </message>
+        <message>
+            <source>Splayfoot</source>
+            <translation>Spridd framfot</translation>
+        </message>
+        <message>
             <source>Sport, full length</source>
             <translation>Sport, hel längd</translation>
         </message>
@@ -2118,6 +2246,10 @@
         <message>
             <source>TPU, printed</source>
             <translation>TPU, utskriven</translation>
+        </message>
+        <message>
+            <source>Tailor's bunion</source>
+            <translation>Skräddarknuta</translation>
         </message>
         <message>
             <source>Take {count} more pictures, the board tilted by 20 to 40° to another side each time.</source>
@@ -3548,6 +3680,10 @@
             <translation>Lutar sensorn för vy {view}</translation>
         </message>
         <message>
+            <source>Tired arch</source>
+            <translation>Trött fotvalv</translation>
+        </message>
+        <message>
             <source>To capture, plug in the USB cable of each sensor and its 12 V supply.</source>
             <translation>För att avbilda: anslut varje sensors USB-kabel och dess 12 V-matning.</translation>
         </message>
@@ -3676,6 +3812,10 @@
             <translation>Enheter</translation>
         </message>
         <message>
+            <source>Unsteady heel</source>
+            <translation>Ostadig häl</translation>
+        </message>
+        <message>
             <source>Unusual in the design</source>
             <translation>Ovanligt i utformningen</translation>
         </message>
@@ -3778,6 +3918,10 @@
         <message>
             <source>Windows cannot load a library of {name}; run the installer of Insole Studio again, and install the updates of Windows.</source>
             <translation>Windows kan inte läsa in ett bibliotek till {name}; kör Insole Studios installationsprogram igen och installera uppdateringarna av Windows.</translation>
+        </message>
+        <message>
+            <source>Worn heel pad</source>
+            <translation>Tunn hälkudde</translation>
         </message>
         <message>
             <source>Writing the file</source>
@@ -3996,6 +4140,10 @@
             <translation>finns redan</translation>
         </message>
         <message>
+            <source>amputation</source>
+            <translation>amputation</translation>
+        </message>
+        <message>
             <source>and height are {width}×{height}, but must be {allowed}</source>
             <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
         </message>
@@ -4038,6 +4186,10 @@
         <message>
             <source>arch index</source>
             <translation>valvindex</translation>
+        </message>
+        <message>
+            <source>arch pain</source>
+            <translation>smärta i fotvalvet</translation>
         </message>
         <message>
             <source>arch raise</source>
@@ -4160,12 +4312,40 @@
             <translation>undersida</translation>
         </message>
         <message>
+            <source>bruised heel</source>
+            <translation>hälkontusion</translation>
+        </message>
+        <message>
+            <source>bunionette</source>
+            <translation>bunionett</translation>
+        </message>
+        <message>
             <source>bytes in it are cut off</source>
             <translation>byte i den är avklippta</translation>
         </message>
         <message>
+            <source>calcaneal spur</source>
+            <translation>kalkaneussporre</translation>
+        </message>
+        <message>
+            <source>calcaneal valgus</source>
+            <translation>hälvalgus</translation>
+        </message>
+        <message>
+            <source>calcar</source>
+            <translation>hälbenssporre</translation>
+        </message>
+        <message>
+            <source>calf</source>
+            <translation>vad</translation>
+        </message>
+        <message>
             <source>calibrated on</source>
             <translation>kalibrerade</translation>
+        </message>
+        <message>
+            <source>callus</source>
+            <translation>förhårdnad</translation>
         </message>
         <message>
             <source>camera</source>
@@ -4256,6 +4436,10 @@
             <translation>filer</translation>
         </message>
         <message>
+            <source>corn</source>
+            <translation>liktorn</translation>
+        </message>
+        <message>
             <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
             <translation>corrections innehåller {count} stycken, och får innehålla {most}; ta bort några.</translation>
         </message>
@@ -4270,6 +4454,10 @@
         <message>
             <source>crest</source>
             <translation>kam</translation>
+        </message>
+        <message>
+            <source>cuboid</source>
+            <translation>kuboid</translation>
         </message>
         <message>
             <source>cuboid raise</source>
@@ -4432,6 +4620,10 @@
             <translation>ägg</translation>
         </message>
         <message>
+            <source>equinus</source>
+            <translation>spetsfot</translation>
+        </message>
+        <message>
             <source>erase patients</source>
             <translation>radera patienter</translation>
         </message>
@@ -4456,12 +4648,28 @@
             <translation>extern</translation>
         </message>
         <message>
+            <source>fallen arch</source>
+            <translation>nedsjunket fotvalv</translation>
+        </message>
+        <message>
             <source>family name</source>
             <translation>efternamn</translation>
         </message>
         <message>
             <source>fascia</source>
             <translation>fascia</translation>
+        </message>
+        <message>
+            <source>fat pad</source>
+            <translation>fettkudde</translation>
+        </message>
+        <message>
+            <source>fifth ray</source>
+            <translation>femte strålen</translation>
+        </message>
+        <message>
+            <source>fifth-ray cut-out</source>
+            <translation>urtag för femte strålen</translation>
         </message>
         <message>
             <source>file name</source>
@@ -4506,6 +4714,14 @@
         <message>
             <source>first ray</source>
             <translation>första strålen</translation>
+        </message>
+        <message>
+            <source>first step pain</source>
+            <translation>smärta vid första stegen</translation>
+        </message>
+        <message>
+            <source>first-ray cut-out</source>
+            <translation>urtag för första strålen</translation>
         </message>
         <message>
             <source>flat</source>
@@ -4572,6 +4788,14 @@
             <translation>framfotsvridning</translation>
         </message>
         <message>
+            <source>forefoot valgus</source>
+            <translation>framfotsvalgus</translation>
+        </message>
+        <message>
+            <source>forefoot varus</source>
+            <translation>framfotsvarus</translation>
+        </message>
+        <message>
             <source>format must be "{format}"; this is no design of an insole.</source>
             <translation>format måste vara ”{format}”; detta är ingen design av ett inlägg.</translation>
         </message>
@@ -4630,6 +4854,10 @@
         <message>
             <source>greatest width of the heel at 10 to 22 % of the length</source>
             <translation>hälens största bredd vid 10 till 22 % av längden</translation>
+        </message>
+        <message>
+            <source>hammer toe</source>
+            <translation>hammartå</translation>
         </message>
         <message>
             <source>has a lateral border on the medial side; change the two</source>
@@ -4710,6 +4938,10 @@
         <message>
             <source>heel skive</source>
             <translation>hälskivning</translation>
+        </message>
+        <message>
+            <source>heel ulcer</source>
+            <translation>hälsår</translation>
         </message>
         <message>
             <source>heel width</source>
@@ -5168,6 +5400,10 @@
             <translation>lateral</translation>
         </message>
         <message>
+            <source>lateral midfoot pain</source>
+            <translation>smärta på mellanfotens utsida</translation>
+        </message>
+        <message>
             <source>lateral rim</source>
             <translation>lateral kant</translation>
         </message>
@@ -5240,6 +5476,10 @@
             <translation>låg</translation>
         </message>
         <message>
+            <source>low arch</source>
+            <translation>lågt fotvalv</translation>
+        </message>
+        <message>
             <source>lower</source>
             <translation>sänk</translation>
         </message>
@@ -5302,6 +5542,10 @@
         <message>
             <source>metatarsal bar</source>
             <translation>tvärbalk</translation>
+        </message>
+        <message>
+            <source>metatarsal head</source>
+            <translation>metatarsalhuvud</translation>
         </message>
         <message>
             <source>metatarsale tibiale to metatarsale fibulare, seen from below</source>
@@ -5704,6 +5948,10 @@
             <translation>Resultatet</translation>
         </message>
         <message>
+            <source>outer edge of the foot</source>
+            <translation>fotens utsida</translation>
+        </message>
+        <message>
             <source>outline</source>
             <translation>kontur</translation>
         </message>
@@ -5744,6 +5992,10 @@
             <translation>pelott</translation>
         </message>
         <message>
+            <source>peroneal tendon</source>
+            <translation>peroneussena</translation>
+        </message>
+        <message>
             <source>person</source>
             <translation>person</translation>
         </message>
@@ -5756,8 +6008,16 @@
             <translation>pes cavus</translation>
         </message>
         <message>
+            <source>pes planovalgus</source>
+            <translation>pes planovalgus</translation>
+        </message>
+        <message>
             <source>pes planus</source>
             <translation>pes planus</translation>
+        </message>
+        <message>
+            <source>pes transversus</source>
+            <translation>pes transversus</translation>
         </message>
         <message>
             <source>pictures</source>
@@ -5786,6 +6046,14 @@
         <message>
             <source>plane</source>
             <translation>plan yta</translation>
+        </message>
+        <message>
+            <source>plantar fasciosis</source>
+            <translation>plantar fascios</translation>
+        </message>
+        <message>
+            <source>plantar heel pain</source>
+            <translation>smärta under hälen</translation>
         </message>
         <message>
             <source>plate</source>
@@ -5824,6 +6092,14 @@
             <translation>ordination</translation>
         </message>
         <message>
+            <source>pressure sore</source>
+            <translation>trycksår</translation>
+        </message>
+        <message>
+            <source>pronation</source>
+            <translation>pronation</translation>
+        </message>
+        <message>
             <source>pseudonym</source>
             <translation>Pseudonymen</translation>
         </message>
@@ -5842,6 +6118,10 @@
         <message>
             <source>push</source>
             <translation>tryck upp</translation>
+        </message>
+        <message>
+            <source>push-off</source>
+            <translation>frånskjut</translation>
         </message>
         <message>
             <source>px apart in the colour image</source>
@@ -6008,6 +6288,10 @@
             <translation>löpning</translation>
         </message>
         <message>
+            <source>scar</source>
+            <translation>ärr</translation>
+        </message>
+        <message>
             <source>sealed</source>
             <translation>förseglad</translation>
         </message>
@@ -6166,6 +6450,10 @@
         <message>
             <source>stereo</source>
             <translation>färg mot djup</translation>
+        </message>
+        <message>
+            <source>stiff toe joint</source>
+            <translation>stel tåled</translation>
         </message>
         <message>
             <source>strength</source>
@@ -6484,6 +6772,10 @@
             <translation>åt höger</translation>
         </message>
         <message>
+            <source>toe filler</source>
+            <translation>tåutfyllnad</translation>
+        </message>
+        <message>
             <source>toe zone</source>
             <translation>tåzon</translation>
         </message>
@@ -6498,6 +6790,14 @@
         <message>
             <source>total contact</source>
             <translation>helkontakt</translation>
+        </message>
+        <message>
+            <source>transmetatarsal</source>
+            <translation>transmetatarsal</translation>
+        </message>
+        <message>
+            <source>transverse arch</source>
+            <translation>främre fotvalv</translation>
         </message>
         <message>
             <source>turn</source>
@@ -6590,6 +6890,10 @@
         <message>
             <source>visit</source>
             <translation>besök</translation>
+        </message>
+        <message>
+            <source>wart</source>
+            <translation>vårta</translation>
         </message>
         <message>
             <source>watertight</source>
@@ -8058,6 +8362,10 @@
         <message>
             <source>{text} can be {first} or {second}; say whether day or month comes first.</source>
             <translation>{text} kan vara {first} eller {second}; ange om dag eller månad kommer först.</translation>
+        </message>
+        <message>
+            <source>{text} can be {first} or {second}; write the one that is meant.</source>
+            <translation>{text} kan vara {first} eller {second}; skriv den som avses.</translation>
         </message>
         <message>
             <source>{text} holds a day in the future; check its year.</source>

@@ -24,6 +24,11 @@ TODAY = date(2026, 11, 22)
         ("1970 2 28", "1970-02-28"),
         ("19700228", "1970-02-28"),
         ("2024-02-29", "2024-02-29"),
+        ("24.12.1970", "1970-12-24"),
+        ("3.4.1970", "1970-04-03"),
+        ("24/12/1970", "1970-12-24"),
+        ("24-12-1970", "1970-12-24"),
+        ("24 december 1970", "1970-12-24"),
         ("", ""),
     ],
 )
@@ -32,11 +37,16 @@ def test_days_are_stored_as_iso_8601(typed: str, day: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "typed", ["1970-02-30", "1970-13-01", "2023-02-29", "28.2.1970", "1970", "soon", "1970-2/28"]
+    "typed", ["1970-02-30", "1970-13-01", "2023-02-29", "30.2.1970", "1970", "soon", "1970-2/28"]
 )
 def test_what_is_no_day_is_refused_with_an_example(typed: str) -> None:
     with pytest.raises(InputError, match=r"is no date; write .* such as 1970-02-28"):
         read_day("born", typed, TODAY)
+
+
+def test_a_day_of_two_readings_is_asked_for():
+    with pytest.raises(InputError, match="can be 1970-03-04 or 1970-04-03; write the one"):
+        read_day("born", "03/04/1970", TODAY)
 
 
 @pytest.mark.parametrize(

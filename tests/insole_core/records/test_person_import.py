@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from insole_core.cases.written_dates import DateOrder
 from insole_core.errors import InputError
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.author import Author
@@ -28,7 +29,6 @@ from insole_core.records.person_import import (
 )
 from insole_core.records.persons_of_table import read_persons
 from insole_core.records.text_table import read_table
-from insole_core.records.written_dates import DateOrder
 
 _TODAY = date(2026, 11, 22)
 _F = PersonField

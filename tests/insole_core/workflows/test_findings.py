@@ -16,6 +16,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import (
+    CORRECTION_TYPES,
     ArchRaise,
     BrushStroke,
     HeelCup,
@@ -78,6 +79,16 @@ def test_every_finding_applies_once_to_both_feet(finding: Finding, left_foot, ri
         if isinstance(a, Pelott) and isinstance(b, Pelott):
             x, y = a.centre_mm
             assert b.centre_mm == pytest.approx((-x, y), abs=0.05)
+
+
+def test_every_element_has_a_finding_that_it_treats():
+    proposed_pads = {pad.kind for finding in FINDINGS for pad in finding.pads}
+    assert {pad.kind for pad in load_pads()} - proposed_pads == set()
+    proposed_types = {c.type for finding in FINDINGS for c in finding.corrections}
+    # A pad has its kind, a cup is the depth of the rim, and a stroke is drawn by hand.
+    others = {"pelott", "heel_cup", "brush"}
+    assert CORRECTION_TYPES.keys() - others - proposed_types == set()
+    assert any(finding.cup_mm for finding in FINDINGS)
 
 
 def test_tibialis_posterior_sets_cup_flange_and_fill(left_foot):

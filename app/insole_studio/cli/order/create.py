@@ -15,6 +15,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import whole
+from insole_studio.cli.day_argument import day
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.language import add_language, wording_of
 
@@ -52,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     terms.add_argument("--colour", default="", metavar="TEXT")
     terms.add_argument("--cover", default="", metavar="TEXT", help="what is glued on top")
     terms.add_argument("--remarks", default="", metavar="TEXT")
-    terms.add_argument("--deliver-on", type=_day, metavar="2026-11-20")
+    terms.add_argument("--deliver-on", type=day, metavar="2026-11-20")
     terms.add_argument("--number", metavar="TEXT", help="of the order (default: a new one)")
     terms.add_argument(
         "--add", action="append", default=[], type=_added, metavar="SIDE=FILE",
@@ -156,15 +157,6 @@ def _choice(arguments: argparse.Namespace, terms: OrderTerms, pseudonym: str) ->
         material=arguments.material.strip(),
         terms=terms,
     )
-
-
-def _day(text: str) -> date:
-    try:
-        return date.fromisoformat(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(
-            f'"{text}" is no day of the calendar; write it as 2026-11-20'
-        ) from None
 
 
 def _added(text: str) -> tuple[Side | None, Path]:

@@ -16,12 +16,12 @@ from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.place import add_place, opened
 
 if TYPE_CHECKING:
+    from insole_core.cases.written_dates import DateOrder
     from insole_core.records.import_report import Outcomes
     from insole_core.records.person_columns import ColumnMapping, PersonField
     from insole_core.records.persons_of_table import PersonRows
     from insole_core.records.records import Records
     from insole_core.records.text_table import TextTable
-    from insole_core.records.written_dates import DateOrder
 
 NAME = "import"
 HELP = "add the persons of a table (CSV), or the case files (.insole) of a folder"
@@ -191,7 +191,7 @@ def _mapping(table: TextTable, arguments: argparse.Namespace) -> ColumnMapping:
 
 
 def _order(arguments: argparse.Namespace) -> DateOrder | None:
-    from insole_core.records.written_dates import DateOrder
+    from insole_core.cases.written_dates import DateOrder
 
     if arguments.day_first:
         return DateOrder.DAY_FIRST

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
-from insole_studio.cli.records.day_argument import day
+from insole_studio.cli.day_argument import day
 from insole_studio.cli.records.place import add_place, opened
 from insole_studio.cli.records.rows import Row, print_rows
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QScrollArea, QWidget
 
+from insole_core.cases.written_dates import DateOrder
 from insole_core.records.person_columns import ColumnMapping, PersonField
 from insole_core.records.text_table import TextTable
-from insole_core.records.written_dates import DateOrder
 from insole_core.visible_text import visible_line, visible_value
 from insole_studio.features.records.import_dialog import ImportDialog
 from insole_studio.features.records.new_patient_dialog import number_kinds

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
 
+from insole_core.folded_text import fold
 from insole_core.foot.foot import Foot
 from insole_core.insole.forms.form_surface import check_length
 from insole_core.insole.prescription.base_form import BaseForm, Form
@@ -132,7 +133,7 @@ def finding_choices(
 
 def matching(choices: Sequence[Choice], text: str) -> list[Choice]:
     """Return the choices that hold every typed word, those whose name begins with it first."""
-    wanted = text.casefold().split()
+    wanted = fold(text).split()
     found = [c for c in choices if all(word in _searched(c) for word in wanted)]
     kinds = list(Kind)
     return sorted(found, key=lambda c: (kinds.index(c.kind), not _begins(c, wanted)))
@@ -157,8 +158,8 @@ def _on_form(form: Form, foot: Foot | None, design: InsoleDesign) -> InsoleDesig
 
 
 def _searched(choice: Choice) -> str:
-    return " ".join((choice.name, *choice.words)).casefold()
+    return fold(" ".join((choice.name, *choice.words)))
 
 
 def _begins(choice: Choice, wanted: Sequence[str]) -> bool:
-    return not wanted or choice.name.casefold().startswith(wanted[0])
+    return not wanted or fold(choice.name).startswith(wanted[0])

@@ -6,14 +6,14 @@ from datetime import date
 
 import pytest
 
-from insole_core.errors import InputError
-from insole_core.records.written_dates import (
+from insole_core.cases.written_dates import (
     AmbiguousDate,
     DateOrder,
     needs_order,
     order_of,
     read_date,
 )
+from insole_core.errors import InputError
 
 _DAY = date(1970, 2, 3)
 

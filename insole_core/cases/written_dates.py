@@ -13,7 +13,7 @@ from enum import StrEnum
 from typing import Final
 
 from insole_core.errors import InputError
-from insole_core.records.search_text import fold
+from insole_core.folded_text import fold
 
 
 class DateOrder(StrEnum):
