@@ -127,9 +127,12 @@ def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
     """
     kind, sentence = _kind_of(place, error)
     code = getattr(error.orig, "sqlite_errorname", getattr(error.orig, "sqlstate", None))
-    log.warning("%s: %s (%s)", place.name, sentence.partition("; ")[0], code or "connecting")
+    reason = _OF_SERVER.sub("", _first_line(str(error.orig)))
+    # Whoever connects sends nothing of a patient; what is said of a statement may quote its values.
+    cause = code or f"connecting: {reason}"
+    what = sentence.partition("; ")[0].replace("{place}", place.name).replace(" ({reason})", "")
+    log.warning("%s (%s)", what, cause)
     if "{reason}" in sentence:
-        reason = _OF_SERVER.sub("", _first_line(str(error.orig)))
         return kind(sentence, place=place.name, reason=reason)
     return kind(sentence, place=place.name)
 
