@@ -231,15 +231,11 @@ class ClinicRecord(QObject):
         def ask(_progress: Progress) -> Result:
             return question(records)
 
-        def told(result: Result) -> None:
-            self._note_answer()
-            done(result)
-
         def missed(error: Exception) -> None:
             self.note_failure(error)
             failed(error)
 
-        self.jobs.start(channel, ask, told, missed)
+        self.jobs.start(channel, ask, done, missed)
 
     def write(
         self,
@@ -255,7 +251,8 @@ class ClinicRecord(QObject):
 
         def told(result: Result) -> None:
             done(result)
-            self._look_for_changes()
+            if self.state is RecordState.OPEN:
+                self._look_for_changes()
 
         self.ask(f"{WRITE}-{self._writes}", change, told, failed)
 
@@ -324,6 +321,7 @@ class ClinicRecord(QObject):
         self.ask(WATCH, look, self._note_changes, lambda _error: None)
 
     def _note_changes(self, found: tuple[int, bool, bool]) -> None:
+        self._note_answer()
         self._mark, is_changed, has_accounts = found
         if is_changed:
             self._note_accounts(has_accounts)
@@ -341,6 +339,10 @@ class ClinicRecord(QObject):
             self.state_changed.emit()
 
     def _note_answer(self) -> None:
+        """Note that a record which was away is back, as only the watch finds out, now and then.
+
+        Else whoever saves at once when it is back would save without end while only reading works.
+        """
         if self.state is RecordState.AWAY:
             self.trouble = ""
             self._watch.setInterval(WATCH_MS)

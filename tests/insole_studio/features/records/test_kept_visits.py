@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
@@ -476,6 +477,33 @@ def test_a_record_that_does_not_answer_at_the_start_is_opened_as_soon_as_it_does
     qtbot.waitUntil(lambda: [shown.text for shown in notices.notices] == [said])
     station = clinic.ask_now(lambda found: found)
     assert newest_mm(station, visit) == 5.5
+
+
+def test_a_record_that_only_reads_is_not_asked_to_save_without_end(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each answer to a question would take it for back, and save at once, and fail."""
+    retry_ms, tries = 500, 4
+    monkeypatch.setattr(clinic_record, "RETRY_MS", retry_ms)
+    monkeypatch.setattr(record_keeper, "RETRY_MS", retry_ms)
+    attempts_s: list[float] = []
+    with monkeypatch.context() as away:
+
+        def fail(*_given: object) -> None:
+            attempts_s.append(time.monotonic())
+            raise Unreachable("The database does not answer.")
+
+        away.setattr(Prescriptions, "save", fail)
+        thicken(opened, 4.5)
+        qtbot.waitUntil(lambda: len(attempts_s) >= tries)
+    assert attempts_s[tries - 1] - attempts_s[0] > 0.8 * (tries - 1) * retry_ms / 1000
+    wait_until_saved(opened, qtbot)
+    qtbot.waitUntil(lambda: opened.services.clinic.is_open)
+    assert newest_mm(records, visit) == 4.5
 
 
 def test_no_visit_is_begun_while_the_open_one_cannot_be_left(
