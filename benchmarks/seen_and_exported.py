@@ -28,7 +28,8 @@ def main() -> None:
     from benchmarks._random_edits import EDITS, random_sequence
 
     _application = QApplication.instance() or QApplication([])
-    found = [random_sequence(random_foot(n // PER_FOOT), n) for n in range(SEQUENCES)]
+    feet = [random_foot(seed) for seed in range(SEQUENCES // PER_FOOT)]
+    found = [random_sequence(feet[n // PER_FOOT], n) for n in range(SEQUENCES)]
     made = [seen for seen in found if seen is not None]
     apart, share, turned = np.array([(s.apart_mm, s.share, s.turned_deg) for s in made]).T
     beyond = int(((apart > LIMITS[0]) | (turned > LIMITS[1])).sum())
