@@ -41,8 +41,9 @@ from insole_core.workflows import (
 )
 from insole_studio.features.export import export_actions
 
-KEPT = 4
-"""Results of each kind, the feet with all that is derived from them included."""
+KEPT, KEPT_FEET = 8, 4
+"""Results of each kind; and feet, with what is derived from each of them, which is some 50 MB."""
+OF_FEET = frozenset({"derived", "place_foot", "find_foot", "find_imprints"})
 
 SHARED = (
     (scanned_feet, "find_foot"),
@@ -61,14 +62,14 @@ class SharedResults:
     """The results that tests share, until one asks that all be made anew."""
 
     def __init__(self) -> None:
-        self._memo = Memo(KEPT)
+        self.forget()
 
     def forget(self) -> None:
         """Let everything be found and made anew."""
-        self._memo = Memo(KEPT)
+        self._memo, self._feet = Memo(KEPT), Memo(KEPT_FEET)
 
     def get(self, kind: str, key: Hashable, make: Callable[[], Any]) -> Any:
-        return self._memo.get(kind, key, make)
+        return (self._feet if kind in OF_FEET else self._memo).get(kind, key, make)
 
 
 def share_results(kept: SharedResults, patch: pytest.MonkeyPatch) -> None:
