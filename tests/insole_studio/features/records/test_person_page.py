@@ -530,7 +530,7 @@ def test_a_card_tells_what_was_prescribed_measured_and_ordered(
     def labels() -> list[str]:
         return [label.text() for label in page.cards[visit.id].findChildren(QLabel)]
 
-    qtbot.waitUntil(lambda: "\n".join(lines) in labels(), timeout=10_000)
+    qtbot.waitUntil(lambda: "\n".join(lines) in labels())
     assert "Running; heel lift, 6 mm" in labels()
     assert any(text.startswith("Version 2: ") for text in labels())
     assert page.cards[visit.id].row.day == moment_text(visit.created_at)  # two of a day differ
@@ -550,10 +550,10 @@ def test_the_files_of_others_are_not_offered_for_a_visit(
         ]
 
     clinic.controller.run_action("new_case", False)
-    qtbot.waitUntil(lambda: offered() == ["/scans/somebody-else.stl"], timeout=10_000)
+    qtbot.waitUntil(lambda: offered() == ["/scans/somebody-else.stl"])
     clinic.features.records.open_visit(empty.id)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None, timeout=10_000)
-    qtbot.waitUntil(lambda: offered() == [], timeout=10_000)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    qtbot.waitUntil(lambda: offered() == [])
 
 
 def test_names_are_shown_as_they_are(
