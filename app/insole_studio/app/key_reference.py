@@ -26,6 +26,21 @@ VIEW_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
     (lambda: tr("Undo the drag; nothing chosen; nothing selected; the Orbit tool"), "Esc"),
     (lambda: tr("Turn the view; with Shift, shift it"), "Alt+← → ↑ ↓"),
 )
+RIM_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
+    (lambda: tr("Choose the next or previous station"), "PgDn  PgUp"),
+    (lambda: tr("Raise or lower it by 0.5 mm; Shift 5 mm, Ctrl 0.05 mm"), "↑ ↓"),
+    (lambda: tr("Move it along the edge"), "← →"),
+    (lambda: tr("Add a station midway to the next"), "Ins"),
+    (lambda: tr("Remove it"), "Del"),
+    (lambda: tr("Undo the drag; back to the view"), "Esc"),
+)
+PAGE_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
+    (lambda: tr("Open the first of the found patients"), "Enter"),
+    (lambda: tr("From the search line into the list"), "↓"),
+    (lambda: tr("Open the row of a list"), "Enter"),
+    (lambda: tr("Empty the search line"), "Esc"),
+    (lambda: tr("Choose a date in the calendar"), "F4, Alt+Down"),
+)
 FIELD_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
     (lambda: tr("One step more or less; with Shift ten, with Ctrl a tenth"), "↑ ↓"),
     (lambda: tr("Take the number that was typed"), "Enter"),
@@ -43,7 +58,9 @@ WINDOW_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
 def key_sections() -> Iterator[tuple[str, list[Line]]]:
     """Yield the lines of the list, grouped under their headings."""
     yield tr("In the views"), [(text(), keys) for text, keys in VIEW_KEYS]
+    yield tr("In the graph of the rim"), [(text(), keys) for text, keys in RIM_KEYS]
     yield tr("In the fields"), [(text(), keys) for text, keys in FIELD_KEYS]
+    yield tr("On the pages of the record"), [(text(), keys) for text, keys in PAGE_KEYS]
     yield tr("In every window"), [(text(), keys) for text, keys in WINDOW_KEYS]
     records = {record.key: record for record in ACTIONS}
     for title, menu in MENUS:

@@ -18,6 +18,7 @@ from PySide6.QtGui import (
     QShowEvent,
 )
 from PySide6.QtWidgets import (
+    QApplication,
     QDockWidget,
     QMainWindow,
     QMenu,
@@ -46,7 +47,7 @@ from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
-from insole_studio.widgets.tab_order import go_on
+from insole_studio.widgets.tab_order import StageFrame, go_on
 
 PATIENT_PX, PATIENT_SHARE, WIDEST_PATIENT_PX = 248, 0.19, 400
 PARAMETERS_PX = 152
@@ -269,9 +270,20 @@ class MainWindow(QMainWindow):
             action.setIcon(icon(record.icon))
         shortcuts = filter(None, (record.shortcut, record.other_shortcut))
         action.setShortcuts([QKeySequence(shortcut) for shortcut in shortcuts])
+        if record.everywhere:
+            action.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+            action.triggered.connect(self._come_forward)
         signal = action.toggled if record.checkable else action.triggered
         signal.connect(self._pass_on)
         return action
+
+    def _come_forward(self) -> None:
+        """Leave the window of a stage, if it is in front and keeps nothing that would be lost."""
+        active = QApplication.activeWindow()
+        if isinstance(active, StageFrame):
+            active.step_aside()
+            self.activateWindow()
+            self.raise_()
 
     def _pass_on(self, checked: bool = False) -> None:
         self.action_triggered.emit(self.sender().objectName(), checked)

@@ -35,6 +35,8 @@ class ActionRecord(Generic[Feature]):
         Whether it makes sense only with an open foot.
     needs_both
         Whether it makes sense only with two feet in the case.
+    everywhere
+        Whether its keys hold in the windows of stages too; it brings the main window to the front.
     short
         A shorter text for the toolbar; by default `text`.
     """
@@ -50,4 +52,5 @@ class ActionRecord(Generic[Feature]):
     group: str = ""
     needs_foot: bool = False
     needs_both: bool = False
+    everywhere: bool = False
     short: Callable[[], str] | None = None

@@ -76,6 +76,9 @@ class StageFrame(QWidget):
     def go_back(self) -> None:
         """Do what Escape asks for; nothing where closing would lose what was captured or made."""
 
+    def step_aside(self) -> None:
+        """Make room for the main window; nothing where closing would lose what was captured."""
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Go back on Escape, unless a widget in the window has handled the key."""
         if event.key() == Qt.Key.Key_Escape:

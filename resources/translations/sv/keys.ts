@@ -4,12 +4,24 @@
     <context>
         <name>studio</name>
         <message>
+            <source>Add a station midway to the next</source>
+            <translation>Lägg till en station halvvägs till nästa</translation>
+        </message>
+        <message>
             <source>All that the keys do</source>
             <translation>Allt som tangenterna gör</translation>
         </message>
         <message>
+            <source>Choose a date in the calendar</source>
+            <translation>Välj ett datum i kalendern</translation>
+        </message>
+        <message>
             <source>Choose the next or previous handle or landmark; arrows drag it</source>
             <translation>Välj nästa eller föregående handtag eller landmärke; pilarna drar det</translation>
+        </message>
+        <message>
+            <source>Choose the next or previous station</source>
+            <translation>Välj nästa eller föregående station</translation>
         </message>
         <message>
             <source>Click where the cross is; end the drag; confirm the chosen landmark</source>
@@ -24,8 +36,16 @@
             <translation>Dra i en ring för att vrida foten; håll Ctrl för små steg</translation>
         </message>
         <message>
+            <source>Empty the search line</source>
+            <translation>Töm sökraden</translation>
+        </message>
+        <message>
             <source>Find this landmark anew</source>
             <translation>Sök detta landmärke på nytt</translation>
+        </message>
+        <message>
+            <source>From the search line into the list</source>
+            <translation>Från sökraden in i listan</translation>
         </message>
         <message>
             <source>Go on from a stage: to the design; export</source>
@@ -46,6 +66,10 @@
         <message>
             <source>In the fields</source>
             <translation>I fälten</translation>
+        </message>
+        <message>
+            <source>In the graph of the rim</source>
+            <translation>I kantens graf</translation>
         </message>
         <message>
             <source>In the views</source>
@@ -76,6 +100,10 @@
             <translation>Handbok</translation>
         </message>
         <message>
+            <source>Move it along the edge</source>
+            <translation>Flytta den längs kanten</translation>
+        </message>
+        <message>
             <source>Move what is selected by 0.5 mm; Shift 5 mm, Ctrl 0.05 mm</source>
             <translation>Flytta det valda 0,5 mm; Skift 5 mm, Ctrl 0,05 mm</translation>
         </message>
@@ -88,12 +116,24 @@
             <translation>Ingen skanning än. Avbilda en fot, eller öppna en inspelad session eller en ytmodell.</translation>
         </message>
         <message>
+            <source>On the pages of the record</source>
+            <translation>På journalens sidor</translation>
+        </message>
+        <message>
             <source>One step more or less; with Shift ten, with Ctrl a tenth</source>
             <translation>Ett steg mer eller mindre; med Skift tio, med Ctrl en tiondel</translation>
         </message>
         <message>
             <source>Open a menu by its underlined letter</source>
             <translation>Öppna en meny med dess understrukna bokstav</translation>
+        </message>
+        <message>
+            <source>Open the first of the found patients</source>
+            <translation>Öppna den första träffen</translation>
+        </message>
+        <message>
+            <source>Open the row of a list</source>
+            <translation>Öppna raden i en lista</translation>
         </message>
         <message>
             <source>Pad of the library</source>
@@ -108,8 +148,16 @@
             <translation>Håll nere där korset är, eller släpp: rita, pensla</translation>
         </message>
         <message>
+            <source>Raise or lower it by 0.5 mm; Shift 5 mm, Ctrl 0.05 mm</source>
+            <translation>Höj eller sänk den 0,5 mm; Shift 5 mm, Ctrl 0,05 mm</translation>
+        </message>
+        <message>
             <source>Raise or lower what is selected; with Ctrl finely. Else zoom</source>
             <translation>Höj eller sänk det valda; med Ctrl fint. Annars zooma</translation>
+        </message>
+        <message>
+            <source>Remove it</source>
+            <translation>Ta bort den</translation>
         </message>
         <message>
             <source>Remove the pad</source>
@@ -186,6 +234,10 @@
         <message>
             <source>Type the values</source>
             <translation>Skriv värdena</translation>
+        </message>
+        <message>
+            <source>Undo the drag; back to the view</source>
+            <translation>Ångra draget; tillbaka till vyn</translation>
         </message>
         <message>
             <source>Undo the drag; nothing chosen; nothing selected; the Orbit tool</source>

@@ -3,12 +3,14 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
-from PySide6.QtWidgets import QLineEdit, QTreeWidget
+import pytest
+from PySide6.QtWidgets import QApplication, QLineEdit, QTreeWidget
 
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.key_reference import key_sections
 from insole_studio.app.menus import MAPS, MENUS, PADS, RECENT, SEPARATOR, TOOLBAR
+from insole_studio.texts import load_language
 from insole_studio.widgets.key_help import KeyHelp
 
 KEYS = [record.key for record in ACTIONS]
@@ -62,15 +64,16 @@ def test_exactly_one_tool_is_checked(opened: Application) -> None:
             assert record.key == f"tool_{opened.stage.tool_controller.tool.key}"
 
 
-def test_the_manual_lists_every_key() -> None:
-    page = (Path(__file__).parents[3] / "docs/manual/keyboard.md").read_text("utf-8")
-    missing = [
-        text
-        for _, lines in key_sections()
-        for text, keys in lines
-        if f"| {text} | {keys} |" not in page
-    ]
-    assert missing == []
+@pytest.mark.parametrize("language", ["en", "sv"])
+def test_the_manual_lists_every_key_and_no_other(qapp: QApplication, language: str) -> None:
+    page = "keyboard.md" if language == "en" else f"{language}/keyboard.md"
+    text = (Path(__file__).parents[3] / "docs/manual" / page).read_text("utf-8")
+    listed = [row for row in text.partition("\n### ")[2].splitlines() if row.startswith("| ")]
+    load_language(qapp, language)
+    lines = [f"| {text} | {keys} |" for _, lines in key_sections() for text, keys in lines]
+    load_language(qapp, "en")
+    headings = ("| What | Keys |", "| Vad | Tangenter |")
+    assert [row for row in listed if row not in headings] == lines
 
 
 def test_the_help_shows_every_key_and_finds_it(app: Application) -> None:

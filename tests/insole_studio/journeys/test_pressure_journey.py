@@ -41,21 +41,25 @@ def pick(box: ComboBox, value: str) -> None:
     box.activated.emit(box.currentIndex())
 
 
-def written_plate(app: Application, path: Path) -> Path:
+def written_plate(app: Application, path: Path, kpa_per_mm: float = 70) -> Path:
     """Write the heights of the sole as pressures of 6 mm cells, toes first; seen from above."""
     assert app.case.foot is not None
     sole = SolePrint.of(app.case.foot).heights_mm[::3, ::3]
-    kpa = np.round(np.clip(7 - sole, 0, None)[::-1] * 70, 1)
+    kpa = np.round(np.clip(7 - sole, 0, None)[::-1] * kpa_per_mm, 1)
     rows = "\n".join(";".join(str(value) for value in row) for row in kpa)
     path.write_text(f"unit: kPa\npitch_mm: 6\n{rows}\n")
     return path
 
 
 def asked(
-    app: Application, questions: CannedQuestions, settle: Settle, path: Path
+    app: Application,
+    questions: CannedQuestions,
+    settle: Settle,
+    path: Path,
+    kpa_per_mm: float = 70,
 ) -> PressureDialog:
     """Open a plate of the left foot, and answer what its dialog asks."""
-    questions.path = written_plate(app, path)
+    questions.path = written_plate(app, path, kpa_per_mm)
     act(app, "lay_pressure")
     settle()
     (dialog,) = app.window.findChildren(PressureDialog)
@@ -96,6 +100,28 @@ def test_a_map_is_laid_painted_and_undone(laid: Application, settle: Settle) -> 
     assert laid.case.record.plantar.pressure is pressure
     laid.stage.parameters.proposal_chosen.emit("plantar.remove")
     assert laid.case.record.plantar.pressure is None
+
+
+def notices(app: Application) -> list[str]:
+    return [notice.key for notice in app.services.notices.notices]
+
+
+@pytest.mark.parametrize("way", ["undo", "remove", "new case"])
+def test_what_was_doubtful_about_a_map_ends_with_it(
+    opened: Application, questions: CannedQuestions, settle: Settle, tmp_path: Path, way: str
+) -> None:
+    dialog = asked(opened, questions, settle, tmp_path / "plate.csv", kpa_per_mm=1)
+    QTest.mouseClick(dialog.lay_button, LEFT)
+    settle()
+    assert opened.case.record.plantar.pressure is not None
+    assert "plantar-doubt" in notices(opened)
+    ways: dict[str, Callable[[], object]] = {
+        "undo": lambda: act(opened, "undo"),
+        "remove": lambda: opened.stage.parameters.proposal_chosen.emit("plantar.remove"),
+        "new case": lambda: opened.case.open(CaseRecord(), None),
+    }
+    ways[way]()
+    assert "plantar-doubt" not in notices(opened)
 
 
 def test_the_map_follows_the_mouse_and_the_keys(laid: Application, settle: Settle) -> None:

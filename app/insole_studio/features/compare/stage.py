@@ -80,6 +80,10 @@ class CompareStage(StageFrame):
         else:
             self.close()
 
+    def step_aside(self) -> None:
+        """Close the window."""
+        self.close()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Cancel the running job and free the renderers."""
         self.jobs.close()

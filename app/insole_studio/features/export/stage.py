@@ -106,6 +106,11 @@ class ExportStage(StageFrame):
         else:
             self.close()
 
+    def step_aside(self) -> None:
+        """Close the window, unless files are being written."""
+        if not self.is_writing:
+            self.close()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Cancel the running job and free the renderer."""
         self.presenter.close()

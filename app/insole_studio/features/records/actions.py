@@ -22,6 +22,7 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda records, _on: records.show_start(),
         icon="patients",
         shortcut="F3",
+        everywhere=True,
     ),
     ActionRecord(
         "new_patient",
@@ -69,6 +70,7 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda: tr("The orders of the clinic by state, the first due on top"),
         lambda records, _on: records.show_orders(),
         shortcut="Shift+F3",
+        everywhere=True,
     ),
     ActionRecord(
         "person_orders",

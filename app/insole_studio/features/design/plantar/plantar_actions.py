@@ -46,6 +46,8 @@ class PlantarActions:
         self._side_by_side = side_by_side
         self._edit = edit
         self._dialog: QDialog | None = None
+        self._doubted: tuple[Side, PlantarLayer] | None = None
+        self._case.changed.connect(self._forget_doubts_of_gone)
 
     def leave_case(self) -> None:
         """Stop what is read, asked or aligned, before another case comes."""
@@ -176,7 +178,23 @@ class PlantarActions:
         self._edit.take_tool("plantar")
         self._view.want(layer)
         if doubts:
+            self._doubted = changed.foot.side, layer
             text = " ".join(map(translate_core_message, doubts))
             self._services.notices.put(_DOUBT, text)
         else:
             self._services.notices.drop(_DOUBT)
+
+    def _forget_doubts_of_gone(self) -> None:
+        """Remove what was said about a map that was removed, also by undo or with its foot."""
+        if self._doubted is None:
+            return
+        side, layer = self._doubted
+        foot = self._case.record.of_side(side)
+        if foot is None or _map_of(foot, layer) is None:
+            self._doubted = None
+            self._services.notices.drop(_DOUBT)
+
+
+def _map_of(foot: FootRecord, layer: PlantarLayer) -> object:
+    plantar = foot.plantar
+    return plantar.picture if layer is PlantarLayer.PICTURE else plantar.pressure
