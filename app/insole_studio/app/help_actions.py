@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from html import escape
 from importlib.metadata import version
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from shiboken6 import isValid
 
@@ -37,6 +38,8 @@ TOUR_NOTICE = "tour"
 
 class HelpActions(QObject):
     """Manual, tour, list of keyboard shortcuts, and about box."""
+
+    panels_requested = Signal()
 
     def __init__(
         self,
@@ -111,10 +114,13 @@ class HelpActions(QObject):
         """Begin the tour on the first page; one that is under way gets the focus instead."""
         if self._tour is None:
             self._services.notices.drop(TOUR_NOTICE)
+            before = self._window.page
             self._features.records.show_start()
-            stops = tour_stops(self._features, self._window, self._services.case)
-            self._tour = Tour(stops, self._window)
-            self._tour.ended.connect(self._end_tour)
+            stops = tour_stops(
+                self._features, self._window, self._services.case, self.panels_requested.emit
+            )
+            self._tour = Tour(stops, self._window, self._features.design.stage.steps)
+            self._tour.ended.connect(partial(self._end_tour, before))
             self._tour.begin()
         self._tour.take_focus()
 
@@ -153,9 +159,17 @@ class HelpActions(QObject):
             + tr("Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence."),
         )
 
-    def _end_tour(self) -> None:
+    def _end_tour(self, before: QWidget | None) -> None:
+        """Lead back to what was shown before, if the tour has not got beyond its first page."""
         self._tour = None
         self._note_tour()
+        records = self._features.records
+        if self._window.page is not records.start:
+            return
+        if before is not None:
+            records.page_requested.emit(before)
+        elif not self._services.case.is_empty:
+            self.panels_requested.emit()
 
     def _note_tour(self) -> None:
         self._services.settings.tour_seen = True

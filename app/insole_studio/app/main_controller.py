@@ -131,6 +131,7 @@ class MainController(QObject):
         records.person_named.connect(self._show_state)
         records.compared.connect(self._features.compare.open_visits)
         self._case.opened.connect(self._show_panels)
+        self._main.help.panels_requested.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
         keeper.state_changed.connect(self._show_kept)
 

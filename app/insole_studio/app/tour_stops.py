@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtWidgets import QWidget
 
 from insole_core.cases.case_record import CaseRecord
@@ -12,18 +14,33 @@ from insole_studio.texts import tr
 from insole_studio.widgets.tour import IsDone, Stop
 
 
-def tour_stops(features: Features, window: MainWindow, case: Case) -> tuple[Stop, ...]:
-    """Return the stops in the order of the work; each ends when the user has done what it says."""
-    return _TourOfWork(features, window, case).stops()
+def tour_stops(
+    features: Features, window: MainWindow, case: Case, show_panels: Callable[[], object]
+) -> tuple[Stop, ...]:
+    """Return the stops in the order of the work; each ends when the user has done what it says.
+
+    Parameters
+    ----------
+    show_panels
+        Leads from a page of the record back to the open case.
+    """
+    return _TourOfWork(features, window, case, show_panels).stops()
 
 
 class _TourOfWork:
     """Knows where in the window each stop is, and what tells that it is done."""
 
-    def __init__(self, features: Features, window: MainWindow, case: Case) -> None:
+    def __init__(
+        self,
+        features: Features,
+        window: MainWindow,
+        case: Case,
+        show_panels: Callable[[], object],
+    ) -> None:
         self._features = features
         self._window = window
         self._case = case
+        self._show_panels = show_panels
         self._stage = features.design.stage
 
     def stops(self) -> tuple[Stop, ...]:
@@ -40,6 +57,7 @@ class _TourOfWork:
                 ),
                 self._example_button,
                 lambda: self._has_foot,
+                self._show_foot,
             ),
             Stop(
                 tr("The foot"),
@@ -93,6 +111,20 @@ class _TourOfWork:
                 lambda: self._window.tool_button("tool_section"),
                 lambda: lambda: self._stage.tool_controller.tool.key == "section",
             ),
+            Stop(
+                tr("The cut"),
+                tr("Click on the sole where the insole shall be cut, or drag the line to there."),
+                lambda: self._stage.foot,
+                self._until_cut,
+            ),
+            Stop(
+                tr("The profile"),
+                tr(
+                    "That is the insole in the cut, the foot on it, and how thick it is where you "
+                    "point. The × of the panel closes it."
+                ),
+                lambda: self._stage.section,
+            ),
         )
 
     def _stops_of_export(self) -> tuple[Stop, ...]:
@@ -133,6 +165,17 @@ class _TourOfWork:
 
     def _has_foot(self) -> bool:
         return self._window.page is None and self._case.foot is not None
+
+    def _show_foot(self) -> None:
+        """Go on with the foot of the open case, or with that of the example."""
+        if self._case.foot is None:
+            self._features.case_files.opener.open_example()
+        else:
+            self._show_panels()
+
+    def _until_cut(self) -> IsDone:
+        before = self._stage.cut.plane
+        return lambda: self._stage.cut.plane not in (before, None)
 
     def _until_changed(self) -> IsDone:
         before = self._case.record

@@ -32,12 +32,15 @@ class Stop:
     watch
         Called as the stop begins; gives what tells whether the user has done it. Without it, the
         user reads on.
+    skip
+        Does what the stops that follow need, if the user leaves this one out.
     """
 
     title: str
     text: str
     target: Callable[[], QWidget | None]
     watch: Callable[[], IsDone] | None = None
+    skip: Callable[[], object] | None = None
 
 
 class Tour(QFrame):
@@ -45,11 +48,16 @@ class Tour(QFrame):
 
     It is a window of its own: a native 3-D view would cover any widget of the same window. It never
     takes the focus by itself, and blocks nothing.
+
+    Parameters
+    ----------
+    otherwise
+        What to point at where the widget of a stop is not shown: the way there.
     """
 
     ended = Signal()
 
-    def __init__(self, stops: Sequence[Stop], window: QWidget) -> None:
+    def __init__(self, stops: Sequence[Stop], window: QWidget, otherwise: QWidget) -> None:
         super().__init__(window, Qt.WindowType.Tool | Qt.WindowType.FramelessWindowHint)
         self.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         self.setObjectName("tour")
@@ -58,6 +66,7 @@ class Tour(QFrame):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._stops = stops
         self._window = window
+        self._otherwise = otherwise
         self._number = 0
         self._is_done: IsDone | None = None
         self._title, self._text, self._count = QLabel(), QLabel(), QLabel()
@@ -65,7 +74,7 @@ class Tour(QFrame):
         self._count.setObjectName("quiet")
         self._text.setWordWrap(True)
         self._next = QPushButton()
-        self._next.clicked.connect(self.go_on)
+        self._next.clicked.connect(self._leave_stop)
         leave = QPushButton(tr("End the tour"))
         leave.clicked.connect(self.end)
         buttons = QHBoxLayout()
@@ -99,6 +108,11 @@ class Tour(QFrame):
         self.raise_()
         self.activateWindow()
         self._next.setFocus()
+
+    def _leave_stop(self) -> None:
+        if self.shown.skip is not None:
+            self.shown.skip()
+        self.go_on()
 
     def go_on(self) -> None:
         """Show the next stop, or end after the last."""
@@ -142,17 +156,10 @@ class Tour(QFrame):
         self._point()
 
     def _point(self) -> None:
-        """Stand at the widget with an arrow to it; in a corner of the window without one."""
+        """Stand at the widget with an arrow to it, or at the way there."""
         widget = self.shown.target()
-        if widget is None or not widget.isVisible():
-            self._stand_in_corner()
-        else:
-            self._stand_at(widget)
-
-    def _stand_in_corner(self) -> None:
-        self._show_arrows(up=False, down=False)
-        corner = self._window.mapToGlobal(self._window.rect().bottomRight())
-        self._go_to(corner.x() - WIDTH_PX - GAP_PX, corner.y() - self.height() - 3 * GAP_PX)
+        is_shown = widget is not None and widget.isVisible()
+        self._stand_at(widget if widget is not None and is_shown else self._otherwise)
 
     def _stand_at(self, widget: QWidget) -> None:
         """Stand below the widget or above it, within its window."""

@@ -348,6 +348,10 @@
             <translation>Klicka på fotsulan där den ska sitta. Exemplet har redan en: dra den till ett annat ställe.</translation>
         </message>
         <message>
+            <source>Click on the sole where the insole shall be cut, or drag the line to there.</source>
+            <translation>Klicka på sulan där inlägget ska skäras, eller dra linjen dit.</translation>
+        </message>
+        <message>
             <source>Close</source>
             <translation>Stäng</translation>
         </message>
@@ -1904,6 +1908,10 @@
             <translation>Mall för ordination</translation>
         </message>
         <message>
+            <source>That is the insole in the cut, the foot on it, and how thick it is where you point. The × of the panel closes it.</source>
+            <translation>Så ser inlägget ut i snittet, med foten på, och hur tjockt det är där du pekar. Panelens × stänger den.</translation>
+        </message>
+        <message>
             <source>That outline crosses itself; draw it again in one round</source>
             <translation>Den konturen korsar sig själv; rita den igen i ett varv</translation>
         </message>
@@ -1922,6 +1930,10 @@
         <message>
             <source>The checks stand on the right, each with its number; a click shows the place. Click on “Export…” and say where to write the file.</source>
             <translation>Kontrollerna står till höger, var och en med sitt tal; ett klick visar stället. Klicka på ”Exportera…” och säg var filen ska skrivas.</translation>
+        </message>
+        <message>
+            <source>The cut</source>
+            <translation>Skärningen</translation>
         </message>
         <message>
             <source>The design</source>
@@ -1986,6 +1998,10 @@
         <message>
             <source>The processor draws from the next start on.</source>
             <translation>Processorn ritar från nästa start.</translation>
+        </message>
+        <message>
+            <source>The profile</source>
+            <translation>Profilen</translation>
         </message>
         <message>
             <source>The program could not start itself; start it again.</source>

@@ -77,6 +77,13 @@ def test_it_leads_from_the_first_page_to_a_written_file(
     QTest.keyClick(view.surface, Qt.Key.Key_Up)
     reached("The section")
     click(target(tour))
+    reached("The cut")
+    act = pixel(view, 0.0, 120.0)
+    drag(view, act, act + QPoint(0, 4), act + QPoint(0, 8))
+    reached("The profile")
+    assert target(tour) is app.stage.section  # and it waits until that has been read
+    (on,) = [b for b in tour.findChildren(QPushButton) if b.text() == "Next"]
+    click(on)
     reached("Check & export")
     click(target(tour))
     reached("The file")
@@ -99,10 +106,54 @@ def test_it_is_left_at_any_time_and_blocks_nothing(app: Application, tour: Tour)
     assert app.window.isEnabled()
     app.window.actions_by_key["tour"].trigger()
     assert app.window.findChildren(Tour) == [tour]  # the same one, with the focus
-    (skip,) = [b for b in tour.findChildren(QPushButton) if b.text() == "Skip"]
-    QTest.keyClick(skip, Qt.Key.Key_Space)
-    assert title(tour) == "The foot"
-    assert app.window.geometry().contains(tour.geometry())  # in the corner: no foot, no button
     QTest.keyClick(tour, Qt.Key.Key_Escape)
     assert not tour.isVisible()
     assert app.settings.tour_seen
+
+
+def skip(tour: Tour) -> None:
+    (button,) = [b for b in tour.findChildren(QPushButton) if b.text() in ("Skip", "Next")]
+    QTest.keyClick(button, Qt.Key.Key_Space)
+
+
+@pytest.fixture
+def tour_of_own(opened: Application) -> Tour:
+    """The tour, begun while a case of one's own is open."""
+    opened.window.resize(1366, 768)
+    opened.window.actions_by_key["tour"].trigger()
+    (begun,) = opened.window.findChildren(Tour)
+    return begun
+
+
+def test_with_a_case_of_ones_own_it_points_at_what_is_there(
+    opened: Application, tour_of_own: Tour, settle: Callable[[], None], qtbot: QtBot
+) -> None:
+    record = opened.case.record
+    skip(tour_of_own)
+    settle()
+    assert opened.window.page is None
+    assert opened.case.record is record
+    while title(tour_of_own) != "The profile":
+        target(tour_of_own)
+        skip(tour_of_own)
+    opened.window.actions_by_key["patients"].trigger()
+    skip(tour_of_own)
+    qtbot.waitUntil(opened.stage.steps.isVisible)
+    middle = opened.stage.steps.mapToGlobal(opened.stage.steps.rect().center())
+    assert abs(tour_of_own.geometry().center().x() - middle.x()) < opened.window.width() / 2
+
+
+def test_escape_leads_back_to_the_case(opened: Application, tour_of_own: Tour) -> None:
+    assert opened.window.page is opened.features.records.start
+    QTest.keyClick(tour_of_own, Qt.Key.Key_Escape)
+    assert opened.window.page is None
+
+
+def test_skipping_the_first_stop_opens_the_example(
+    app: Application, tour: Tour, settle: Callable[[], None]
+) -> None:
+    skip(tour)
+    settle()
+    assert title(tour) == "The foot"
+    assert app.case.foot is not None
+    target(tour)

@@ -88,7 +88,7 @@ class DesignStage(QObject):
         self.rim_model = rim
         self.plantar = plantar
         self.materials = MaterialModel()
-        self._cut = section
+        self.cut = section
         self._was_asked = False, False
         """Whether the section followed the pointer, and whether its tool was taken."""
         self._shown_beside = Beside.NOTHING
@@ -269,7 +269,7 @@ class DesignStage(QObject):
         """Take away what is shown of the case, and what was chosen for looking at it."""
         self._tool_controller.reset()
         self.section_follower.stop()
-        self._cut.show(None)
+        self.cut.show(None)
         self._forget_highlight()
         for view, presenter in self._presenters.values():
             view.scene.keys.forget()
@@ -374,8 +374,8 @@ class DesignStage(QObject):
             view.show_scale()
 
     def _ask_for_section(self) -> None:
-        is_asked = self._cut.follows, self._tool_controller.tool.key == "section"
-        self.section_wanted.emit(self._cut.plane is not None or any(is_asked))
+        is_asked = self.cut.follows, self._tool_controller.tool.key == "section"
+        self.section_wanted.emit(self.cut.plane is not None or any(is_asked))
         if any(now and not before for now, before in zip(is_asked, self._was_asked, strict=True)):
             self.section_chosen.emit()
         self._was_asked = is_asked
