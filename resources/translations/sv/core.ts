@@ -8225,7 +8225,7 @@
         </message>
         <message>
             <source>{place} has tables of which no Insole Studio knows ({found}); name another record, or restore this one from a backup.</source>
-            <translation>{place} har tabeller som inget Insole Studio känner till ({found}); ange ett annat register, eller återställ detta från en säkerhetskopia.</translation>
+            <translation>{place} har tabeller som inget Insole Studio känner till ({found}); ange en annan journal, eller återställ denna från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{place} holds a record that cannot be read.</source>
@@ -8245,7 +8245,7 @@
         </message>
         <message>
             <source>{place} holds something that cannot be read ({reason}), so another program has changed it; verify the record, and restore it from a backup.</source>
-            <translation>{place} innehåller något som inte kan läsas ({reason}), så ett annat program har ändrat den; kontrollera registret och återställ det från en säkerhetskopia.</translation>
+            <translation>{place} innehåller något som inte kan läsas ({reason}), så ett annat program har ändrat den; kontrollera journalen och återställ den från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{place} holds the record as the backup has it: nothing was changed since.</source>
@@ -8261,7 +8261,7 @@
         </message>
         <message>
             <source>{place} is the database of another program; name the folder of a record.</source>
-            <translation>{place} är ett annat programs databas; ange mappen för ett register.</translation>
+            <translation>{place} är ett annat programs databas; ange mappen för en journal.</translation>
         </message>
         <message>
             <source>{place} may not be changed by you; ask for the right to write to it.</source>
