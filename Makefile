@@ -12,7 +12,7 @@ SYSTEM := $(VENV)/.system
 unexport PYTHONDONTWRITEBYTECODE
 
 SITE   := resources/manual
-PAGES  := $(wildcard docs/*.py docs/manual/*.md docs/manual/*/* docs/formats/*) CHANGELOG.md
+PAGES  := $(wildcard docs/*.py docs/*.js docs/manual/*.md docs/manual/*/* docs/formats/*) CHANGELOG.md
 
 .PHONY: demo test test-fast test-without-posix lint types style manual bench package clean
 .DEFAULT_GOAL := demo

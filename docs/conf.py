@@ -5,9 +5,12 @@ Each language is a site of its own, with its own search, which works from a fold
 
 from __future__ import annotations
 
+import json
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from docutils import nodes
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
@@ -19,7 +22,9 @@ project = "Insole Studio"
 extensions = ["myst_parser", "command_reference"]
 html_theme = "furo"
 html_title = "Insole Studio"
-html_show_search_summary = False  # which would be fetched; a browser fetches nothing from a disk
+html_show_search_summary = False  # search_excerpts.js shows more, and fetches nothing
+html_static_path = ["search_excerpts.js"]
+TEXTS_FILE = "search_texts.js"
 html_show_sphinx = False
 html_show_copyright = False
 html_copy_source = False
@@ -35,6 +40,33 @@ def _choose_pages(_app: Sphinx, config: Config) -> None:
     config.include_patterns = [f"{folder}/*.md", "formats/*.md"]
 
 
+def _add_excerpts(
+    app: Sphinx, pagename: str, _template: str, _context: dict[str, Any], _doctree: object
+) -> None:
+    """Let the page of the search show excerpts."""
+    if pagename == "search":
+        app.add_js_file(TEXTS_FILE)
+        app.add_js_file("search_excerpts.js")
+
+
+def _write_texts(app: Sphinx, error: Exception | None) -> None:
+    """Write the texts of all pages as a script."""
+    if error is not None or app.builder.name != "html":
+        return
+    texts = {page: _text_of(app.env.get_doctree(page)) for page in sorted(app.env.found_docs)}
+    script = f"const SEARCH_TEXTS = {json.dumps(texts, ensure_ascii=False)};\n"
+    Path(app.outdir, "_static", TEXTS_FILE).write_text(script, encoding="utf-8")
+
+
+def _text_of(doctree: nodes.document) -> str:
+    """Return the words of a page, as in its index, without its title."""
+    kinds = nodes.paragraph, nodes.literal_block, nodes.title, nodes.term
+    parts = list(doctree.findall(lambda node: isinstance(node, kinds)))[1:]
+    return " ".join(" ".join(part.astext().split()) for part in parts)
+
+
 def setup(app: Sphinx) -> None:
     """Have the pages chosen once the language is known."""
     app.connect("config-inited", _choose_pages)
+    app.connect("html-page-context", _add_excerpts)
+    app.connect("build-finished", _write_texts)
