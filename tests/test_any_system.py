@@ -30,6 +30,7 @@ TESTS = (
 GUARDED = {
     ("drivers/kinect/kinect_v1/isochronous.py", "select.poll"),  # libusb has no files there
     ("insole_core/export/file_lock.py", "import fcntl"),  # else msvcrt
+    ("insole_core/export/temporary.py", "os.getuid"),  # there all files are the user's
     ("insole_core/export/file_mode.py", "os.chown"),  # there all groups are 0
     ("insole_core/records/author.py", "import pwd"),  # else the access token
     ("insole_core/records/author.py", "os.getuid"),
@@ -58,7 +59,10 @@ def test_what_posix_alone_has_is_used_only_behind_a_guard() -> None:
 
 def test_no_folder_of_posix_is_named() -> None:
     named = {name for name, text in sources() if FOLDER.search(text)}
-    assert named == {"app/insole_studio/acquisition/examined_sensors.py"}  # udev, on Linux only
+    assert named == {
+        "app/insole_studio/acquisition/examined_sensors.py",  # udev, on Linux only
+        "insole_core/export/processes.py",  # what only Linux tells of a process
+    }
 
 
 NAME_OF_NOBODY = """

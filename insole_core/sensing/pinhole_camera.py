@@ -103,11 +103,13 @@ class PinholeCamera:
 
     @property
     def can_be_undistorted(self) -> bool:
-        """Whether `normalised` is the inverse of the lens over the whole picture.
+        """Whether `normalised` is the inverse of the lens up to the middle of the picture's edges.
 
-        No lens bends its edges so strongly that it is not; a damaged or mistyped number does.
+        No lens bends so strongly that it is not; a damaged or mistyped number does. The corners
+        of a sensor that was calibrated from few boards may lie beyond.
         """
-        u, v = np.meshgrid([0.0, self.cx, self.width - 1], [0.0, self.cy, self.height - 1])
+        right, lower = self.width - 1, self.height - 1
+        u, v = np.array([(0, self.cy), (right, self.cy), (self.cx, 0), (self.cx, lower)], float).T
         with np.errstate(over="ignore", invalid="ignore"):
             rays = self.normalised(np.stack([u, v], axis=-1))
             bent = self.project(np.concatenate([rays, np.ones((*rays.shape[:-1], 1))], axis=-1))

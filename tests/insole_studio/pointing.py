@@ -51,10 +51,13 @@ def turn_wheel(widget: QWidget, notches: int) -> None:
     QApplication.sendEvent(widget, turned)
 
 
-def hold(field: QWidget, key: Qt.Key, repeats: int) -> None:
+def hold(
+    field: QWidget,
+    key: Qt.Key,
+    repeats: int,
+    modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
+) -> None:
     """Press a key and hold it, which the system reports as one press and repeated ones."""
     for is_repeated in (False, *[True] * repeats):
-        event = QKeyEvent(
-            QEvent.Type.KeyPress, key, Qt.KeyboardModifier.NoModifier, "", is_repeated
-        )
+        event = QKeyEvent(QEvent.Type.KeyPress, key, modifiers, "", is_repeated)
         QApplication.sendEvent(field, event)

@@ -215,21 +215,22 @@ def sole_heights(foot: Foot) -> HeightField:
 
 
 def insole_difference(surface: InsolePreview, counterpart: SideBySide) -> FloatArray | None:
-    """Return the height of the shown insole's top over the counterpart's, mm, at its vertices.
+    """Return the height of the shown insole's contact surface over the counterpart's, mm.
 
-    Both lie on the same bottom plane, heel on heel and foot axis on foot axis; NaN outside the
-    counterpart. None while there is nothing to compare with.
+    Edges, which are rounded where an insole is made, make no difference. Both lie on the same
+    bottom plane, heel on heel and foot axis on foot axis; NaN outside the counterpart. None while
+    there is nothing to compare with.
 
     Returns
     -------
     (n,) float64, mm, or None
         One difference for each vertex of the top.
     """
-    bottom, built = surface.bottom_heights_mm, counterpart.built
-    if surface.mesh is None or bottom is None or built is None:
+    bottom, contact = surface.bottom_heights_mm, surface.contact
+    if surface.mesh is None or bottom is None or contact is None or counterpart.built is None:
         return None
-    top = surface.mesh.vertices[: len(bottom)]
-    return np.asarray(top[:, 2] - counterpart.heights_under(surface, top[:, :2]))
+    xy = surface.mesh.vertices[: len(bottom), :2]
+    return np.asarray(contact.height_at(xy) - counterpart.heights_under(surface, xy))
 
 
 def foot_difference(foot: Foot, counterpart: SideBySide) -> FloatArray | None:

@@ -7,7 +7,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from pointing import LEFT, drag, lead
+from pointing import LEFT, drag, hold, lead
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
@@ -143,8 +143,7 @@ def test_steps_of_an_arrow_key_add_up_to_one_soft_drag(
 ) -> None:
     before = curvature(opened)
     drag(view, pixel(view, 5), pixel(view, 5) + QPoint(2, 0))
-    for _ in range(4):
-        QTest.keyClick(view.surface, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    hold(view.surface, Qt.Key.Key_Left, 3, Qt.KeyboardModifier.ShiftModifier)
     assert len(opened.case.history) == 2
     after = curvature(opened)
     assert after.max() < before.max() + 0.035
@@ -203,8 +202,7 @@ def test_an_outline_that_would_cross_itself_is_held(opened: Application, view: S
 def test_arrow_keys_move_the_last_point(opened: Application, view: SceneView) -> None:
     drag(view, pixel(view, 5), pixel(view, 5) + QPoint(12, 0))
     before = place(view, 5)
-    for _ in range(3):
-        QTest.keyClick(view.surface, Qt.Key.Key_Up)
+    hold(view.surface, Qt.Key.Key_Up, repeats=2)
     assert place(view, 5) - before == pytest.approx((0.0, 1.5), abs=0.02)
     assert len(opened.case.history) == 2
 

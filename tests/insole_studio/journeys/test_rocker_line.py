@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from pointing import LEFT, drag
+from pointing import LEFT, drag, hold
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
@@ -106,8 +106,7 @@ def test_arrow_keys_move_the_line_and_are_one_step(
 ) -> None:
     view, steps = rocked.stage.insole.scene, len(rocked.case.history)
     view.take_focus()
-    for _ in range(4):
-        QTest.keyClick(view.surface, Qt.Key.Key_Up)
+    hold(view.surface, Qt.Key.Key_Up, repeats=3)
     settle()
     assert behind_mm(rocked) == pytest.approx(8.0, abs=0.6)
     assert len(rocked.case.history) == steps + 1

@@ -13,16 +13,11 @@ from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.records.place import add_place, check_may_set_aside, place_of
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
-from insole_studio.document.record_location import (
-    RecordLocation,
-    let_window_open,
-    location_of_window,
-    settings_for,
-)
 from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
     from insole_core.records.place import RecordsPlace
+    from insole_studio.document.record_location import RecordLocation
 
 log = logging.getLogger(__name__)
 
@@ -48,6 +43,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Restore the record."""
     from insole_core.records.author import Author
     from insole_core.records.backup.restore import restore
+    from insole_studio.document.record_location import settings_for
 
     if arguments.set_aside:
         check_may_set_aside(arguments)
@@ -82,6 +78,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 def _location_of(place: RecordsPlace, paths: UserPaths) -> RecordLocation | None:
     """Return how the settings name a place; None for a folder that the window does not open."""
+    from insole_studio.document.record_location import RecordLocation
+
     if not place.is_local:
         url = place.url.set(password=None).render_as_string()
         return RecordLocation(paths.records_folder, url, str(place.contents.absolute()))
@@ -98,6 +96,8 @@ def _put_in_front(place: RecordsPlace, location: RecordLocation | None, paths: U
     if location is None:
         folder = place.contents.parent
         return f"the window opens its own record as before; this one is --record {folder}"
+    from insole_studio.document.record_location import let_window_open
+
     still = _other_with_patients(location, paths)
     if still:
         return (
@@ -111,6 +111,7 @@ def _put_in_front(place: RecordsPlace, location: RecordLocation | None, paths: U
 def _other_with_patients(location: RecordLocation, paths: UserPaths) -> str:
     """Return the name of the window's record if that is another one, answers, and has patients."""
     from insole_core.records.place_check import look_at_place
+    from insole_studio.document.record_location import location_of_window
 
     try:
         place = location_of_window(paths).place()

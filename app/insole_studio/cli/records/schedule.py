@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
 from insole_core.errors import UsageError
+from insole_core.messages import joined
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.records.place import add_place, opened
-from insole_studio.settings import LAST_HOUR, BackupKeep, load_settings, save_settings
 from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
@@ -34,8 +34,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--hour", type=whole, metavar="H", help="0 to 23")
     parser.add_argument(
-        "--keep", choices=get_args(BackupKeep),
-        help="all; or all of 30 days, then one of each month, of all months or of a year",
+        "--keep", metavar="WHICH",
+        help="all; or all of 30 days, then one of each month, of all (months) or one year (year)",
     )  # fmt: skip
     add_place(parser)
 
@@ -44,9 +44,13 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Change what is given, and print the plan."""
     from insole_core.records.backup.back_up import last_backup_at
     from insole_core.records.rights import Right
+    from insole_studio.settings import LAST_HOUR, BackupKeep, load_settings, save_settings
 
     if arguments.hour is not None and not 0 <= arguments.hour <= LAST_HOUR:
         raise UsageError(f"--hour is {arguments.hour}, and must be 0 to {LAST_HOUR}.")
+    kinds = get_args(BackupKeep)
+    if arguments.keep not in (None, *kinds):
+        raise UsageError(f"--keep is {arguments.keep}, and must be {joined(kinds, ' or ')}.")
     path = UserPaths.of_user().settings_file
     with opened(arguments, Right.BACK_UP) as records:
         settings = load_settings(path)

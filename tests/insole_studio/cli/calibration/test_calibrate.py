@@ -278,7 +278,9 @@ def too_near(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
 def of_another_mode(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
     store = SensorStore(sensors)
     sensor = kept(sensors)
-    large = replace(sensor.color_camera, width=1280, height=1024)
+    of = sensor.color_camera
+    twice = {name: 2 * getattr(of, name) for name in ("fx", "fy", "cx", "cy")}
+    large = replace(of, width=1280, height=1024, **twice)
     store.save(replace(sensor, color_camera=large))
     return "stereo", sensors.parent / "boards", BOARD_CALL
 

@@ -29,9 +29,12 @@ def perfect(tmp_path: Path) -> list[str]:
     return ["--serial", "SIM1", "--sensors", str(tmp_path / "perfect")]
 
 
-def numbers(report: Path) -> dict[str, dict[str, float]]:
-    (section,) = json.loads(report.read_text())["sections"].values()
-    return section["numbers"]
+def numbers(report: Path, name: str = "") -> dict[str, dict[str, float]]:
+    """The numbers of a section, by default of the only one."""
+    sections = json.loads(report.read_text())["sections"]
+    if not name:
+        (name,) = sections
+    return sections[name]["numbers"]
 
 
 @pytest.mark.slow
