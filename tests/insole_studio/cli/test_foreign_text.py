@@ -98,7 +98,7 @@ CASES = {
     "compared": (nothing, ["compare", f"{E}.ply", f"{E}.ply", "--report", f"{E}.json"]),
     "side": (nothing, ["measure", "foot.ply", "--side", E, "--report", "m.json"]),
     "option": (nothing, ["measure", f"--{E}"]),
-    "command": (nothing, [E]),
+    "command": (nothing, [f"no{E}"]),
     "too many words": (nothing, ["sensors", E]),
     "device": (nothing, ["design", "foot.ply", "--side", "right", "--device", E, "--out", "i.stl"]),
     "prescription": (
