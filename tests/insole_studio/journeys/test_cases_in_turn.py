@@ -76,7 +76,7 @@ def shown(app: Application) -> list[str]:
             own["template"] = replace(own["template"], id="")
         lines.append(f"tool {key} {own}")
     lines.append(f"tool {tools.tool.key} beside {app.stage.counterpart.kind}")
-    lines.append(f"section {app.stage._cut.plane} selection {app.case.selection}")
+    lines.append(f"section {app.stage.cut.plane} selection {app.case.selection}")
     lines.append(f"station {app.stage.rim_model.selected}")
     lines.append(f"notices {[notice.text for notice in app.services.notices.notices]}")
     return lines
@@ -146,7 +146,7 @@ def open_pair_and_use_everything(app: Application, pair: Path, settle: Callable[
     settle()
     run("map_difference", True)
     settle()
-    app.stage._cut.show(SectionPlane((0.0, 120.0), 10.0))
+    app.stage.cut.show(SectionPlane((0.0, 120.0), 10.0))
     app.features.design.prescription.take_pad(1)
     app.stage.tool_controller.tools["brush"].template = replace(
         app.stage.tool_controller.tools["brush"].template, radius_mm=25.0

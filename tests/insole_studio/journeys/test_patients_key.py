@@ -26,8 +26,8 @@ def test_it_leads_there_and_closes_what_keeps_nothing(
     stage = feature.stage
     assert stage is not None
     stage.activateWindow()
-    qtbot.waitUntil(lambda: QApplication.activeWindow() is stage, timeout=60_000)
+    qtbot.waitUntil(lambda: QApplication.activeWindow() is stage)
     QTest.keyClick(stage, Qt.Key.Key_F3)
-    qtbot.waitUntil(lambda: app.window.page is app.features.records.start, timeout=60_000)
+    qtbot.waitUntil(lambda: app.window.page is app.features.records.start)
     assert (feature.stage is None) == closes
     feature.close()

@@ -335,13 +335,13 @@ def test_the_section_follows_within_a_frame(opened: Application) -> None:
     seconds = []
     for y_mm in np.arange(40.0, 200.0, 4.0):
         start = time.process_time()
-        opened.stage._cut.show(SectionPlane((0.0, float(y_mm))))
+        opened.stage.cut.show(SectionPlane((0.0, float(y_mm))))
         seconds.append(time.process_time() - start)
     assert np.median(seconds) < 0.06  # some 7 ms usually, of 16
 
 
 def _cut_y(app: Application) -> float | None:
-    plane = app.stage._cut.plane
+    plane = app.stage.cut.plane
     return None if plane is None else plane.origin_mm[1]
 
 
