@@ -12,9 +12,10 @@ SYSTEM := $(VENV)/.system
 unexport PYTHONDONTWRITEBYTECODE
 
 SITE   := resources/manual
+SCREEN := -screen 0 1920x1200x24
 PAGES  := $(wildcard docs/*.py docs/*.js docs/manual/*.md docs/manual/*/* docs/formats/*) CHANGELOG.md
 
-.PHONY: demo test test-fast test-without-posix lint types style manual bench package clean
+.PHONY: demo pictures test test-fast test-without-posix lint types style manual bench package clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -31,6 +32,12 @@ $(SITE)/.built: $(READY) $(PAGES)
 	$(BIN)/python docs/build_manual.py
 	touch $@
 
+# Journeys of the tests take some of them on their way.
+pictures: $(READY) ## all pictures of the manual, anew, as the window is now
+	QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" $(BIN)/python docs/pictures.py
+	INSOLE_STUDIO_MANUAL=$(CURDIR)/docs/manual/images QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" \
+		$(PYTEST) tests/insole_studio/journeys/test_whole_journey.py
+
 manual: $(SITE)/.built ## the site of the manual, which F1 opens and packages contain
 
 demo: $(READY) manual ## open the application on a recorded session; without a screen do the same off-screen
@@ -38,7 +45,7 @@ demo: $(READY) manual ## open the application on a recorded session; without a s
 
 test: $(READY) ## all tests: the window's offscreen, then those that look at real pixels, under Xvfb
 	$(OFFSCREEN) -m "not display"
-	QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" env $(PYTEST) -m display $$(grep -rl mark.display tests --include='*.py')
+	QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" env $(PYTEST) -m display $$(grep -rl mark.display tests --include='*.py')
 
 test-fast: $(READY) ## the tests to run while working: all but those that take long
 	$(OFFSCREEN) -m "not display and not slow"

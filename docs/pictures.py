@@ -1,13 +1,7 @@
-"""Take the pictures of the documentation: ``python docs/pictures.py``, on a screen or under Xvfb.
-
-    QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" python docs/pictures.py
+"""Take the pictures of the documentation: ``make pictures``, under Xvfb.
 
 The feet are those of one simulated person: the right one is the bundled example, the left one is
-simulated here. `dialog_pictures` lists all pictures. Some are taken by journeys of the tests:
-
-    export INSOLE_STUDIO_MANUAL=docs/manual/images QT_QPA_PLATFORM=xcb
-    xvfb-run -a -s "-screen 0 1920x1200x24" pytest \\
-        tests/insole_studio/journeys/test_whole_journey.py
+simulated here. `dialog_pictures` lists all pictures; journeys of the tests take some of them.
 
 With ``--journeys FOLDER`` it takes none of these, but walks the journeys of the manual by real
 events, and saves what is on the screen at each step, and a contact sheet, to be looked at:
