@@ -43,7 +43,7 @@ READING: tuple[tuple[str, ...], ...] = (
     ("verify",),
     ("list", "--orders"),
     ("list", "--visits", "2026-11-22"),
-    ("export", PERSON, "exported"),
+    ("export", PERSON, "--out", "exported"),
     ("list", "Zoë"),
 )
 _CELLS: tuple[Any, ...] = (
@@ -62,8 +62,8 @@ _CELLS: tuple[Any, ...] = (
 
 
 @cache
-def sound_record() -> bytes:
-    """Return the database of a small record with a row in every table but that of accounts."""
+def sound_files() -> dict[str, bytes]:
+    """Return the files of a small record with a row in every table but that of accounts."""
     from backed_up_record import make_record
 
     from insole_core.records.author import Author
@@ -74,9 +74,20 @@ def sound_record() -> bytes:
         empty, folder = Path(name, "empty"), Path(name, "record")
         open_records(RecordsPlace.local(empty), Author("anna", "desk")).close()
         make_record(empty / FILE, folder).database.close()
-        with closing(sqlite3.connect(folder / FILE)) as database:
-            database.executescript("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE")
-        return (folder / FILE).read_bytes()
+        shutil.copytree(empty / "contents", folder / "contents", dirs_exist_ok=True)  # its identity
+        _in_one_file(folder / FILE)
+        found = [path for path in sorted(folder.rglob("*")) if path.is_file()]
+        return {path.relative_to(folder).as_posix(): path.read_bytes() for path in found}
+
+
+def sound_record() -> bytes:
+    """Return its database."""
+    return sound_files()[FILE]
+
+
+def _in_one_file(path: Path) -> None:
+    with closing(sqlite3.connect(path)) as database:
+        database.executescript("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE")
 
 
 @cache
@@ -91,8 +102,7 @@ def record_with_accounts() -> bytes:
         (folder / FILE).write_bytes(sound_record())
         with closing(open_records(RecordsPlace.local(folder), Author("anna", "desk"))) as records:
             records.accounts.switch_on("chief", "Chief", PASSWORD)
-        with closing(sqlite3.connect(folder / FILE)) as database:
-            database.executescript("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE")
+        _in_one_file(folder / FILE)
         return (folder / FILE).read_bytes()
 
 
@@ -384,7 +394,7 @@ def bad_cases(rng: random.Random) -> Iterator[Trial]:
     changed += [(what, content) for what, content, _ in byte_mutations(sound, rng, 50, 20)]
     for what, content in changed:
         files = {
-            FILE: sound_record(),
+            **sound_files(),
             "cases/a.insole": content,
             "cases/b.insole": samples.CASES[2],
         }
@@ -449,7 +459,7 @@ _WITH_NAMES: dict[str, list[str]] = {
     "record": ["records", "list", "--record", "{}"],
     "list": ["records", "import", "{}", "--record", "."],
     "list to": ["records", "import", "list.csv", "--record", ".", "--dry-run", "--report", "{}"],
-    "person to": ["records", "export", PERSON, "{}", "--record", "."],
+    "person to": ["records", "export", PERSON, "--out", "{}", "--record", "."],
     "words": ["records", "list", "{}", "--record", "."],
     "person": ["records", "show", "{}", "--record", "."],
     "database": ["records", "list", "--database", "{}", "--contents", "x"],
@@ -566,7 +576,7 @@ def _is_own(name: str, words: list[str]) -> bool:
 
 def _put(files: dict[str, bytes], folder: Path) -> None:
     for name, content in files.items():
-        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(content)
 
 
@@ -580,8 +590,10 @@ def _with_place(name: str, place: Callable[[Path], None], folder: Path) -> None:
 
 
 def _changed(changes: list[Change], folder: Path, *, accounts: bool = False) -> None:
+    _put(sound_files(), folder)
     path = folder / FILE
-    path.write_bytes(record_with_accounts() if accounts else sound_record())
+    if accounts:
+        path.write_bytes(record_with_accounts())
     with closing(sqlite3.connect(path)) as database:
         for change in changes:
             change(database)

@@ -29,6 +29,10 @@ MIGRATION_LOCK: Final = 1_502_600_001
 SCHEMA_TABLE: Final = table("alembic_version", column("version_num"))
 SCHEMA_COLUMN: Final = SCHEMA_TABLE.c.version_num
 _WRITES: Final = "insole_studio_writes"
+_NO_VALUE: Final = (
+    ValueError, TypeError, OverflowError, RecursionError, LookupError, AttributeError,
+)  # fmt: skip
+"""What a date, a word or a JSON text raises that is none, or one of another form."""
 _SERVER_ARGUMENTS: Final[dict[str, Any]] = {
     "connect_timeout": 10,
     "application_name": "insole-studio",
@@ -102,7 +106,7 @@ class Database:
         """
         try:
             yield
-        except (ValueError, TypeError, OverflowError, RecursionError) as error:
+        except _NO_VALUE as error:
             raise unreadable(self.place, error) from error
 
     @contextmanager
