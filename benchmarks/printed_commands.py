@@ -33,7 +33,7 @@ from insole_core.simulate import SimulationOptions, simulate_session
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.simulate.known_bodies import KnownBody, ball
 
-_PLACEHOLDER = re.compile(r"(?<![\w-])[A-Z]{2,}(?![\w-])(?!\")")
+_PLACEHOLDER = re.compile(r"\b(FOLDER|SESSION|SCAN|FOOT|CASE|MAP|PERSON|SERIAL|OUT)\b")
 _OTHERS = ("records", "calibrate", "capture", "sensors", "self-test", "doctor", "open")
 _BALL = ball(408 / np.pi)
 """By the circumference that the manual gives."""
