@@ -187,10 +187,11 @@ def test_a_pelott_changes_the_picture_of_both_views(
     for view, old in zip(views, before, strict=True):
         new = colors_of(view.picture())
         x, y = pixel(view, 0.0, 150.0).toTuple()
-        changed = (np.abs(new - old).max(axis=2) > 20).astype(int)
-        assert changed[y - 20 : y + 20, x - 20 : x + 20].sum() > 50
-        # The thin line of the rim is anti-aliased: single pixels differ from drawing to drawing.
-        assert changed[-40:].sum() < 20
+        changed = np.abs(new - old).max(axis=2) > 20
+        assert changed[y - 20 : y + 20, x - 20 : x + 20].mean() > 0.03
+        # The thin line of the rim is anti-aliased: single pixels differ from drawing to drawing,
+        # how many depends on who draws (Mesa's release, the processor).
+        assert changed[-40:].mean() < 0.01
 
 
 @pytest.mark.display
