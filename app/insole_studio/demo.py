@@ -1,8 +1,8 @@
 """``python -m insole_studio.demo``: try the product on a recorded session and the bundled case.
 
-With a screen it opens the window. Without one it does the same work in the real window on a virtual
-screen (or, where there is none, in Qt's offscreen mode), writes the insoles and pictures of the
-window, and says where.
+With a screen it opens the window on the case. Without one it does the same work in the real window
+on a virtual screen (or, where there is none, in Qt's offscreen mode), writes the insoles and
+pictures of the window, and says where.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from insole_studio.app.screen import has_screen
 
 OUTPUT = Path("demo-output")
 SESSION = OUTPUT / "session.zip"
+EXAMPLE = "example/example.insole"
 _VIRTUAL = "INSOLE_STUDIO_DEMO_VIRTUAL"
 
 
@@ -31,7 +32,7 @@ def main() -> int:
     if os.environ.get(_VIRTUAL):
         return _scripted()
     if has_screen():
-        print("Opening the window; the bundled case is under Case ▸ Open the example.", flush=True)
+        print(f"Opening the window on the bundled case; {SESSION} is a scan to import.", flush=True)
         return _interactive()
     print("There is no screen: doing the same off-screen.", flush=True)
     return _virtual()
@@ -40,7 +41,9 @@ def main() -> int:
 def _interactive() -> int:
     from insole_studio.app.bootstrap import run_application
 
-    return run_application([SESSION])
+    case = OUTPUT / "example.insole"
+    shutil.copyfile(resource_path(EXAMPLE), case)  # what is tried is saved here
+    return run_application([case])
 
 
 def _virtual() -> int:
@@ -69,7 +72,7 @@ def _scripted() -> int:
         studio.screenshot(OUTPUT / "session.png")
         written += studio.export(OUTPUT / "session-insole.stl")
     with ScriptedWindow(paths, answers=answers) as studio:
-        studio.open(resource_path("example/example.insole"))
+        studio.open(resource_path(EXAMPLE))
         studio.screenshot(OUTPUT / "case.png")
         written += studio.export(OUTPUT / "case-insole.stl")
     print(f"Written to {OUTPUT.resolve()}:")

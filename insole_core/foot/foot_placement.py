@@ -473,10 +473,9 @@ def _side_notes(asked: FootCandidate, other: FootCandidate | None) -> Iterator[s
         )
     else:
         yield Message(
-            "A {side} foot by its shape: {reason} (margin {ratio:.1f} to 1).",
+            "A {side} foot by its shape: {reason}.",
             side=asked.side,
             reason=_reason(asked.side),
-            ratio=ratio,
         )
 
 

@@ -15,6 +15,8 @@ from insole_core.messages import Message
 Measured: TypeAlias = Mapping[str, float | None]
 HEADS = ("measure", "unit", "left", "right", "difference", "percent", "positive")
 _UNLIKE_MM, _UNLIKE_SHARE = 10.0, 0.05
+_LEAST_MEAN = {"mm": 5.0, "": 0.1}
+"""By unit: the least mean of both feet of which a share says something."""
 
 
 @dataclass(frozen=True)
@@ -37,13 +39,16 @@ class MeasureRow:
 
     @property
     def percent(self) -> float | None:
-        """The difference in per cent of the mean of both; None for angles."""
-        if self.difference is None or self.unit == "degrees":
+        """The difference in per cent of the mean of both.
+
+        None for angles, and for what is so small that the error of a scan is a large share of it.
+        """
+        if self.difference is None or self.unit not in _LEAST_MEAN:
             return None
         assert self.left is not None
         assert self.right is not None
         mean = (self.left + self.right) / 2
-        return 100 * self.difference / mean if mean else None
+        return 100 * self.difference / mean if mean >= _LEAST_MEAN[self.unit] else None
 
 
 def measure_table(

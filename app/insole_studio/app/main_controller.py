@@ -202,6 +202,8 @@ class MainController(QObject):
         self._window.status.show_kept(text, tip, warns=warns)
 
     def _show_page(self, page: QWidget) -> None:
+        if self._window.page is None:
+            self._services.messages.clear()  # it spoke of what the page hides
         self._window.show_page(page)
         self._show_state()
 
@@ -248,6 +250,7 @@ class MainController(QObject):
         case.leaving.connect(commit_typed_text)
         case.closing.connect(self._clear_case)
         self._tool_controller.tool_changed.connect(self._show_tool)
+        self._tool_controller.tool_changed.connect(self._services.messages.clear)
         self._autosave.failed.connect(self._services.messages.show_sentence)
         self._autosave.kept_changed.connect(self._show_kept)
 
@@ -295,7 +298,7 @@ class MainController(QObject):
         self._features.case_files.opener.open_path(Path(name))
 
     def _run_requested(self, key: str) -> None:
-        self.run_action({"open_mesh": "open_archive"}.get(key, key), False)
+        self.run_action(key, False)
 
     def _show_recent(self) -> None:
         names = [] if self._services.clinic.hides_patients else self._services.recent.names

@@ -127,6 +127,7 @@ class MainWindow(QMainWindow):
                 dock.hide()
                 dock.toggleViewAction().setEnabled(False)
             self._toolbar.hide()
+            self.status.show_tool_texts(False)
         self._bring(page)
 
     def show_panels(self) -> None:
@@ -137,6 +138,7 @@ class MainWindow(QMainWindow):
         self._bring(self._insole)
         has_notices = not self._notices.isHidden()
         self.restoreState(before)
+        self.status.show_tool_texts(True)
         self._notices.setVisible(has_notices)
         for dock in self._docks:
             dock.toggleViewAction().setEnabled(True)
@@ -171,11 +173,8 @@ class MainWindow(QMainWindow):
 
     def check_action(self, key: str, checked: bool) -> None:
         """Check or uncheck an action without running it."""
-        action = self.actions_by_key[key]
-        group = action.actionGroup()
-        for other in group.actions() if group is not None else [action]:
-            with QSignalBlocker(other):
-                other.setChecked(checked if other is action else False)
+        with QSignalBlocker(self):  # not the action, by whose signals its group unchecks the others
+            self.actions_by_key[key].setChecked(checked)
 
     def renew_icons(self) -> None:
         """Redraw the icons in the colours of the palette."""

@@ -15,6 +15,7 @@ RECENT = "recent"
 """Placeholder for the recent files in the menu."""
 
 MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference", "map_pressure")
+LANGUAGE_KEYS = ("language_system", "language_en", "language_sv")
 BESIDE_KEYS = ("beside_nothing", "beside_foot", "beside_variant")
 TOOL_KEYS = (
     "tool_orbit",
@@ -108,9 +109,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "dark",
             "touch",
             "software_rendering",
-            "language_system",
-            "language_en",
-            "language_sv",
+            *LANGUAGE_KEYS,
         ),
     ),
     (

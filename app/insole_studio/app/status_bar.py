@@ -66,6 +66,11 @@ class StatusBar(QStatusBar):
         """Show what the user can do next."""
         self._hint.setText(text)
 
+    def show_tool_texts(self, shown: bool) -> None:
+        """Show position and hint beside the panels; a page that takes their place has no tool."""
+        self._place.setVisible(shown)
+        self._hint.setVisible(shown)
+
     def show_kept(self, text: str, tip: str, *, warns: bool) -> None:
         """Show whether the open case is in the clinic's record; empty for a case of a file."""
         self._kept.setText(text)

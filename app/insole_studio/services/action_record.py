@@ -38,7 +38,7 @@ class ActionRecord(Generic[Feature]):
     everywhere
         Whether its keys hold in the windows of stages too; it brings the main window to the front.
     short
-        A shorter text for the toolbar; by default `text`.
+        A shorter text for the toolbar, or for the page that it is about; by default `text`.
     """
 
     key: str

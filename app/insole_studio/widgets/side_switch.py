@@ -13,7 +13,7 @@ from insole_studio.widgets.side_badge import COLORS
 
 _WAYS_TO_ADD: dict[str, Callable[[], str]] = {
     "open_session": lambda: tr("Open session…"),
-    "open_archive": lambda: tr("Open session archive or mesh…"),
+    "open_archive": lambda: tr("Import a scan…"),
     "capture": lambda: tr("Capture…"),
 }
 _SHAPE = "border-radius: 4px; padding: 4px 4px; font-weight: 600;"

@@ -656,10 +656,6 @@
             <translation>Till</translation>
         </message>
         <message>
-            <source>Try again</source>
-            <translation>Försök igen</translation>
-        </message>
-        <message>
             <source>Try again to open a record that could not be opened</source>
             <translation>Försök igen att öppna en journal som inte gick att öppna</translation>
         </message>

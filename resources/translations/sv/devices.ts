@@ -157,7 +157,7 @@
         </message>
         <message>
             <source>Drag the handle to move the rocker line, drag beside it to turn the view</source>
-            <translation>Dra i handtaget för att flytta rullsulans linje, dra bredvid för att vrida vyn</translation>
+            <translation>Dra i handtaget för att flytta rullsulans linje, dra bredvid för att rotera vyn</translation>
         </message>
         <message>
             <source>Drag to move the front edge of the shell</source>

@@ -77,7 +77,7 @@
         </message>
         <message>
             <source>Check &amp; export…</source>
-            <translation>Kontrollera &amp; exportera…</translation>
+            <translation>Kontroll &amp; export…</translation>
         </message>
         <message>
             <source>Check the insole and write it for the shop, with its papers</source>

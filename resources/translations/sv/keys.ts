@@ -112,8 +112,8 @@
             <translation>Nästa panel</translation>
         </message>
         <message>
-            <source>No scan yet. Capture a foot, or open a recorded session or a mesh.</source>
-            <translation>Ingen skanning än. Avbilda en fot, eller öppna en inspelad session eller en ytmodell.</translation>
+            <source>No scan yet. Capture a foot, open a recorded session, or import a scan.</source>
+            <translation>Ingen skanning än. Avbilda en fot, öppna en inspelad session eller importera en skanning.</translation>
         </message>
         <message>
             <source>On the pages of the record</source>
@@ -225,7 +225,7 @@
         </message>
         <message>
             <source>Turn the view; with Shift, shift it</source>
-            <translation>Vrid vyn; med Skift, flytta den</translation>
+            <translation>Rotera vyn; med Skift, flytta den</translation>
         </message>
         <message>
             <source>Type the thickness</source>
@@ -241,7 +241,7 @@
         </message>
         <message>
             <source>Undo the drag; nothing chosen; nothing selected; the Orbit tool</source>
-            <translation>Ångra draget; inget valt; inget markerat; verktyget Vrid</translation>
+            <translation>Ångra draget; inget valt; inget markerat; verktyget Rotera</translation>
         </message>
         <message>
             <source>What can be done here</source>

@@ -12,12 +12,20 @@
             <translation>4:e huvudet</translation>
         </message>
         <message>
+            <source>Across</source>
+            <translation>Tvärs</translation>
+        </message>
+        <message>
             <source>Add the relief of the library under this head; it can be undone and changed</source>
             <translation>Lägg bibliotekets avlastning under huvudet; den kan ångras och ändras</translation>
         </message>
         <message>
             <source>All</source>
             <translation>Alla</translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation>Längs</translation>
         </message>
         <message>
             <source>Click two points whose distance is known</source>
@@ -72,10 +80,6 @@
             <translation>Hur mycket bilden täcker fot och inlägg</translation>
         </message>
         <message>
-            <source>Lay a map or picture…</source>
-            <translation>Lägg en tryckbild eller bild…</translation>
-        </message>
-        <message>
             <source>Lay a map under the foot</source>
             <translation>Lägg en bild under foten</translation>
         </message>
@@ -106,6 +110,14 @@
         <message>
             <source>Move the map</source>
             <translation>Flytta bilden</translation>
+        </message>
+        <message>
+            <source>Moves it across the foot; &gt; 0 is to the right, seen from above</source>
+            <translation>Flyttar den tvärs över foten; &gt; 0 är åt höger, sett uppifrån</translation>
+        </message>
+        <message>
+            <source>Moves it along the foot; &gt; 0 is towards the toes</source>
+            <translation>Flyttar den längs foten; &gt; 0 är mot tårna</translation>
         </message>
         <message>
             <source>Not known</source>
@@ -230,14 +242,6 @@
         <message>
             <source>table</source>
             <translation>tabell</translation>
-        </message>
-        <message>
-            <source>x</source>
-            <translation>x</translation>
-        </message>
-        <message>
-            <source>y</source>
-            <translation>y</translation>
         </message>
         <message>
             <source>{name} ({device})</source>

@@ -64,10 +64,6 @@
             <translation>Justerad</translation>
         </message>
         <message>
-            <source>All patients</source>
-            <translation>Alla patienter</translation>
-        </message>
-        <message>
             <source>An administrator looks after accounts, backups and the audit log, and sees no patients; whoever treats patients signs in with an account of their own.</source>
             <translation>En administratör sköter konton, säkerhetskopior och loggen och ser inga patienter; den som behandlar patienter loggar in med ett eget konto.</translation>
         </message>
@@ -518,10 +514,6 @@
         <message>
             <source>Sent</source>
             <translation>Skickad</translation>
-        </message>
-        <message>
-            <source>Set up sensors</source>
-            <translation>Ställ in sensorer</translation>
         </message>
         <message>
             <source>Shop</source>

@@ -493,11 +493,11 @@
         </message>
         <message>
             <source>Drag a handle to change the arch, drag beside it to turn the view</source>
-            <translation>Dra i ett handtag för att ändra fotvalvet, dra bredvid för att vrida vyn</translation>
+            <translation>Dra i ett handtag för att ändra fotvalvet, dra bredvid för att rotera vyn</translation>
         </message>
         <message>
             <source>Drag a handle to change the pelott, drag beside it to turn the view</source>
-            <translation>Dra ett handtag för att ändra pelotten, dra bredvid för att vrida vyn</translation>
+            <translation>Dra ett handtag för att ändra pelotten, dra bredvid för att rotera vyn</translation>
         </message>
         <message>
             <source>Drag a landmark to where it belongs. The insole follows at once, and Ctrl+Z takes it back. Skip this if all of them are right.</source>
@@ -565,7 +565,7 @@
         </message>
         <message>
             <source>Drag to turn, Shift and drag to move, wheel to zoom, double click to centre</source>
-            <translation>Dra för att vrida, Skift och dra för att flytta, hjul för att zooma, dubbelklicka för att centrera</translation>
+            <translation>Dra för att rotera, Skift och dra för att flytta, hjul för att zooma, dubbelklicka för att centrera</translation>
         </message>
         <message>
             <source>Drag up or down to change the forefoot angle</source>
@@ -765,7 +765,7 @@
         </message>
         <message>
             <source>Foot and insole turn together</source>
-            <translation>Fot och inlägg vrids tillsammans</translation>
+            <translation>Fot och inlägg roteras tillsammans</translation>
         </message>
         <message>
             <source>Foot in colour</source>
@@ -1292,10 +1292,6 @@
             <translation>Öppna en kopia</translation>
         </message>
         <message>
-            <source>Open a session in a zip archive, or a foot from a .ply, .stl or .obj file</source>
-            <translation>Öppna en session i ett zip-arkiv, eller en fot från en .ply-, .stl- eller .obj-fil</translation>
-        </message>
-        <message>
             <source>Open anyway</source>
             <translation>Öppna ändå</translation>
         </message>
@@ -1312,10 +1308,6 @@
             <translation>Öppna det som ett fall</translation>
         </message>
         <message>
-            <source>Open mesh…</source>
-            <translation>Öppna ytmodell…</translation>
-        </message>
-        <message>
             <source>Open read-only</source>
             <translation>Öppna skrivskyddat</translation>
         </message>
@@ -1326,10 +1318,6 @@
         <message>
             <source>Open session</source>
             <translation>Öppna session</translation>
-        </message>
-        <message>
-            <source>Open session archive or mesh…</source>
-            <translation>Öppna sessionsarkiv eller ytmodell…</translation>
         </message>
         <message>
             <source>Open session…</source>
@@ -1348,12 +1336,16 @@
             <translation>Öppna mappen med en inspelad session och rekonstruera foten</translation>
         </message>
         <message>
+            <source>Open the scan of another program, or a recorded session in one file</source>
+            <translation>Öppna en skanning från ett annat program, eller en inspelad session i en enda fil</translation>
+        </message>
+        <message>
             <source>Opening the case</source>
             <translation>Öppnar fallet</translation>
         </message>
         <message>
             <source>Orbit</source>
-            <translation>Vrid</translation>
+            <translation>Rotera</translation>
         </message>
         <message>
             <source>Outline</source>
@@ -1430,14 +1422,6 @@
         <message>
             <source>Print outline 1:1…</source>
             <translation>Skriv ut kontur 1:1…</translation>
-        </message>
-        <message>
-            <source>Pronation</source>
-            <translation>Pronation</translation>
-        </message>
-        <message>
-            <source>Pronation / supination: tilt rear- and forefoot</source>
-            <translation>Pronation / supination: luta bak- och framfot</translation>
         </message>
         <message>
             <source>Put right the landmarks of the foot</source>
@@ -2064,8 +2048,8 @@
             <translation>Luta +</translation>
         </message>
         <message>
-            <source>Tilt rear- and forefoot by degrees</source>
-            <translation>Luta bak- och framfot i grader</translation>
+            <source>Tilt rear- and forefoot by degrees, against pronation or supination</source>
+            <translation>Luta bak- och framfot i grader, mot pronation eller supination</translation>
         </message>
         <message>
             <source>Tilt the forefoot</source>
@@ -2145,7 +2129,7 @@
         </message>
         <message>
             <source>Turn the view; click on a pelott to select it</source>
-            <translation>Vrid vyn; klicka på en pelott för att välja den</translation>
+            <translation>Rotera vyn; klicka på en pelott för att välja den</translation>
         </message>
         <message>
             <source>Underside</source>
@@ -2270,10 +2254,6 @@
         <message>
             <source>frames</source>
             <translation>bilder</translation>
-        </message>
-        <message>
-            <source>height</source>
-            <translation>höjd</translation>
         </message>
         <message>
             <source>lat.</source>

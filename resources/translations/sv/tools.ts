@@ -108,8 +108,8 @@
             <translation>Pelott här</translation>
         </message>
         <message>
-            <source>Pen mark at x {x:.0f} mm, y {y:.0f} mm</source>
-            <translation>Pennmärke vid x {x:.0f} mm, y {y:.0f} mm</translation>
+            <source>Pen mark: {place} mm</source>
+            <translation>Pennmärke: {place} mm</translation>
         </message>
         <message>
             <source>Plane</source>
@@ -118,10 +118,6 @@
         <message>
             <source>Post the rearfoot as the rule of the clinic suggests for this axis</source>
             <translation>Kila bakfoten så som klinikens regel föreslår för den här axeln</translation>
-        </message>
-        <message>
-            <source>Pronation / supination (&gt; 0 raises the medial edge)</source>
-            <translation>Pronation / supination (&gt; 0 höjer medialkanten)</translation>
         </message>
         <message>
             <source>Propose {angle}° medial</source>

@@ -22,6 +22,22 @@ def test_the_asymmetry_is_left_minus_right() -> None:
     assert rows["arch_index"].percent is None
 
 
+@pytest.mark.parametrize(
+    ("key", "left", "right", "percent"),
+    [
+        ("arch_height", 0.1, 0.5, None),  # a fraction of a mm would be −133 %
+        ("arch_height", 6.0, 5.0, 100 / 5.5),
+        ("arch_index", 0.02, 0.06, None),
+    ],
+)
+def test_there_is_no_share_of_what_is_too_small_to_be_told(
+    key: str, left: float, right: float, percent: float | None
+) -> None:
+    (row,) = measure_table({Side.LEFT: {key: left}, Side.RIGHT: {key: right}})
+    assert row.difference == pytest.approx(left - right)
+    assert row.percent == (None if percent is None else pytest.approx(percent))
+
+
 def test_one_foot_has_no_asymmetry() -> None:
     (row, *_) = measure_table({Side.RIGHT: RIGHT})
     assert row == MeasureRow("foot_length", None, 248.0)

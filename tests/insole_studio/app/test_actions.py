@@ -19,7 +19,7 @@ KEYS = [record.key for record in ACTIONS]
 def test_keys_texts_and_shortcuts_are_unique() -> None:
     for values in (
         KEYS,
-        [record.text() for record in ACTIONS],
+        [(record.group, record.text()) for record in ACTIONS],
         [s for record in ACTIONS for s in (record.shortcut, record.other_shortcut) if s],
     ):
         assert [value for value, count in Counter(values).items() if count > 1] == []

@@ -37,8 +37,8 @@ CASE_FILE_ACTIONS: tuple[ActionRecord[CaseFiles], ...] = (
     ),
     ActionRecord(
         "open_archive",
-        lambda: tr("Open session archive or mesh…"),
-        lambda: tr("Open a session in a zip archive, or a foot from a .ply, .stl or .obj file"),
+        lambda: tr("Import a scan…"),
+        lambda: tr("Open the scan of another program, or a recorded session in one file"),
         lambda files, _on: files.opener.ask_open_mesh(),
         icon="mesh",
         shortcut="Ctrl+M",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_places import SIZED_BY_FOOT
 from insole_core.insole.prescription.design import (
     ArchRaise,
@@ -96,6 +97,22 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
     "forefoot_filler": lambda: tr("Forefoot filler"),
 }
 """Translated names of the kinds of pads that their shape does not name."""
+
+
+def from_axis() -> str:
+    """Return the name of a distance from the foot axis, which is above 0 medially."""
+    return tr("From axis")
+
+
+def from_heel() -> str:
+    """Return the name of a distance from the back of the heel."""
+    return tr("From heel")
+
+
+def place_text(side: Side, x_mm: float, y_mm: float) -> str:
+    """Say a place of the insole frame as the fields of a pad do."""
+    medial = localised(side.medial_sign * x_mm + 0.0)
+    return f"{from_axis()} {medial}   {from_heel()} {localised(y_mm + 0.0)}"
 
 
 def device_name(design: InsoleDesign) -> str:

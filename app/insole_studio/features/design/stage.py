@@ -18,6 +18,7 @@ from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
+from insole_studio.features.design.correction_names import place_text
 from insole_studio.features.design.models.model_presenter import (
     FootPresenter,
     InsolePresenter,
@@ -388,7 +389,7 @@ class DesignStage(QObject):
         self.hint_changed.emit(hint)
 
     def _point(self, event: PointerEvent) -> None:
-        self.pointed.emit(_describe(event))
+        self.pointed.emit(self._describe(event))
         self.section_follower.point(event)
         view, _ = self._presenters[event.subject]
         grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
@@ -401,9 +402,10 @@ class DesignStage(QObject):
         self.pointed.emit("")
         self._show_hint()
 
-
-def _describe(event: PointerEvent) -> str:
-    if event.surface_mm is None:
-        return ""
-    x, y, z = np.round(event.surface_mm, 1) + 0.0
-    return f"x {localised(x)}   y {localised(y)}   {tr('height')} {localised(z)} mm"
+    def _describe(self, event: PointerEvent) -> str:
+        """Say a place by the names that fields have for it."""
+        side = self._case.shown.side
+        if event.surface_mm is None or side is None:
+            return ""
+        x, y, z = event.surface_mm
+        return f"{place_text(side, x, y)}   {tr('Height')} {localised(z + 0.0)} mm"

@@ -49,6 +49,7 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda: tr("Export patient…"),
         lambda: tr("Export the patient as a folder that opens without this program"),
         lambda records, _on: records.export_patient(),
+        short=lambda: tr("Export…"),
     ),
     ActionRecord(
         "new_visit",
@@ -77,6 +78,7 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda: tr("Orders of the patient"),
         lambda: tr("The orders of the patient on the page"),
         lambda records, _on: records.show_orders(of_person=True),
+        short=lambda: tr("Orders"),
     ),
     ActionRecord(
         "follow_up",

@@ -58,7 +58,7 @@ class OrdersPage(QWidget):
         self.open_button.clicked.connect(self._request_open)
         self.edit_button = QPushButton(tr("Shop and due date…"))
         self.edit_button.clicked.connect(self._request_edit)
-        back = QPushButton(tr("All patients"))
+        back = QPushButton(tr("Patients"))
         back.clicked.connect(self.patients_requested)
         top = QHBoxLayout()
         top.setSpacing(8)

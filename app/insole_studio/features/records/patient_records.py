@@ -596,11 +596,11 @@ class PatientRecords(QObject):
             return records.persons.add(person)
 
         def added(found: Person | PersonSummary) -> None:
+            self.show_person(found.id)
             if isinstance(found, PersonSummary):
                 self._services.messages.say(
                     tr("{name} has this personal number already.").format(name=found.name)
                 )
-            self.show_person(found.id)
 
         self._clinic.write(add, added, self._tell)
 

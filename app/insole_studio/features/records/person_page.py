@@ -185,7 +185,7 @@ class PersonPage(QWidget):
         column.addStretch(1)
         top = QHBoxLayout()
         top.setSpacing(8)
-        top.addWidget(self._button("patients", tr("All patients")))
+        top.addWidget(self._button("patients", tr("Patients")))
         top.addWidget(self._name, 1)
         top.addWidget(self._button("follow_up", tr("Follow-up…")))
         top.addWidget(self._button("person_orders", tr("Orders")))

@@ -49,7 +49,7 @@ class StartPage(QWidget):
         self.search.setObjectName("search")
         self.search.textChanged.connect(self.search_edited)
         self.search.installEventFilter(self)
-        self.new_patient = self._button("", tr("New patient"), "new_patient")
+        self.new_patient = self._button("", tr("New patient…"), "new_patient")
         self.new_patient.setObjectName("primary")
         self._found_title = _heading(tr("Recent patients"))
         self.found = RowTable((tr("Name"), tr("Born"), tr("Number"), tr("Last visit")))
@@ -219,7 +219,7 @@ class StartPage(QWidget):
             ("lock", tr("Sign in…")),
             ("accounts", tr("Accounts…")),
             ("audit_log", tr("Audit log…")),
-            ("retry_record", tr("Try again")),
+            ("retry_record", tr("Open the record again")),
             ("restore_record", tr("Restore from a backup…")),
             ("record_place", tr("Where the record is…")),
         ):
@@ -242,7 +242,7 @@ class StartPage(QWidget):
         row = QHBoxLayout()
         row.setSpacing(8)
         for key, text, action in (
-            ("capture", tr("Capture"), "capture"),
+            ("capture", tr("Capture…"), "capture"),
             ("open", tr("Open case…"), "open"),
             ("session", tr("Open session…"), "open_session"),
             ("mesh", tr("Import a scan…"), "open_archive"),
@@ -251,7 +251,7 @@ class StartPage(QWidget):
             self._files[key] = self._button(key, text, action)
             row.addWidget(self._files[key])
         row.addStretch(1)
-        row.addWidget(self._button("", tr("Set up sensors"), "calibrate"))
+        row.addWidget(self._button("", tr("Calibrate sensors…"), "calibrate"))
         row.addWidget(self._button("", tr("Restore from a backup…"), "restore_record"))
         return row
 

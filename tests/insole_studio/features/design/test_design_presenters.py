@@ -361,7 +361,7 @@ class TestParameters:
         tool_controller.take("posting")
         view.field_edited.emit("posting.rearfoot_deg", 4.0)
         view.field_edited.emit("posting.forefoot_deg", -2.0)
-        (group,) = [g for title, g in groups(view).items() if "Pronation" in title]
+        (group,) = [g for title, g in groups(view).items() if title == "Posting"]
         assert [field.value for field in group.fields[:2]] == [4.0, -2.0]
         assert case.record.design is not None
         assert len(case.record.design.corrections) == 1
@@ -400,7 +400,7 @@ class TestModels:
         FootPresenter(view, ShownModels(**facts), display).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
-        assert list(offers) == ["capture", "open_session", "open_mesh", "open_example"]
+        assert list(offers) == ["capture", "open_session", "open_archive", "open_example"]
 
     @pytest.mark.parametrize("side", list(Side))
     def test_the_foot_appears_with_its_side(

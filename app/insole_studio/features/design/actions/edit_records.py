@@ -86,8 +86,8 @@ EDIT_ACTIONS: tuple[ActionRecord[Design], ...] = (
     ),
     _tool(
         "posting",
-        lambda: tr("Pronation"),
-        lambda: tr("Pronation / supination: tilt rear- and forefoot"),
+        lambda: tr("Posting"),
+        lambda: tr("Tilt rear- and forefoot by degrees, against pronation or supination"),
         "T",
     ),
     _tool(

@@ -67,7 +67,7 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
     ),
     _prescription(
         lambda: tr("Posting"),
-        lambda: tr("Tilt rear- and forefoot by degrees"),
+        lambda: tr("Tilt rear- and forefoot by degrees, against pronation or supination"),
         lambda: Posting(rearfoot_deg=4.0),
     ),
     _prescription(

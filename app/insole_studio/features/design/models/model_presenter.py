@@ -404,11 +404,11 @@ class FootPresenter(ModelPresenter):
         foot = self._case.foot
         if foot is None:
             self.panel.show_empty(
-                tr("No scan yet. Capture a foot, or open a recorded session or a mesh."),
+                tr("No scan yet. Capture a foot, open a recorded session, or import a scan."),
                 {
                     "capture": tr("Capture…"),
                     "open_session": tr("Open session…"),
-                    "open_mesh": tr("Open mesh…"),
+                    "open_archive": tr("Import a scan…"),
                     "open_example": tr("Open the example"),
                 },
             )

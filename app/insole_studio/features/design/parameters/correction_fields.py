@@ -42,7 +42,7 @@ from insole_core.insole.prescription.design_limits import (
     range_beside,
 )
 from insole_core.insole.prescription.vocabulary import acts
-from insole_studio.features.design.correction_names import word_of
+from insole_studio.features.design.correction_names import from_axis, from_heel, word_of
 from insole_studio.features.design.rows import ChoiceSpec, FieldSpec
 from insole_studio.texts import tr
 
@@ -113,14 +113,14 @@ def _place(name: str) -> tuple[Editable, Editable]:
     return (
         Editable(
             name,
-            lambda: tr("From axis"),
+            from_axis,
             lambda: tr("Distance of the highest place from the foot axis; > 0 is medial"),
             0,
             is_medial=True,
         ),
         Editable(
             name,
-            lambda: tr("From heel"),
+            from_heel,
             lambda: tr("Distance of the highest place from the back of the heel"),
             1,
         ),

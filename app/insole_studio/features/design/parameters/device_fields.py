@@ -90,7 +90,7 @@ def device_group(design: InsoleDesign, side: Side) -> FieldGroup:
     """Return the group of the device; as scanned it has no values of its own."""
     choose = Proposal(
         "action.choose_device",
-        tr("Choose…"),
+        tr("Device or finding…"),
         tr("Choose a device, a base form, or what is proposed for a finding"),
     )
     if design.finish is None:

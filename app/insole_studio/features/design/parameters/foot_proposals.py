@@ -20,17 +20,17 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.foot_pose import levelled_record, quarter_turned_record, turned_record
 from insole_core.workflows.pen_marks import PenMark, PenMarks
 from insole_studio.document.case import Case
-from insole_studio.features.design.correction_names import name_of
+from insole_studio.features.design.correction_names import name_of, place_text
 from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.key_point_tool import point_text
 from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
-from insole_studio.texts import fill, localised, tr, translate_core_message
+from insole_studio.texts import localised, tr, translate_core_message
 
 _ANGLE = Range(-45, 45, "degrees")
 
 
 class FootProposals:
-    """The field groups of the landmark and pronation tools, and the actions of their buttons."""
+    """The field groups of the landmark and posting tools, and the actions of their buttons."""
 
     def __init__(self, case: Case, rules: ClinicRules, pelott: Pelott) -> None:
         self._case = case
@@ -154,8 +154,10 @@ class FootProposals:
         return FieldGroup(title, fields, (Proposal("align.", tr("Align"), tip),))
 
     def _mark_group(self, number: int, found: PenMark) -> FieldGroup:
+        side = self._case.shown.side
+        assert side is not None, "marks are found on a foot"
         x, y, _ = found.mark.point
-        title = fill(tr("Pen mark at x {x:.0f} mm, y {y:.0f} mm"), x=float(x), y=float(y))
+        title = tr("Pen mark: {place} mm").format(place=place_text(side, x, y))
         uses = [
             Proposal(f"mark.{number}.{name}", tr("Use as {name}").format(name=point_text(name)))
             for name in found.meanings

@@ -218,9 +218,8 @@ class ParametersPresenter:
         """Return the group of the angles, with the posting suggested by the measured axis."""
         note = self._foot_offers.posting_note()
         offers = self._foot_offers.posting_offers()
-        title = tr("Pronation / supination (> 0 raises the medial edge)")
         fields = field_specs(posting, "posting", self._side)
-        return FieldGroup(title, fields, offers, note)
+        return FieldGroup(name_of(posting), fields, offers, note)
 
     def _rim_groups(self) -> list[FieldGroup]:
         """Return the group of the selected station."""

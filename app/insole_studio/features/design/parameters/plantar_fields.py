@@ -42,13 +42,19 @@ class PlantarFields:
         """Return the groups of the tool."""
         plantar = self._case.shown.plantar
         shown = self._view.shown(plantar)
-        lay = Proposal("action.lay_pressure", tr("Lay a map or picture…"))
+        lay = Proposal("action.lay_pressure", tr("Lay a pressure map or footprint…"))
         if shown is None:
             note = tr("Nothing lies under this foot yet.")
             return [FieldGroup(tr("Pressure and footprint"), note=note, offers=(lay,))]
         fields = [
-            _place("plantar.x_mm", tr("x"), shown.placement.x_mm),
-            _place("plantar.y_mm", tr("y"), shown.placement.y_mm),
+            _place(
+                "plantar.x_mm", tr("Across"), shown.placement.x_mm,
+                tr("Moves it across the foot; > 0 is to the right, seen from above"),
+            ),
+            _place(
+                "plantar.y_mm", tr("Along"), shown.placement.y_mm,
+                tr("Moves it along the foot; > 0 is towards the toes"),
+            ),
             FieldSpec(
                 "plantar.turn_deg", tr("Turned"), "°", shown.placement.turn_deg, -180, 180, 0.5,
                 tip=tr("Counter-clockwise, seen from above"),
@@ -176,5 +182,5 @@ def head_text(head: int) -> str:
     )[head - 1]
 
 
-def _place(key: str, label: str, value: float) -> FieldSpec:
-    return FieldSpec(key, label, "mm", value, -_PLACE_MM, _PLACE_MM, 0.5)
+def _place(key: str, label: str, value: float, tip: str) -> FieldSpec:
+    return FieldSpec(key, label, "mm", value, -_PLACE_MM, _PLACE_MM, 0.5, tip=tip)

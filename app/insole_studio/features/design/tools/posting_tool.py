@@ -1,4 +1,4 @@
-"""The pronation/supination tool: raise the medial or the lateral edge by degrees."""
+"""The posting tool: raise the medial or the lateral edge by degrees."""
 
 from __future__ import annotations
 
