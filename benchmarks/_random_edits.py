@@ -26,7 +26,6 @@ from insole_core.insole.prescription.design import (
     Rocker,
 )
 from insole_core.solids.solid import insole_solid
-from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.jobs import Jobs
@@ -35,8 +34,6 @@ from insole_studio.scene.painter import Painter
 EDITS = 12
 """Of a sequence."""
 _PATIENCE_S = 60
-_SAME_PLACE_MM = 1e-4
-"""What is drawn has single precision."""
 _Edit = Callable[[InsoleDesign, np.random.Generator], InsoleDesign]
 
 
@@ -47,15 +44,12 @@ class Seen:
     Parameters
     ----------
     apart_mm
-        Largest difference of height of a vertex from that of the export in the same place.
-    share
-        Of the vertices that have one there: walls lean by as much as they are high.
+        Largest distance of a drawn vertex from that of the export.
     turned_deg
         Largest angle between a drawn normal and that of the surface.
     """
 
     apart_mm: float
-    share: float
     turned_deg: float
 
 
@@ -110,22 +104,13 @@ class EditedCase:
         surface = self.painter._surface
         assert surface is not None
         made = insole_solid(build_insole(self.foot, self.design)).vertices
-        shown, half = np.asarray(surface.points, dtype=float), len(made) // 2
-        count = InsoleBuilder().bare(self.foot, self.design).top_count
-        apart, same = [], []
-        for start, end, face in ((0, count, made[:half]), (count, 2 * count, made[half:])):
-            away, nearest = KDTree(face[:, :2]).query(shown[start:end, :2])
-            near = away < _SAME_PLACE_MM
-            same.append(near)
-            apart.append(np.abs(shown[start:end, 2] - face[nearest, 2])[near])
+        apart = np.asarray(KDTree(made).query(np.asarray(surface.points, dtype=float))[0])
         mesh = self.preview.mesh
         assert mesh is not None
         normals = mesh.moved(mesh.vertices).vertex_normals
         cosine = (surface.point_data["Normals"] * normals).sum(axis=1)[normals.any(axis=1)]
         turned = np.degrees(np.arccos(np.clip(cosine.min(), -1.0, 1.0)))
-        return Seen(
-            float(np.concatenate(apart).max()), float(np.concatenate(same).mean()), float(turned)
-        )
+        return Seen(float(apart.max()), float(turned))
 
     def _draw(self) -> None:
         """Draw as the presenter of the insole does."""

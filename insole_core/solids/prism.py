@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -47,66 +47,76 @@ class Faces:
     Parameters
     ----------
     top_mm, bottom_mm : (ny, nx) float64
-        The bottom is nowhere higher than the top.
+        Where they lie nearer than `LEAST_WALL_MM`, the top is raised.
     tips : (k, 4) float64, mm
         x, y, top and bottom, for each fan of the plan.
     """
 
     top_mm: FloatArray
     bottom_mm: FloatArray
-    tips: FloatArray
+    tips: FloatArray = field(default_factory=lambda: np.zeros((0, 4)))
 
 
-def prism(
-    plan: Plan,
-    field: HeightField,
-    faces: Faces,
-    outline: OutlineDistance,
-    walls: Walls | float,
-) -> TriangleMesh:
-    """Close the space between two faces by walls.
+@dataclass(frozen=True, eq=False)
+class Prism:
+    """A solid of one plan between any two faces, closed by walls.
 
     Parameters
     ----------
     plan
         Plan of the top; its border becomes the upper rim.
-    field
-        Provides the positions of the lattice's nodes.
+    lattice
+        Provides the positions of its nodes.
     outline
         Exact within `band_mm` of the draft.
     walls
         Or the draft of plain ones: their inclination from the vertical in degrees; positive: wider
         at the bottom. It is reduced where walls would cross, in tight concave corners.
-
-    Returns
-    -------
-    TriangleMesh, mm, the field's frame
-        Closed, facing outwards.
     """
-    places = plan.carry(field.nodes[:, :2].reshape(*field.heights_mm.shape, 2))
-    top, bottom = plan.carry(faces.top_mm), plan.carry(faces.bottom_mm)
-    shaped = walls if isinstance(walls, Walls) else None
-    draft = np.asarray(walls) if shaped is None else plan.carry(shaped.draft_deg)
-    lean = _lean(plan, faces, outline, draft)
-    if shaped is not None:
-        lean[_inner(plan, draft > 0)] = 0
-        top = top - np.minimum(shaped.cut_mm(plan.inside_mm), (top - bottom) / 2)
-    places, top, bottom = (
-        np.concatenate([places, faces.tips[:, :2]]),
-        np.concatenate([top, faces.tips[:, 2]]),
-        np.concatenate([bottom, faces.tips[:, 3]]),
-    )
-    lean = np.concatenate([lean, np.zeros((len(faces.tips), 2))])
-    lean = _without_folds(plan.triangles, places, lean)
-    if shaped is not None:
-        moved = np.flatnonzero((lean != 0).any(axis=1))
-        underside = replace(field, heights_mm=faces.bottom_mm).height_at((places + lean)[moved])
-        most = np.where(draft[moved] > 0, bottom[moved], top[moved] - LEAST_WALL_MM)
-        bottom[moved] = np.fmin(underside, most)
-    vertices = np.concatenate(
-        [np.column_stack([places, top]), np.column_stack([places + lean, bottom])]
-    )
-    return TriangleMesh(vertices, _skin(plan, len(places)))
+
+    plan: Plan
+    lattice: HeightField
+    outline: OutlineDistance
+    walls: Walls | float
+
+    def between(self, faces: Faces) -> TriangleMesh:
+        """Close the space between two faces.
+
+        Returns
+        -------
+        TriangleMesh, mm, frame of the lattice
+            Closed, facing outwards.
+        """
+        vertices = self.vertices(faces)
+        return TriangleMesh(vertices, _skin(self.plan, len(vertices) // 2))
+
+    def vertices(self, faces: Faces) -> FloatArray:
+        """Return the vertices (2 n, 3) between two faces, mm: of the top, and those below them."""
+        plan, lattice = self.plan, self.lattice
+        faces = replace(faces, top_mm=np.maximum(faces.top_mm, faces.bottom_mm + LEAST_WALL_MM))
+        places = plan.carry(lattice.nodes[:, :2].reshape(*lattice.heights_mm.shape, 2))
+        top, bottom = plan.carry(faces.top_mm), plan.carry(faces.bottom_mm)
+        shaped = self.walls if isinstance(self.walls, Walls) else None
+        draft = np.asarray(self.walls) if shaped is None else plan.carry(shaped.draft_deg)
+        lean = _lean(plan, faces, self.outline, draft)
+        if shaped is not None:
+            lean[_inner(plan, draft > 0)] = 0
+            top = top - np.minimum(shaped.cut_mm(plan.inside_mm), (top - bottom) / 2)
+        places, top, bottom = (
+            np.concatenate([places, faces.tips[:, :2]]),
+            np.concatenate([top, faces.tips[:, 2]]),
+            np.concatenate([bottom, faces.tips[:, 3]]),
+        )
+        lean = np.concatenate([lean, np.zeros((len(faces.tips), 2))])
+        lean = _without_folds(plan.triangles, places, lean)
+        if shaped is not None:
+            moved = np.flatnonzero((lean != 0).any(axis=1))
+            below = replace(lattice, heights_mm=faces.bottom_mm).height_at((places + lean)[moved])
+            most = np.where(draft[moved] > 0, bottom[moved], top[moved] - LEAST_WALL_MM)
+            bottom[moved] = np.fmin(below, most)
+        return np.concatenate(
+            [np.column_stack([places, top]), np.column_stack([places + lean, bottom])]
+        )
 
 
 def _inner(plan: Plan, chosen: BoolArray) -> BoolArray:

@@ -15,7 +15,7 @@ from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.surface.block import apexes, block_solid
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.posts import POST_BAND_MM
-from insole_core.solids.prism import LEAST_WALL_MM, Faces, band_mm, prism
+from insole_core.solids.prism import Faces, Prism, band_mm
 from insole_core.solids.shell_body import (
     Body,
     BodyPlan,
@@ -87,11 +87,14 @@ class ClosedInsole:
         As `insole_solid` returns it.
     plan, body
         At the nodes of the contact surface, before walls and edges.
+    prism
+        Its walls and edges.
     """
 
     solid: TriangleMesh
     plan: BodyPlan
     body: Body
+    prism: Prism
 
 
 def make_solid(
@@ -172,12 +175,14 @@ def closed_insole(
     distance = _distance(made, polygon, options, float(field.heights_mm.max()))
     body_plan = BodyPlan.of(insole, polygon, distance)
     body = body_plan.body(insole.contact, made_mm=field.heights_mm)
-    top = body.top_mm - np.clip(options.chamfer_mm - distance.inside_mm, 0, None)
-    top = np.maximum(top, body.bottom_mm + LEAST_WALL_MM)
+    top = body.top_mm
+    if options.chamfer_mm > 0:
+        top = top - np.clip(options.chamfer_mm - distance.inside_mm, 0, None)
     plan, tips = _plan(made, distance, options.chamfer_mm)
     tip_bottom = replace(field, heights_mm=body.bottom_mm).height_at(tips[:, :2])
     faces = Faces(top, body.bottom_mm, np.column_stack([tips, tip_bottom]))
-    return ClosedInsole(prism(plan, field, faces, distance, options.draft_deg), body_plan, body)
+    walled = Prism(plan, field, distance, options.draft_deg)
+    return ClosedInsole(walled.between(faces), body_plan, body, walled)
 
 
 def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedInsole:
@@ -202,7 +207,8 @@ def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedIn
     top += tips[:, 2] - field.height_at(at)
     faces = Faces(body.top_mm, body.bottom_mm, np.column_stack([at, top, bottom]))
     walls = shell_walls(shell, insole.design.side.medial_sign, distance)
-    return ClosedInsole(prism(plan, field, faces, distance, walls), body_plan, body)
+    walled = Prism(plan, field, distance, walls)
+    return ClosedInsole(walled.between(faces), body_plan, body, walled)
 
 
 def positive_solid(
@@ -243,7 +249,7 @@ def positive_solid(
         np.zeros_like(field.heights_mm),
         np.column_stack([tips[:, :2], level - tips[:, 2], np.zeros(len(tips))]),
     )
-    upright = prism(plan, field, faces, distance, options.draft_deg)
+    upright = Prism(plan, field, distance, options.draft_deg).between(faces)
     # Heights were measured down from the level, a mirror in z; with one in x it is a rotation.
     return replace(upright, vertices=upright.vertices * [-1, 1, 1]).flipped()
 

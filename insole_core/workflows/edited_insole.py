@@ -20,17 +20,21 @@ from insole_core.insole.surface.pads_on_surface import Window, apply_pads, moved
 from insole_core.insole.surface.posting import posted_mesh, posting_angles
 from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.solids.ball_offset import PITCH_MM
+from insole_core.solids.prism import Faces
+from insole_core.solids.shell_body import Body
 from insole_core.workflows.insole_builder import BareInsole, BareKey, bare_key
 
 _QUICK_PITCH_MM = 2.0
 """Of the points that the ball of an underside touches, while the surface is not exact either."""
+_SAME_MM = 1e-9
 
 
 class EditedInsole:
     """The insole of a design, updated as the design is edited.
 
     A change of a pad updates only the part of surface and mesh that it covers; contact surface and
-    findings are those of `build_insole`, bit for bit, and the body is that of `insole_solid`. A
+    findings are those of `build_insole`, bit for bit, and the body is that of `insole_solid`. Its
+    edges and walls only rise and sink with the body, until they are made anew: see `settle`. A
     change of the finish or of the share of the foot updates the whole at once; until the insole is
     built anew, it is close to that: see `is_exact`.
 
@@ -51,6 +55,8 @@ class EditedInsole:
         self.mesh = replace(bare.solid, vertices=bare.solid.vertices.copy())
         """Its vertices are overwritten by the next change."""
         self.normals: FloatArray = bare.solid.vertex_normals.copy()
+        self._body = _copy_of(bare.body)
+        self._is_settled = False
         self._move_all()
         self.moved: IntArray | None = None
         """Indices of the vertices that the last change moved; None before the first."""
@@ -78,6 +84,7 @@ class EditedInsole:
             self.problem = str(error)
             return
         before, self.design = self.design, design
+        self._is_settled = False
         if base is self.base:
             change = moved_pad(base, self.contact, before, design)
             self.contact = change.surface
@@ -86,6 +93,29 @@ class EditedInsole:
             self.base, self.contact = base, apply_pads(base, design)
             self.moved = self._move_all()
         self.problem = self._problem()
+
+    def settle(self) -> bool:
+        """Make edges and walls as `insole_solid` does; return whether any vertex moved by that.
+
+        Does nothing while the insole is not exact or cannot be made.
+        """
+        if self._is_settled or not self.is_exact or self.problem:
+            return False
+        self._is_settled = True
+        bare, vertices = self.bare, self.mesh.vertices
+        made = bare.prism.vertices(Faces(self._body.top_mm, self._body.bottom_mm))
+        made = np.concatenate([made, made[bare.rim], made[bare.rim + bare.top_count]])
+        off = np.abs(made - vertices).max(axis=1) > _SAME_MM
+        if not off.any():
+            return False
+        vertices[off] = made[off]
+        self.mesh = bare.solid.moved(vertices)
+        corners = bare.solid.triangles
+        moved = np.unique(corners[off[corners].any(axis=1)])
+        self.normals[moved] = self.mesh.normals_at(moved)
+        if self.moved is not None:
+            self.moved = np.union1d(self.moved, moved)
+        return True
 
     def _base_of(self, design: InsoleDesign) -> ContactBase:
         bare = self.bare
@@ -186,6 +216,7 @@ class EditedInsole:
         """Move all vertices, and only where pads make the body another one if it is exact."""
         if not self.is_exact:
             return self._move_vertices(_whole(self.contact))
+        self._body = _copy_of(self.bare.body)
         self.mesh.vertices[:] = self.bare.solid.vertices
         self.normals[:] = self.bare.solid.vertex_normals
         self._move_vertices(self._window_of_pads())
@@ -218,28 +249,31 @@ class EditedInsole:
         contact = _part(self.contact, self.contact.heights_mm, read)
         body = bare.plan.within(read.rows, read.columns).body(contact, pitch_mm)
         inner = around.relative_to(read)
+        at = around.rows, around.columns
+        self._body.top_mm[at], self._body.bottom_mm[at] = body.top_mm[inner], body.bottom_mm[inner]
         moved = bare.vertices_in(window)
         top, bottom = moved[moved < bare.top_count], moved[moved >= bare.top_count]
-        self._move_face(top, around, body.top_mm[inner], bare.body.top_mm)
+        self._move_face(top, around, self._body.top_mm - bare.body.top_mm)
         if bare.plan.is_plain:
             return top
-        self._move_face(bottom, around, body.bottom_mm[inner], bare.body.bottom_mm)
+        self._move_face(bottom, around, self._body.bottom_mm - bare.body.bottom_mm)
         return moved
 
-    def _move_face(
-        self, moved: IntArray, window: Window, heights: FloatArray, bare: FloatArray
-    ) -> None:
+    def _move_face(self, moved: IntArray, window: Window, rise_mm: FloatArray) -> None:
         """Move vertices of a face by what its heights differ from those of the bare insole.
 
         Parameters
         ----------
         window
-            Of the heights: around all vertices that move.
+            Around all vertices that move.
         """
-        solid, field = self.bare.solid, _part(self.contact, heights, window)
-        rise = replace(field, heights_mm=heights - bare[window.rows, window.columns])
+        solid, rise = self.bare.solid, _part(self.contact, rise_mm, window)
         risen = rise.height_at(solid.vertices[moved, :2])
         self.mesh.vertices[moved, 2] = solid.vertices[moved, 2] + risen
+
+
+def _copy_of(body: Body) -> Body:
+    return Body(body.top_mm.copy(), body.bottom_mm.copy())
 
 
 def _part(field: HeightField, heights_mm: FloatArray, window: Window) -> HeightField:

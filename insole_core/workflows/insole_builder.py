@@ -19,6 +19,7 @@ from insole_core.insole.surface.pads_on_surface import Window, added_corrections
 from insole_core.insole.surface.rocker import rockers
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
+from insole_core.solids.prism import Prism
 from insole_core.solids.shell_body import Body, BodyPlan
 from insole_core.solids.solid import ClosedInsole, closed_insole, insole_solid
 
@@ -47,6 +48,8 @@ class BareInsole:
         Indices of the top's vertices at which the walls begin.
     plan, body
         The body between top and bottom at the nodes of the contact surface, and its plan.
+    prism
+        Walls and edges of the body.
     coarse
         The base on a coarse grid, by which it follows the finish; None of a design without one.
     """
@@ -59,6 +62,7 @@ class BareInsole:
     rim: IntArray
     plan: BodyPlan
     body: Body
+    prism: Prism
     coarse: ContactBase | None = None
 
     @classmethod
@@ -84,7 +88,8 @@ class BareInsole:
         mesh = TriangleMesh(vertices, triangles)
         _ = mesh.vertex_normals  # kept by the mesh: computed here, not in the window
         rim = used[used < count].astype(np.int64)
-        return cls(key, foot, base, mesh, count, rim, closed.plan, closed.body, coarse)
+        parts = closed.plan, closed.body, closed.prism
+        return cls(key, foot, base, mesh, count, rim, *parts, coarse)
 
     @cached_property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh]:

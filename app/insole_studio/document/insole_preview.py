@@ -26,9 +26,9 @@ CHANNEL = "insole"
 class InsolePreview(QObject):
     """The insole derived from the shown design, and the problem that prevents building it.
 
-    A change of a pad is applied at once, and so is one of the finish while it is dragged. The
-    surface below is computed in the background; while that runs, newer requests wait, and only the
-    newest is computed next.
+    A change of a pad is applied at once, and so is one of the finish while it is dragged; edges and
+    walls follow exactly when the drag is over. The surface below is computed in the background;
+    while that runs, newer requests wait, and only the newest is computed next.
     """
 
     changed = Signal()
@@ -193,14 +193,19 @@ class InsolePreview(QObject):
         is_other = design != insole.design
         if is_other:
             insole.follow(design)
+        is_settled = self._settle(insole)
         self._set_problem(insole.problem)
-        if is_other:
+        if is_other or is_settled:
             self.changed.emit()
 
     def _show(self, bare: BareInsole, design: InsoleDesign) -> None:
         self._insole = EditedInsole(bare, design)
+        self._settle(self._insole)
         self._set_problem(self._insole.problem)
         self.changed.emit()
+
+    def _settle(self, insole: EditedInsole) -> bool:
+        return self._case.shown is self._case.record and insole.settle()
 
     def _build(self, foot: Foot, design: InsoleDesign) -> None:
         def build(progress: Progress) -> BareInsole:

@@ -22,7 +22,7 @@ from insole_core.insole.surface.height_field import HeightField
 from insole_core.resources import resource_path
 from insole_core.solids.checks import Finding, Override, check_solid, require_export
 from insole_core.solids.export_rules import CHECK_NAMES, ExportRules, read_rules
-from insole_core.solids.prism import Faces, prism
+from insole_core.solids.prism import Faces, Prism
 from insole_core.solids.simplification import from_manifold, to_manifold
 from insole_core.solids.solid import insole_solid
 from insole_core.solids.solid_outline import outline_distance
@@ -37,8 +37,8 @@ def plate(heights, draft_deg=0.0, step=0.5, outline=SQUARE) -> TriangleMesh:
     top = heights(x, y) + np.zeros_like(x)
     field = HeightField(-40.0, -70.0, step, top)
     distance = outline_distance(outline, field, 8.0)
-    faces = Faces(top, np.zeros_like(top), np.zeros((0, 4)))
-    return prism(trim(distance.inside_mm), field, faces, distance, draft_deg)
+    body = Prism(trim(distance.inside_mm), field, distance, draft_deg)
+    return body.between(Faces(top, np.zeros_like(top)))
 
 
 def findings(mesh: TriangleMesh) -> dict[str, Finding]:

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication
 
 from benchmarks._random_designs import random_foot
 from benchmarks._random_edits import random_sequence
+from benchmarks.seen_and_exported import LIMITS
 from insole_core.foot.foot import Foot
 
 
@@ -26,6 +27,5 @@ def test_every_vertex_and_normal_is_that_of_the_export(
 ) -> None:
     seen = random_sequence(foot, seed)
     assert seen is not None
-    assert seen.apart_mm < 0.02
-    assert seen.turned_deg < 1.0
-    assert seen.share > 0.9
+    assert seen.apart_mm < LIMITS[0]
+    assert seen.turned_deg < LIMITS[1]
