@@ -27,7 +27,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.records.records import Records
-from insole_studio.app.bootstrap import Application, build_application
+from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.user_paths import UserPaths
@@ -117,6 +117,12 @@ def no_leaks() -> Iterator[None]:
         assert QApplication.topLevelWidgets() == []
     left = [thread.name for thread in set(threading.enumerate()) - before if thread.is_alive()]
     assert [name for name in left if name.startswith("studio-job")] == []
+
+
+@pytest.fixture(scope="session")
+def qapp_cls() -> Callable[[list[str]], QApplication]:
+    """Let Qt's application be made as the product makes it."""
+    return lambda _arguments: qt_application()
 
 
 @pytest.fixture

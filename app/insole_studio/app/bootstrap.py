@@ -26,6 +26,7 @@ from insole_studio.app.application_events import ApplicationEvents
 from insole_studio.app.crash_reports import CrashReports
 from insole_studio.app.features import Features, make_features
 from insole_studio.app.garbage_collection import GarbageCollection
+from insole_studio.app.graphics import share_contexts
 from insole_studio.app.help_actions import HelpActions
 from insole_studio.app.key_reference import key_sections
 from insole_studio.app.main_controller import MainController
@@ -298,6 +299,7 @@ def qt_application() -> QApplication:
     running = QApplication.instance()
     if isinstance(running, QApplication):
         return running
+    share_contexts()
     application = QApplication(sys.argv[:1])
     application.setApplicationName("Insole Studio")
     application.setApplicationDisplayName("Insole Studio")

@@ -1,4 +1,4 @@
-"""What draws the 3-D views: its name and version, asked without opening a window."""
+"""What draws the 3-D views: its name and version, asked without opening a window; its contexts."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import sys
 from dataclasses import dataclass
 from typing import cast
 
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
 LEAST_OPENGL = (3, 2)
@@ -39,6 +40,20 @@ class Graphics:
     def is_enough(self) -> bool:
         """Whether the 3-D views can be drawn."""
         return self.version is not None and self.version >= LEAST_OPENGL
+
+
+def share_contexts() -> None:
+    """Let a 3-D view keep its OpenGL context; called before there is a Qt application.
+
+    A panel that floats is a window of its own, and so is the one that it comes back to. Qt would
+    give the view in it a new context each time, without what VTK has made in the one before.
+    That pyvistaqt sets the same format again, Qt remarks as a warning; it changes nothing.
+    """
+    QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
+    shared = QSurfaceFormat.defaultFormat()  # as the views will ask for: only such ones share
+    shared.setVersion(*LEAST_OPENGL)
+    shared.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+    QSurfaceFormat.setDefaultFormat(shared)
 
 
 def examine_graphics(platform: str) -> Graphics | None:
