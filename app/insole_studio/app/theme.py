@@ -65,7 +65,8 @@ def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> N
         Whether to enlarge the controls for touch.
     """
     colors = DARK if dark else LIGHT
-    sheet = _style_sheet(colors) + _box_sheet(colors) + (_touch_sheet(colors) if touch else "")
+    sheet = _style_sheet(colors) + _box_sheet(colors) + _sign_sheet(colors)
+    sheet += _touch_sheet(colors) if touch else ""
     if application.styleSheet() == sheet:  # Qt would polish every widget anew
         return
     if not application.styleSheet():
@@ -165,8 +166,7 @@ def _style_sheet(colors: Colors) -> str:
 
 def _box_sheet(colors: Colors) -> str:
     """Return the style sheet of boxes to tick: Fusion's have no edge that is seen on dark."""
-    sign = "dark" if colors is DARK else "light"
-    check = resource_path(f"icons/check-{sign}.svg").as_posix()
+    check = _sign("check", colors)
     return f"""
     QCheckBox::indicator, QAbstractItemView::indicator {{
         width: 14px; height: 14px; border: 1px solid {colors.quiet}; border-radius: 3px;
@@ -183,6 +183,21 @@ def _box_sheet(colors: Colors) -> str:
     QCheckBox::indicator:disabled {{ border-color: {colors.line}; background: {colors.window}; }}
     QCheckBox::indicator:checked:disabled {{ background: {colors.quiet}; }}
     """
+
+
+def _sign_sheet(colors: Colors) -> str:
+    """Return the style sheet of the signs of panels and toolbars: Qt's own are dark on dark."""
+    close, more = _sign("close", colors), _sign("more", colors)
+    return f"""
+    QDockWidget {{ titlebar-close-icon: url("{close}"); dockwidget-close-icon: url("{close}");
+                   titlebar-normal-icon: url("{_sign("float", colors)}"); }}
+    QToolButton#qt_toolbar_ext_button {{ qproperty-icon: url("{more}"); }}
+    """
+
+
+def _sign(name: str, colors: Colors) -> str:
+    """Return the file of a sign that is seen in a theme."""
+    return resource_path(f"icons/{name}-{'dark' if colors is DARK else 'light'}.svg").as_posix()
 
 
 def _touch_sheet(colors: Colors) -> str:
