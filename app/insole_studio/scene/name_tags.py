@@ -20,9 +20,9 @@ _OPACITY = 0.75
 class NameTags:
     """The name tags of one view, drawn over everything on a background of the scene's colour."""
 
-    def __init__(self, plotter: Any, pixel_ratio: float) -> None:
+    def __init__(self, plotter: Any) -> None:
         self._plotter = plotter
-        self._ratio = pixel_ratio
+        self.pixel_ratio = 1.0
         self._texts: list[pv.Text] = []
         self._places = np.zeros((0, 3))
         self._sizes = np.zeros((0, 2))
@@ -66,7 +66,10 @@ class NameTags:
         boxes = name_boxes(anchors, self._sizes, taken_px, look.size_px)
         for text, (left, _, _, bottom) in zip(self._texts, boxes, strict=True):
             up = look.size_px[1] - bottom
-            text.position = ((left + _PADDING_PX) * self._ratio, (up + _PADDING_PX) * self._ratio)
+            text.position = (
+                (left + _PADDING_PX) * self.pixel_ratio,
+                (up + _PADDING_PX) * self.pixel_ratio,
+            )
         ends = leader_ends(anchors, boxes)
         return [
             np.stack([place, look.point_at(*end)])
@@ -75,10 +78,9 @@ class NameTags:
         ]
 
     def _text(self, words: str, size: int, color: str, sheet: str) -> pv.Text:
-        points = round(size * self._ratio * 72 / self._plotter.render_window.GetDPI())
         text = pv.Text(words)
         text.prop = pv.TextProperty(
-            color=color, font_size=points, background_color=sheet, background_opacity=_OPACITY
+            color=color, font_size=size, background_color=sheet, background_opacity=_OPACITY
         )
         return text
 
@@ -87,6 +89,6 @@ class NameTags:
         box = [0.0] * 4
         text.GetBoundingBox(self._plotter.renderer, box)
         return (
-            (box[1] - box[0]) / self._ratio + 2 * _PADDING_PX,
-            (box[3] - box[2]) / self._ratio + 2 * _PADDING_PX,
+            (box[1] - box[0]) / self.pixel_ratio + 2 * _PADDING_PX,
+            (box[3] - box[2]) / self.pixel_ratio + 2 * _PADDING_PX,
         )

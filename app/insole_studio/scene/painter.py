@@ -45,6 +45,7 @@ NAME_PX, DIRECTION_PX, LABEL_PX = 12, 13, 13
 HANDLE_PX = {"move": 17.0, "size": 12.0}
 """Diameter of the handles, without their rims."""
 RIM_PX = 5.0
+POINTS_PER_INCH = 72
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 22.0)
 """Distance of the anatomical directions from the surface, in x and in y."""
@@ -74,7 +75,7 @@ class Painter:
 
     def __init__(self, plotter: Any, dark: bool = False, pixel_ratio: float = 1.0) -> None:
         self._plotter = plotter
-        self._ratio = pixel_ratio
+        self._ratio = 1.0
         self._surface: pv.PolyData | None = None
         self._mesh: TriangleMesh | None = None
         self._colored = _kind(None)
@@ -85,7 +86,7 @@ class Painter:
         """The points of those marks."""
         self._texts: dict[str, Callable[[], None]] = {}
         """Functions that redraw the shown texts."""
-        self._tags = NameTags(plotter, pixel_ratio)
+        self._tags = NameTags(plotter)
         self._named: Sequence[MarkedPoint] = ()
         self._directions: tuple[list[FloatArray], list[str]] = ([], [])
         self._written: tuple[FloatArray, list[str]] = (np.zeros((0, 3)), [])
@@ -104,6 +105,7 @@ class Painter:
             plotter.add_light(light)
         self.show_grazing_light(False)
         plotter.enable_parallel_projection()
+        self.set_pixel_ratio(pixel_ratio)
         self.set_dark(dark)
 
     @property
@@ -124,6 +126,19 @@ class Painter:
         self._named = ()
         self._tags.show((), NAME_PX, self.scheme.text, self.scheme.bottom)
         self._plotter.renderer.clear_actors()
+
+    def set_pixel_ratio(self, ratio: float) -> None:
+        """Set how many pixels of the picture make one of the window, on a screen of this scale.
+
+        Texts have their sizes in points, of which a pixel of the window is one.
+        """
+        by, self._ratio = ratio / self._ratio, ratio
+        self._plotter.render_window.SetDPI(round(POINTS_PER_INCH * ratio))
+        self._tags.pixel_ratio = ratio
+        for actor in self._plotter.actors.values():
+            if isinstance(actor, pv.Actor):
+                actor.prop.line_width *= by
+                actor.prop.point_size *= by
 
     def set_dark(self, dark: bool) -> None:
         """Change the colours of background, text and marks."""
@@ -565,7 +580,7 @@ class Painter:
             np.array(places, dtype=float),
             words,
             name=name,
-            font_size=round(size * self._ratio * 72 / self._plotter.render_window.GetDPI()),
+            font_size=size,
             text_color=text_color,
             shape=None,
             # The text's own background: the label's shape does not follow its justification.

@@ -20,7 +20,7 @@ class SecondaryMesh:
 
     def __init__(self, plotter: Any, pixel_ratio: float = 1.0) -> None:
         self._plotter = plotter
-        self._ratio = pixel_ratio
+        self.pixel_ratio = pixel_ratio
         self._named = 0
 
     def show(self, mesh: TriangleMesh | None) -> None:
@@ -53,7 +53,7 @@ class SecondaryMesh:
             np.array([name.place_mm], dtype=float),
             [f" {name.text} "],
             name=key,
-            font_size=round(NAME_PX * self._ratio * 72 / self._plotter.render_window.GetDPI()),
+            font_size=NAME_PX,
             bold=True,
             text_color="white",
             shape=None,
@@ -72,7 +72,7 @@ class SecondaryMesh:
         # Wide enough for the dots of Ä and Ö, which the background alone does not cover.
         style.SetFrame(True)
         style.SetFrameColor(*ground)
-        style.SetFrameWidth(round(FRAME_PX * self._ratio))
+        style.SetFrameWidth(round(FRAME_PX * self.pixel_ratio))
 
 
 def _key(number: int) -> str:
