@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
@@ -82,6 +82,7 @@ class FootStageView(QWidget):
         self.maps.setAccessibleName(tr("Colours of the foot"))
         self.undo = _tool_button("undo", "Ctrl+Z")
         self.redo = _tool_button("redo", "Ctrl+Shift+Z")
+        QShortcut(QKeySequence("Ctrl+Y"), self, self.redo.click)
         self.limits = tuple(_limit_field(unit) for unit in ("mm", "px", "mm"))
         self.make = QPushButton(tr("Reconstruct again"))
         self.cancel = QPushButton(tr("Cancel"))
