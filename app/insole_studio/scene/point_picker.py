@@ -27,6 +27,11 @@ class PointPicker:
         self._picked = picked
         self._pressed: PointerEvent | None = None
 
+    @property
+    def turns_view(self) -> bool:
+        """Whether a drag beside the surface turns the view."""
+        return True
+
     def press(self, event: PointerEvent) -> bool:
         """Accept a press on the surface."""
         if not self.is_on or event.surface_mm is None:

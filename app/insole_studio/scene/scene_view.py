@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QPalette,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QVBoxLayout, QWidget
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -38,6 +38,8 @@ FRAME_PX = 2
 """Width of the frame around the view that has the keyboard focus."""
 GRAB_PX = 14.0
 TOUCH_GRAB_PX = 28.0
+GENEROUS = 2.0
+"""How much farther a handle is grabbed where a miss would do nothing."""
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_STEP = 0.88
 
@@ -67,6 +69,11 @@ class OfferedItem(Protocol):
 
 class PointerSink(Protocol):
     """Receiver of a view's pointer events."""
+
+    @property
+    def turns_view(self) -> bool:
+        """Whether a drag by the left button turns the view where nothing is grabbed."""
+        ...
 
     def press(self, event: PointerEvent) -> bool:
         """Start a gesture; return False to leave the press to the camera."""
@@ -132,6 +139,8 @@ class SceneView(QWidget):
     camera_changed = Signal(object)
     hovered = Signal(object)
     left = Signal()
+    missed = Signal()
+    """Emitted when the left button was pressed where there is nothing to drag."""
 
     def __init__(self, subject: Subject, dark: bool = False, parent: QWidget | None = None) -> None:
         self._is_alive = False
@@ -150,6 +159,8 @@ class SceneView(QWidget):
         self._picker: SurfacePicker | None = None
         self._dragging: str | None = None
         self._last = QPointF()
+        self._grip = QPointF()
+        """From the pointer to the handle that it drags, so that grabbing alone moves nothing."""
         self._dark = dark
         self._renderer: _Renderer | None = None
         """Made with the first thing to draw: the empty window opens without waiting for VTK."""
@@ -278,6 +289,15 @@ class SceneView(QWidget):
             self._renderer.painter.set_dark(dark)
             self.request_render()
 
+    def event(self, event: QEvent) -> bool:
+        """Draw as large on a screen of another scale, which the window was moved to."""
+        if event.type() == QEvent.Type.DevicePixelRatioChange and self._renderer is not None:
+            ratio = self.devicePixelRatioF()
+            self._renderer.painter.set_pixel_ratio(ratio)
+            self._renderer.companion.pixel_ratio = ratio
+            self.request_render()
+        return super().event(event)
+
     def changeEvent(self, event: QEvent) -> None:
         """Follow changes of the theme."""
         if event.type() == QEvent.Type.PaletteChange and self._is_alive:
@@ -363,16 +383,40 @@ class SceneView(QWidget):
         self.keys.let_go()
         self.keys.forget()
         self._last = event.position()
-        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        if event.button() == Qt.MouseButton.MiddleButton or (
-            event.button() == Qt.MouseButton.LeftButton and shift
-        ):
+        shift = _holds(event.modifiers(), Qt.KeyboardModifier.ShiftModifier)
+        button = event.button()
+        if button == Qt.MouseButton.MiddleButton or (button == Qt.MouseButton.LeftButton and shift):
             self._dragging = "pan"
-        elif event.button() == Qt.MouseButton.RightButton:
-            self.offer_menu(self._event(Phase.PRESS, event))
-        elif event.button() == Qt.MouseButton.LeftButton:
-            taken = self.begin(self._event(Phase.PRESS, event))
-            self._dragging = "tool" if taken else "orbit"
+        elif button == Qt.MouseButton.RightButton:
+            if self._dragging != "tool":
+                self._dragging = "menu"  # on release, unless it is dragged before
+        elif button == Qt.MouseButton.LeftButton:
+            self._dragging = self._begin_drag(event)
+
+    def _begin_drag(self, event: QMouseEvent) -> str:
+        """Return what a drag by the left button does from here on."""
+        pressed = self._event(Phase.PRESS, event)
+        if pressed.handle is not None:
+            is_taken = self._grab(event, pressed.handle)
+        else:
+            is_taken = self.begin(pressed)
+        if is_taken:
+            return "tool"
+        if self.sink is None or self.sink.turns_view:
+            return "orbit"
+        near = self._handle_at(event.position(), GENEROUS * self.grab_px)
+        if near is not None and self._grab(event, near):
+            return "tool"
+        self.missed.emit()
+        return "nothing"
+
+    def _grab(self, event: QMouseEvent, name: str) -> bool:
+        """Start a gesture of a handle, as if the pointer were in the middle of it."""
+        self._grip = self._way_to(event.position(), name)
+        if self.begin(replace(self._event(Phase.PRESS, event), handle=name)):
+            return True
+        self._grip = QPointF()
+        return False
 
     def offer_menu(self, event: PointerEvent) -> None:
         """Open the context menu for a position; it is deleted once closed."""
@@ -386,21 +430,30 @@ class SceneView(QWidget):
         menu.popup(self.surface.mapToGlobal(QPointF(*event.pixel)).toPoint())
 
     def _moved(self, event: QMouseEvent) -> None:
+        position = event.position()
+        if self._dragging == "menu":
+            if (position - self._last).manhattanLength() < QApplication.startDragDistance():
+                return
+            self._dragging = "orbit"
         if self._dragging == "tool":
             pointer = self._event(Phase.MOVE, event)
             self.go_on(pointer)
             self.hovered.emit(pointer)
-        elif self._dragging is not None:
-            self._move_camera(event.position())
-        else:
+        elif self._dragging in ("orbit", "pan"):
+            self._move_camera(position)
+        elif self._dragging is None:
             self._hover(event)
-        self._last = event.position()
+        self._last = position
 
     def _released(self, event: QMouseEvent) -> None:
-        was_tool, self._dragging = self._dragging == "tool", None
-        if was_tool:
+        done, self._dragging = self._dragging, None
+        if done == "tool":
             self.go_on(self._event(Phase.RELEASE, event))
-        self._hover(event)
+        self._grip = QPointF()
+        if done == "menu":
+            self.offer_menu(self._event(Phase.PRESS, event))
+        if done != "nothing":  # what was said of a miss stays until the pointer moves on
+            self._hover(event)
 
     def _double_clicked(self, event: QMouseEvent) -> None:
         pointer = self._event(Phase.PRESS, event)
@@ -516,14 +569,14 @@ class SceneView(QWidget):
             self.left.emit()
 
     def _event(self, phase: Phase, event: QMouseEvent | QWheelEvent) -> PointerEvent:
-        position = event.position()
+        position = event.position() + self._grip
         return PointerEvent(
             phase,
             self.subject,
             self.look,
             (position.x(), position.y()),
             self._hit(position),
-            self._handle_at(position),
+            self._handle_at(position, self.grab_px),
             fine=_holds(event.modifiers(), Qt.KeyboardModifier.ControlModifier),
             coarse=_holds(event.modifiers(), Qt.KeyboardModifier.ShiftModifier),
         )
@@ -535,14 +588,23 @@ class SceneView(QWidget):
             self._picker = SurfacePicker(self._mesh)
         return self._picker.pick(*self.look.ray_at(position.x(), position.y()))
 
-    def _handle_at(self, position: QPointF) -> str | None:
+    def _handle_at(self, position: QPointF, reach_px: float) -> str | None:
+        """Return the name of the nearest handle, if it is near enough."""
         if not self.handles:
             return None
-        places = np.array([handle.position_mm for handle in self.handles])
-        offset = self.look.pixels_of(places) - (position.x(), position.y())
-        distance = np.hypot(*offset.T)
+        distance = np.hypot(*self._ways_to(position, self.handles).T)
         nearest = int(np.argmin(distance))
-        return self.handles[nearest].name if distance[nearest] <= self.grab_px else None
+        return self.handles[nearest].name if distance[nearest] <= reach_px else None
+
+    def _way_to(self, position: QPointF, name: str) -> QPointF:
+        """Return the way from a position to the nearest of the handles of a name."""
+        ways = self._ways_to(position, [h for h in self.handles if h.name == name])
+        return QPointF(*min(ways.tolist(), key=lambda way: np.hypot(*way)))
+
+    def _ways_to(self, position: QPointF, handles: Sequence[Handle]) -> FloatArray:
+        """Return the ways (n, 2) from a position to handles, px."""
+        places = np.array([handle.position_mm for handle in handles])
+        return np.asarray(self.look.pixels_of(places) - (position.x(), position.y()))
 
 
 def _run(offer: OfferedItem, _checked: bool = False) -> None:

@@ -1268,6 +1268,10 @@
             <translation>Inget har gått förlorat: fallet är fortfarande öppet men inte sparat än.</translation>
         </message>
         <message>
+            <source>Nothing to drag here; the right button turns the view, and so does Orbit (O)</source>
+            <translation>Här finns inget att dra; höger knapp roterar vyn, liksom Rotera (O)</translation>
+        </message>
+        <message>
             <source>Now a pad behind the metatarsal heads. Choose the tool “Pelott”.</source>
             <translation>Nu en pelott bakom metatarsalhuvudena. Välj verktyget ”Pelott”.</translation>
         </message>

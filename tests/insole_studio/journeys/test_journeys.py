@@ -12,7 +12,7 @@ from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFrame, QLineEdit, QToolButton
+from PySide6.QtWidgets import QApplication, QFrame, QLineEdit, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.scan_source import ScanSource
@@ -25,7 +25,7 @@ from insole_studio.app.scripted import grab_window
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
 
-MIDDLE = Qt.MouseButton.MiddleButton
+MIDDLE, RIGHT = Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton
 
 
 def only_pelott(app: Application) -> Pelott:
@@ -71,13 +71,45 @@ def test_escape_gives_a_drag_up(opened: Application, view: SceneView) -> None:
     assert len(opened.case.history) == 0
 
 
-def test_beside_the_foot_the_drag_turns_both_views(opened: Application, view: SceneView) -> None:
-    opened.window.actions_by_key["tool_pelott"].trigger()
-    drag(view, QPoint(8, 8), QPoint(58, 8))
+@pytest.mark.parametrize(("tool", "button"), [("orbit", LEFT), ("pelott", RIGHT)])
+def test_beside_the_foot_the_drag_turns_both_views(
+    opened: Application, view: SceneView, tool: str, button: Qt.MouseButton
+) -> None:
+    opened.window.actions_by_key[f"tool_{tool}"].trigger()
+    drag(view, QPoint(8, 8), QPoint(58, 8), button=button)
     foot, insole = opened.stage.foot.scene.camera, opened.stage.insole.scene.camera
     assert foot == insole
     assert foot.azimuth_deg == pytest.approx(-20.0, abs=1.0)
     assert len(opened.case.history) == 0
+    assert view.findChildren(QMenu) == []
+
+
+@pytest.mark.parametrize("tool", ["outline", "posting", "turn", "pelott", "free_hand", "section"])
+def test_a_drag_that_misses_moves_nothing_and_says_how_to_turn(
+    opened: Application, view: SceneView, tool: str
+) -> None:
+    """A hand that aims at a handle and misses keeps what it was aiming at."""
+    said: list[str] = []
+    opened.stage.hint_changed.connect(said.append)
+    opened.window.actions_by_key[f"tool_{tool}"].trigger()
+    before = view.camera
+    drag(view, QPoint(3, 3), QPoint(53, 23))
+    assert view.camera == before
+    assert len(opened.case.history) == 0
+    assert "right button" in said[-1]
+
+
+def test_a_handle_is_grabbed_generously_and_does_not_jump(opened: Application) -> None:
+    """Well beside a point of the outline, where the outline has no other use for a press."""
+    opened.window.actions_by_key["tool_outline"].trigger()
+    view = opened.stage.insole.scene
+    handle = max(view.handles, key=lambda h: h.position_mm[0])
+    start = pixel(view, *handle.position_mm) + QPoint(22, 0)
+    drag(view, start, start + QPoint(12, 0))
+    assert len(opened.case.history) == 1
+    moved = next(h for h in view.handles if h.name == handle.name)
+    way = moved.position_mm[0] - handle.position_mm[0]
+    assert way == pytest.approx(12 * view.look.mm_per_px, abs=0.2)
 
 
 def test_unlinked_views_turn_alone(opened: Application) -> None:

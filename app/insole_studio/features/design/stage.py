@@ -293,6 +293,7 @@ class DesignStage(QObject):
         view.scene.camera_changed.connect(self._follow)
         view.scene.hovered.connect(self._point)
         view.scene.left.connect(self._point_nowhere)
+        view.scene.missed.connect(self._tell_missed)
         view.preset_requested.connect(self.look)
         view.action_requested.connect(self.action_requested)
         presenter.show_all()
@@ -397,6 +398,12 @@ class DesignStage(QObject):
             self.hint_changed.emit(grabbed.hint)
         else:
             self._show_hint()
+
+    def _tell_missed(self) -> None:
+        """Say how to turn the view with a tool in the hand, as a drag beside everything does not."""
+        self.hint_changed.emit(
+            tr("Nothing to drag here; the right button turns the view, and so does Orbit (O)")
+        )
 
     def _point_nowhere(self) -> None:
         self.pointed.emit("")

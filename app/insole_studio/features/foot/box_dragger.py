@@ -72,6 +72,11 @@ class BoxDragger:
         self._apply = apply
         self._gesture = RunningGesture()
 
+    @property
+    def turns_view(self) -> bool:
+        """Whether a drag beside the handles turns the view: there is no tool for it here."""
+        return True
+
     def press(self, event: PointerEvent) -> bool:
         """Grab a face; return False to leave the press to the camera."""
         box = self._box()

@@ -256,6 +256,11 @@ class ModelPresenter:
         self.panel.show_section(self._section_line())
         self.panel.show_sketch(self.places(np.array(tool.sketch).reshape(-1, 2)))
 
+    @property
+    def turns_view(self) -> bool:
+        """Whether a drag beside all that can be dragged turns the view."""
+        return self._tool_controller.tool.turns_view
+
     def press(self, event: PointerEvent) -> bool:
         """Start a gesture of the tool."""
         return self._tool_controller.press(event, self)

@@ -29,6 +29,7 @@ class OrbitTool(Tool):
     """Tool that rotates the view; a click selects a correction, whose handles can be dragged."""
 
     key = "orbit"
+    turns_view = True
 
     def __init__(self, behind_heads_mm: float) -> None:
         self._behind_heads_mm = behind_heads_mm

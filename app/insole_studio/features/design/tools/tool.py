@@ -78,12 +78,15 @@ class SurfaceContext(Protocol):
 
 
 class Tool:
-    """What the pointer does while a tool is chosen; by default all is left to the camera.
+    """What the pointer does while a tool is chosen; by default nothing but looking round.
 
     Methods take the open case and the pointer event; `surface` is that of the event's view.
     """
 
     key: ClassVar[str]
+    turns_view: ClassVar[bool] = False
+    """Whether a drag by the left button turns the view where there is nothing to drag: in other
+    tools a drag that misses must not take away what the hand was aiming at."""
 
     def reset(self) -> None:
         """Forget what was set for the case before."""
@@ -138,7 +141,7 @@ class Tool:
         Returns
         -------
         Gesture or None
-            None leaves the press to the camera.
+            None where there is nothing to drag.
         """
         return None
 
