@@ -400,7 +400,7 @@ class DesignStage(QObject):
             self._show_hint()
 
     def _tell_missed(self) -> None:
-        """Say how to turn the view with a tool in the hand, as a drag beside everything does not."""
+        """Say how to turn the view: with a tool in the hand, a drag that misses does not."""
         self.hint_changed.emit(
             tr("Nothing to drag here; the right button turns the view, and so does Orbit (O)")
         )

@@ -148,7 +148,12 @@ def test_a_click_excludes_and_includes(stage: FootStage) -> None:
     click(stage, at)
     choose(stage, "Include S3")
     assert mark(stage, "S3").state == "used"
-    stage.view.undo.click()
+    ctrl = Qt.KeyboardModifier.ControlModifier
+    QTest.keyClick(stage, Qt.Key.Key_Z, ctrl)
+    assert mark(stage, "S3").state == "excluded"
+    QTest.keyClick(stage, Qt.Key.Key_Y, ctrl)
+    assert mark(stage, "S3").state == "used"
+    QTest.keyClick(stage, Qt.Key.Key_Z, ctrl)
     assert mark(stage, "S3").state == "excluded"
 
 
