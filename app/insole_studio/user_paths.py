@@ -63,6 +63,11 @@ class UserPaths:
         return self.data_folder / "from-record"
 
     @property
+    def papers_folder(self) -> Path:
+        """The folder of copies of papers of an order, while they are printed."""
+        return self.data_folder / "papers"
+
+    @property
     def crashes_folder(self) -> Path:
         """The folder of reports of errors in the program itself."""
         return self.data_folder / "crashes"

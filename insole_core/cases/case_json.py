@@ -18,6 +18,7 @@ from insole_core.cases.case_record import (
 )
 from insole_core.cases.choice_json import choice_from_json, choice_to_json
 from insole_core.cases.import_choice import NOTHING_SAID
+from insole_core.cases.order_note import OrderNote, note_from_json, note_to_json
 from insole_core.cases.plantar_json import plantar_from_json, plantar_to_json
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import DesignError, InputError
@@ -45,6 +46,8 @@ def case_to_json(record: CaseRecord) -> dict[str, Any]:
     }
     if record.at_hand is not None:
         content["at_hand"] = str(record.at_hand)
+    if record.order != OrderNote():
+        content["order"] = note_to_json(record.order)
     return content
 
 
@@ -68,7 +71,8 @@ def case_from_json(case: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
     sides = [foot.side for foot in feet]
     if len(set(sides)) < len(sides):
         raise case.fail("feet", "has two feet of the same side")
-    record = CaseRecord(patient)
+    order = note_from_json(case.object("order")) if case.has("order") else OrderNote()
+    record = CaseRecord(patient, order=order)
     for foot in feet:
         record = record.with_foot(foot)
     if not feet:

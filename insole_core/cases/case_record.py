@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from insole_core.cases.order_note import OrderNote
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import DesignError
@@ -249,11 +250,14 @@ class CaseRecord:
         The left one first; at most one for each side.
     at_hand
         Side of the current foot, which is shown and worked on; None only without feet.
+    order
+        What was exported last, and what the shop is to be told.
     """
 
     patient: Patient = Patient()
     feet: tuple[FootRecord, ...] = ()
     at_hand: Side | None = None
+    order: OrderNote = field(default_factory=OrderNote)
 
     @classmethod
     def of_foot(cls, foot: FootRecord, patient: Patient | None = None) -> CaseRecord:
@@ -287,8 +291,9 @@ class CaseRecord:
         return replace(self, at_hand=side)
 
     def holds_the_same(self, other: CaseRecord) -> bool:
-        """Return whether patient and feet are the same objects; the current side may differ."""
-        return self.patient is other.patient and self.feet is other.feet
+        """Return whether patient, feet and order are the same; the current side may differ."""
+        is_same = self.patient is other.patient and self.feet is other.feet
+        return is_same and self.order == other.order
 
     @property
     def side(self) -> Side | None:

@@ -6,7 +6,7 @@ import hashlib
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 from typing import Any, Final, Literal, TypeAlias, get_args
@@ -81,6 +81,11 @@ class OrderTerms:
                 )
         if self.deliver_on is not None:
             _check_delivery(self.deliver_on, today)
+
+    def from_day(self, today: date) -> OrderTerms:
+        """Return the terms for an order of today: a delivery date that is past is none."""
+        is_past = self.deliver_on is not None and self.deliver_on < today
+        return replace(self, deliver_on=None) if is_past else self
 
     @property
     def facts(self) -> dict[str, str]:
@@ -258,17 +263,12 @@ def digest_of_order(content: Mapping[str, Any]) -> str:
 
 
 def _item_json(item: OrderItem) -> dict[str, Any]:
-    terms = item.terms
     return {
         "pseudonym": item.pseudonym,
         "kind": item.kind,
         "sides": [str(side) for side in item.sides],
-        "quantity": terms.quantity,
         "materials": {str(side): item.materials[side] for side in item.sides},
-        "colour": terms.colour,
-        "cover": terms.cover,
-        "remarks": terms.remarks,
-        "deliver_on": None if terms.deliver_on is None else terms.deliver_on.isoformat(),
+        **terms_to_json(item.terms),
         "files": [
             {
                 "name": file.name,
@@ -280,6 +280,29 @@ def _item_json(item: OrderItem) -> dict[str, Any]:
             for file in item.files
         ],
     }
+
+
+def terms_to_json(terms: OrderTerms) -> dict[str, Any]:
+    """Return terms as plain values for `json.dump`."""
+    day = terms.deliver_on
+    return vars(terms) | {"deliver_on": None if day is None else day.isoformat()}
+
+
+def terms_from_json(of: JsonObject) -> OrderTerms:
+    """Read terms; the inverse of `terms_to_json`.
+
+    Raises
+    ------
+    InputError
+        Naming the key that is missing or wrong.
+    """
+    return OrderTerms(
+        of.integer("quantity", 1, MOST_PAIRS),
+        of.text("colour", empty=True),
+        of.text("cover", empty=True),
+        of.text("remarks", empty=True),
+        None if of.value("deliver_on") is None else _day(of, "deliver_on"),
+    )
 
 
 def parse_shop_order(name: str, text: bytes) -> ShopOrder:
@@ -325,13 +348,7 @@ def _item(item: JsonObject) -> OrderItem:
         item.text("pseudonym"),
         item.choice("kind", ("insole", "block", "positive")),
         {side: materials.text(str(side), empty=True) for side in sides},
-        OrderTerms(
-            item.integer("quantity", 1, MOST_PAIRS),
-            item.text("colour", empty=True),
-            item.text("cover", empty=True),
-            item.text("remarks", empty=True),
-            None if item.value("deliver_on") is None else _day(item, "deliver_on"),
-        ),
+        terms_from_json(item),
         tuple(_file(file, sides) for file in item.objects("files")),
     )
 

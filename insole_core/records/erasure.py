@@ -122,6 +122,7 @@ class Eraser:
     def erase_rows(self, author: Author) -> None:
         """Do so with all that belongs to them, once `erase_persons` has marked them as erased."""
         sound = self._sound_signatures()
+        self._remove_rows()
         for table in tables_of_persons():
             self._empty(table)
         self._redact_versions()
@@ -154,6 +155,12 @@ class Eraser:
         yield from self._connection.execute(
             select(table).where(is_of_person(table, self._ids))
         ).all()
+
+    def _remove_rows(self) -> None:
+        """Remove the rows of tables that show the person, and document no device."""
+        for table in tables_of_persons():
+            if _marked(table, Erased.REMOVED):
+                self._connection.execute(delete(table).where(is_of_person(table, self._ids)))
 
     def _empty(self, table: Table) -> None:
         values: dict[Any, Any] = {c: empty_value(c) for c in _marked(table, Erased.EMPTIED)}

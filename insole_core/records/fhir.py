@@ -49,6 +49,7 @@ STATUS_OF: Final[Mapping[OrderState, str]] = {
     OrderState.DELIVERED: "completed",
     OrderState.ADJUSTED: "completed",
     OrderState.RETURNED: "active",
+    OrderState.CANCELLED: "revoked",
 }
 """Code of RequestStatus by the state of the order."""
 

@@ -29,6 +29,8 @@ class Erased(Enum):
     """A neutral name takes its place."""
     FILE = auto()
     """The file stays without any text in it, or goes where it has no other use."""
+    REMOVED = auto()
+    """Its row goes: what it holds shows the person, and documents no device."""
 
 
 class Merged(Enum):
@@ -102,6 +104,7 @@ PSEUDONYM: Final[Info] = {"mark": Mark(Erased.PSEUDONYM)}
 DOCUMENT: Final[Info] = {"mark": Mark(Erased.DOCUMENT)}
 FILE_NAME: Final[Info] = {"mark": Mark(Erased.FILE_NAME)}
 FILE: Final[Info] = {"mark": Mark(Erased.FILE)}
+REMOVED: Final[Info] = {"mark": Mark(Erased.REMOVED)}
 
 KEY: Final = kept("a key that the program draws or counts")
 WHEN: Final = kept("when something was done, by which the time of keeping is told")

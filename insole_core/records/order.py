@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import date
 from enum import StrEnum
-from typing import Final
+from typing import Final, Literal, TypeAlias
 
 
 class OrderState(StrEnum):
@@ -18,6 +18,7 @@ class OrderState(StrEnum):
     DELIVERED = "delivered"
     ADJUSTED = "adjusted"
     RETURNED = "returned"
+    CANCELLED = "cancelled"
 
 
 OPEN_STATES: Final = (
@@ -28,6 +29,9 @@ OPEN_STATES: Final = (
     OrderState.RETURNED,
 )
 """States in which somebody still has something to do."""
+OrderKey: TypeAlias = Literal[
+    "person_name", "number", "release", "state", "due_on", "shop", "ordered_on"
+]
 USUAL_DAYS_UNTIL_DUE: Final = 14
 MOST_DAYS_UNTIL_DUE: Final = 365
 
@@ -40,16 +44,27 @@ class OrderFile:
     ----------
     size
         Bytes.
+    release
+        Of the revision of the order that it belongs to.
     """
 
     name: str
     content_sha256: str
     size: int
+    release: int = 1
 
 
 @dataclass(frozen=True)
 class OrderEvent:
-    """A step of an order; `from_state` is None for the first one."""
+    """A step of an order: another state, or another revision of its papers.
+
+    Parameters
+    ----------
+    from_state
+        None for the first one.
+    release
+        Number of the revision from then on.
+    """
 
     seq: int
     at: str
@@ -57,6 +72,7 @@ class OrderEvent:
     from_state: OrderState | None
     to_state: OrderState
     remarks: str
+    release: int = 1
 
 
 @dataclass(frozen=True)
@@ -67,8 +83,14 @@ class Order:
     ----------
     number
         Unique; what the shop knows the patient by.
+    release
+        Number of the newest revision.
+    place
+        Folder that its files were written to, on some computer; empty where that is unknown.
     version_ids
-        Of the prescriptions, which are closed.
+        Of the prescriptions of the newest revision, which are closed.
+    files
+        Of all revisions, the newest first.
     """
 
     id: str
@@ -79,12 +101,19 @@ class Order:
     shop: str
     due_on: date | None
     remarks: str
+    release: int
+    place: str
     version_ids: tuple[str, ...]
     files: tuple[OrderFile, ...]
     events: tuple[OrderEvent, ...]
     created_at: str
     changed_at: str
     revision: int
+
+    @property
+    def newest_files(self) -> tuple[OrderFile, ...]:
+        """The files of the newest revision."""
+        return tuple(file for file in self.files if file.release == self.release)
 
 
 @dataclass(frozen=True)
@@ -99,8 +128,33 @@ class OrderSummary:
     state: OrderState
     shop: str
     due_on: date | None
+    release: int
+    ordered_on: date
     revision: int
 
     def is_overdue(self, today: date) -> bool:
         """Return whether it should have been delivered by now."""
         return self.state in OPEN_STATES and self.due_on is not None and self.due_on < today
+
+
+@dataclass(frozen=True)
+class OrderSearch:
+    """Which orders are wanted, and in which order.
+
+    Parameters
+    ----------
+    states
+        All of them for none.
+    typed
+        Every word must be in the number, the name or number of the person, or the shop.
+    person_id
+        Whose; empty for everybody's.
+    sorted_by
+        A field of an `OrderSummary`; what is empty in it comes last.
+    """
+
+    states: tuple[OrderState, ...] = ()
+    typed: str = ""
+    person_id: str = ""
+    sorted_by: OrderKey = "due_on"
+    is_descending: bool = False

@@ -8,9 +8,10 @@ from datetime import date, timedelta
 from pathlib import Path
 from typing import Any, Final
 
-from sqlalchemy import Connection, Row, Select, func, insert, select, update
+from sqlalchemy import Connection, Row, func, insert, select, update
 
-from insole_core.errors import Conflict, InputError, RecordsError
+from insole_core.cases.order_note import OrderNote
+from insole_core.errors import Conflict, InputError
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import (
@@ -25,10 +26,18 @@ from insole_core.records.order import (
     OPEN_STATES,
     USUAL_DAYS_UNTIL_DUE,
     Order,
-    OrderEvent,
     OrderFile,
+    OrderSearch,
     OrderState,
     OrderSummary,
+)
+from insole_core.records.order_rows import (
+    listed_orders,
+    note_of_visit,
+    order_is_gone,
+    order_of,
+    searched,
+    summary_of_order,
 )
 from insole_core.records.person import new_id
 from insole_core.records.person_rows import locked_person, touch_person, write_search_text
@@ -38,14 +47,16 @@ from insole_core.records.schema import (
     order_feet,
     order_files,
     orders,
-    persons,
     prescription_versions,
 )
 from insole_core.records.stored_contents import put_file, refer_to
 from insole_core.records.times import utc_now
+from insole_core.records.visit_rows import visit_of
 from insole_core.solids.order_number import new_order_number
 
 _DAYS_UNTIL_DUE: Final = "days_until_due"
+_MOST_PLACE: Final = 1000
+"""Characters of the path of a folder."""
 
 
 class Orders:
@@ -53,6 +64,24 @@ class Orders:
 
     def __init__(self, context: RecordsContext) -> None:
         self._context = context
+
+    def find(self, search: OrderSearch, limit: int | None = None) -> list[OrderSummary]:
+        """Return the orders that are wanted, in the order that is wanted.
+
+        Parameters
+        ----------
+        limit
+            At most as many; None for all.
+        """
+        with self._context.reading() as connection:
+            rows = connection.execute(searched(search).limit(limit)).all()
+        return [summary_of_order(row) for row in rows]
+
+    def count(self, search: OrderSearch) -> int:
+        """Return how many orders `find` would find without a limit."""
+        found = searched(search).order_by(None).subquery()
+        with self._context.reading() as connection:
+            return int(connection.execute(select(func.count()).select_from(found)).scalar_one())
 
     def open(self, state: OrderState | None = None) -> list[OrderSummary]:
         """Return the orders with which somebody still has something to do, the first due first.
@@ -62,12 +91,29 @@ class Orders:
         state
             Only those in this state, which may also be a final one.
         """
-        states = OPEN_STATES if state is None else (state,)
-        return self._summaries(_listed().where(orders.c.state.in_(states)))
+        return self.find(OrderSearch(OPEN_STATES if state is None else (state,)))
 
     def of_person(self, person_id: str) -> list[OrderSummary]:
         """Return all orders of a person, the first due first."""
-        return self._summaries(_listed().where(orders.c.person_id == person_id))
+        return self.find(OrderSearch(person_id=person_id))
+
+    def with_number(self, number: str) -> OrderSummary | None:
+        """Return the order of a number; None where there is none."""
+        query = listed_orders().where(orders.c.number == number)
+        with self._context.reading() as connection:
+            row = connection.execute(query).one_or_none()
+        return None if row is None else summary_of_order(row)
+
+    def note_of(self, visit_id: str) -> OrderNote:
+        """Return the order that the next export of a visit revises, and the terms of the visit.
+
+        Raises
+        ------
+        RecordsError
+            When there is no such visit.
+        """
+        with self._context.reading() as connection:
+            return note_of_visit(connection, visit_of(connection, visit_id))
 
     def get(self, order_id: str) -> Order:
         """Return an order with its files and events.
@@ -78,7 +124,7 @@ class Orders:
             When there is none.
         """
         with self._context.reading() as connection:
-            return _order(connection, order_id)
+            return order_of(connection, order_id)
 
     def add(
         self,
@@ -90,6 +136,8 @@ class Orders:
         remarks: str = "",
         files: Sequence[Path] = (),
         number: str = "",
+        release: int = 1,
+        place: str = "",
     ) -> Order:
         """Order what versions of a visit's prescriptions say; they are closed by that.
 
@@ -99,6 +147,10 @@ class Orders:
             What was made for the shop; stored with the order.
         number
             The order's number if papers have it already; otherwise one is drawn.
+        release
+            Of the revision that the papers have.
+        place
+            Folder that the files were written to.
 
         Raises
         ------
@@ -112,34 +164,95 @@ class Orders:
             "shop": check_line(shop, "name of the shop"),
             "due_on": check_day(due_on, "date that it is due", today),
             "remarks": check_text(remarks, "remarks"),
+            "place": check_line(place, "folder of the order", _MOST_PLACE),
         }
         number = check_line(number, "number of the order", 60)
-        stored = self._stored(files)
+        stored = self._stored(files, release)
         order_id, now = new_id(), utc_now()
         with self._context.writing_visit(Right.ORDER, visit_id) as (connection, visit):
             locked_person(connection, visit.person_id)
-            _close_versions(connection, visit_id, version_ids)
             values |= {
                 "id": order_id,
                 "number": _free_number(connection, number, today),
                 "visit_id": visit_id,
                 "person_id": visit.person_id,
                 "state": str(OrderState.DESIGNED),
+                "release": release,
                 "created_at": now,
                 "changed_at": now,
                 "revision": 1,
             }
             connection.execute(insert(orders).values(values))
-            for version_id in version_ids:
-                row = {"order_id": order_id, "prescription_version_id": version_id}
-                connection.execute(insert(order_feet).values(row))
-            for file in stored:
-                refer_to(connection, file.content_sha256, file.size, "order")
-                connection.execute(insert(order_files).values(order_id=order_id, **vars(file)))
-            self._add_event(connection, order_id, None, OrderState.DESIGNED, "")
+            self._add_release(
+                connection, order_id, visit_id, version_ids, files=stored, release=release
+            )
+            self._add_event(connection, order_id, None, OrderState.DESIGNED, release=release)
             write_search_text(connection, visit.person_id)
             self._context.log(connection, "added", "order", order_id, visit=visit_id)
-            return _order(connection, order_id)
+            return order_of(connection, order_id)
+
+    def revise(
+        self,
+        order_id: str,
+        version_ids: Sequence[str],
+        *,
+        release: int,
+        due_on: date | None = None,
+        remarks: str = "",
+        files: Sequence[Path] = (),
+        place: str = "",
+    ) -> Order:
+        """Order what other versions of the same visit say, under the same number.
+
+        The files of earlier revisions stay. The order is designed again, whatever it was: the shop
+        does not have this revision yet.
+
+        Parameters
+        ----------
+        release
+            Number of the revision, which the papers have.
+        files, place
+            As for `add`.
+
+        Raises
+        ------
+        InputError
+            When a field cannot be right, a file cannot be read, or the order has this revision.
+        RecordsError, OutputError
+            When it cannot be stored.
+        """
+        values: dict[str, Any] = {
+            "state": str(OrderState.DESIGNED),
+            "due_on": check_day(due_on, "date that it is due", date.today()),
+            "remarks": check_text(remarks, "remarks"),
+            "place": check_line(place, "folder of the order", _MOST_PLACE),
+            "release": release,
+        }
+        stored_files = self._stored(files, release)
+        with self._context.reading() as connection:
+            revision = order_of(connection, order_id).revision
+        with self._changing(order_id, revision, values) as (connection, stored):
+            if stored.release >= release:
+                raise InputError(
+                    "The order {number} has a revision {release} already, of somebody else; export "
+                    "once more, under the next number.",
+                    number=stored.number,
+                    release=stored.release,
+                )
+            locked_person(connection, stored.person_id)
+            self._add_release(
+                connection,
+                order_id,
+                stored.visit_id,
+                version_ids,
+                files=stored_files,
+                release=release,
+            )
+            _write(connection, stored, values)
+            before, after = OrderState(stored.state), OrderState.DESIGNED
+            self._add_event(connection, order_id, before, after, release=release)
+            self._context.log(connection, "revised", "order", order_id, release=release)
+            return order_of(connection, order_id)
 
     def days_until_due(self) -> int:
         """Return after how many days a new order is due at this clinic; 0 for no due date."""
@@ -190,9 +303,12 @@ class Orders:
                     state=str(state),
                 )
             _write(connection, stored, {"state": str(state)})
-            self._add_event(connection, order_id, OrderState(stored.state), state, remarks)
+            before = OrderState(stored.state)
+            self._add_event(
+                connection, order_id, before, state, release=stored.release, remarks=remarks
+            )
             self._context.log(connection, "moved", "order", order_id, state=str(state))
-            return _order(connection, order_id)
+            return order_of(connection, order_id)
 
     def change(
         self, order_id: str, shop: str, due_on: date | None, remarks: str, revision: int
@@ -214,10 +330,10 @@ class Orders:
         with self._changing(order_id, revision, values) as (connection, stored):
             _write(connection, stored, values)
             self._context.log(connection, "changed", "order", order_id)
-            return _order(connection, order_id)
+            return order_of(connection, order_id)
 
     def add_files(self, order_id: str, files: Sequence[Path]) -> Order:
-        """Store further files with an order.
+        """Store further files with the newest revision of an order.
 
         Raises
         ------
@@ -226,21 +342,56 @@ class Orders:
         RecordsError, OutputError
             When they cannot be stored.
         """
-        stored = self._stored(files)
         with self._context.reading() as connection:
-            person_id = _order(connection, order_id).person_id
-        with self._context.writing(Right.ORDER, person_id) as connection:
-            taken = {file.name for file in _order(connection, order_id).files}
+            order = order_of(connection, order_id)
+        stored = self._stored(files, order.release)
+        with self._context.writing(Right.ORDER, order.person_id) as connection:
+            taken = {file.name for file in order_of(connection, order_id).newest_files}
             for file in stored:
                 if file.name in taken:
                     raise InputError(
                         "The order has a file {name} already; give this one another name.",
                         name=file.name,
                     )
-                refer_to(connection, file.content_sha256, file.size, "order")
-                connection.execute(insert(order_files).values(order_id=order_id, **vars(file)))
+            _add_files(connection, order_id, stored)
             self._context.log(connection, "added files", "order", order_id, count=len(stored))
-            return _order(connection, order_id)
+            return order_of(connection, order_id)
+
+    def copy_files(self, order_id: str, folder: Path) -> tuple[Path, ...]:
+        """Copy the files of an order's newest revision into a folder that is there.
+
+        Raises
+        ------
+        RecordsError
+            When there is no such order, or a file is missing or was changed on the disk.
+        OutputError
+            When they cannot be written.
+        """
+        order = self.get(order_id)
+        copies = []
+        for file in order.newest_files:
+            copies.append(folder / Path(file.name).name)
+            self._context.contents.copy_to(file.content_sha256, copies[-1])
+        return tuple(copies)
+
+    def _add_release(
+        self,
+        connection: Connection,
+        order_id: str,
+        visit_id: str,
+        version_ids: Sequence[str],
+        *,
+        files: Sequence[OrderFile],
+        release: int,
+    ) -> None:
+        """Store what a revision of an order is made from, and its files."""
+        _close_versions(connection, visit_id, version_ids)
+        rows = [
+            {"order_id": order_id, "prescription_version_id": id_, "release": release}
+            for id_ in version_ids
+        ]
+        connection.execute(insert(order_feet), rows)
+        _add_files(connection, order_id, files)
 
     @contextmanager
     def _changing(
@@ -258,20 +409,20 @@ class Orders:
                 select(orders.c.person_id).where(orders.c.id == order_id)
             ).scalar()
             if person_id is None:
-                raise _gone()
+                raise order_is_gone()
             touch_person(connection, person_id)
             query = select(orders).where(orders.c.id == order_id).with_for_update()
             stored = connection.execute(query).one()
             if stored.revision != revision:
                 raise Conflict(
                     mine,
-                    _order(connection, order_id),
+                    order_of(connection, order_id),
                     "Somebody else has changed the order {number} meanwhile; look at it again.",
                     number=stored.number,
                 )
             yield connection, stored
 
-    def _stored(self, files: Sequence[Path]) -> list[OrderFile]:
+    def _stored(self, files: Sequence[Path], release: int) -> list[OrderFile]:
         names = [check_name(path.name, "name of the file") for path in files]
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
@@ -279,7 +430,7 @@ class Orders:
                 "Two files of the order have the name {name}; give one another name.", name=twice
             )
         stored = (put_file(self._context.contents, path) for path in files)
-        return [OrderFile(name, *file) for name, file in zip(names, stored, strict=True)]
+        return [OrderFile(name, *file, release) for name, file in zip(names, stored, strict=True)]
 
     def _add_event(
         self,
@@ -287,7 +438,9 @@ class Orders:
         order_id: str,
         before: OrderState | None,
         after: OrderState,
-        remarks: str,
+        *,
+        release: int,
+        remarks: str = "",
     ) -> None:
         last = select(func.coalesce(func.max(order_events.c.seq), 0)).where(
             order_events.c.order_id == order_id
@@ -300,51 +453,15 @@ class Orders:
             "from_state": before,
             "to_state": after,
             "remarks": remarks,
+            "release": release,
         }
         connection.execute(insert(order_events).values(values))
 
-    def _summaries(self, query: Select[Any]) -> list[OrderSummary]:
-        query = query.order_by(orders.c.due_on.is_(None), orders.c.due_on, orders.c.number)
-        with self._context.reading() as connection:
-            rows = connection.execute(query).all()
-        return [OrderSummary(**{**row._mapping, "state": OrderState(row.state)}) for row in rows]
 
-
-def _listed() -> Select[Any]:
-    return select(
-        orders.c.id,
-        orders.c.number,
-        orders.c.person_id,
-        persons.c.name.label("person_name"),
-        orders.c.visit_id,
-        orders.c.state,
-        orders.c.shop,
-        orders.c.due_on,
-        orders.c.revision,
-    ).join(persons, persons.c.id == orders.c.person_id)
-
-
-def _order(connection: Connection, order_id: str) -> Order:
-    row = connection.execute(select(orders).where(orders.c.id == order_id)).one_or_none()
-    if row is None:
-        raise _gone()
-    feet = select(order_feet.c.prescription_version_id).where(order_feet.c.order_id == order_id)
-    files = select(order_files.c.name, order_files.c.content_sha256, order_files.c.size)
-    files = files.where(order_files.c.order_id == order_id).order_by(order_files.c.name)
-    events = select(order_events).where(order_events.c.order_id == order_id)
-    events = events.order_by(order_events.c.seq)
-    values: dict[str, Any] = {**row._mapping, "state": OrderState(row.state)}
-    return Order(
-        **values,
-        version_ids=tuple(connection.execute(feet).scalars()),
-        files=tuple(OrderFile(*file) for file in connection.execute(files)),
-        events=tuple(_event(event) for event in connection.execute(events)),
-    )
-
-
-def _event(row: Row[Any]) -> OrderEvent:
-    before = None if row.from_state is None else OrderState(row.from_state)
-    return OrderEvent(row.seq, row.at, row.author, before, OrderState(row.to_state), row.remarks)
+def _add_files(connection: Connection, order_id: str, files: Sequence[OrderFile]) -> None:
+    for file in files:
+        refer_to(connection, file.content_sha256, file.size, "order")
+        connection.execute(insert(order_files).values(order_id=order_id, **vars(file)))
 
 
 def _write(connection: Connection, stored: Row[Any], values: Mapping[str, Any]) -> None:
@@ -381,7 +498,3 @@ def _free_number(connection: Connection, number: str, today: date) -> str:
     raise InputError(
         "There is an order {number} already; give this one another number.", number=number
     )
-
-
-def _gone() -> RecordsError:
-    return RecordsError("This order is no longer in the record; look at the list again.")

@@ -30,6 +30,7 @@ from insole_core.records.schema import (
     orders,
     persons,
     prescription_versions,
+    visit_photos,
     visits,
 )
 
@@ -38,6 +39,7 @@ SEALED: Final[Mapping[str, Table]] = MappingProxyType(
         "person": persons,
         "visit": visits,
         "capture": captures,
+        "photo": visit_photos,
         "prescription": prescription_versions,
         "order": orders,
         "follow up": follow_ups,
@@ -135,7 +137,7 @@ def _values(table: Table, row: Row[Any]) -> dict[str, Any]:
 
 
 def _is_empty(column: Column[Any], value: Any) -> bool:
-    return value is None or value is False or value in ("", empty_value(column))
+    return value is None or value is False or str(value) in ("", str(empty_value(column)))
 
 
 def _digest(*content: Any) -> str:

@@ -38,6 +38,7 @@ from insole_core.records.marks import (
     KEY,
     NOBODY,
     PSEUDONYM,
+    REMOVED,
     STAFF,
     STATE,
     WHEN,
@@ -77,6 +78,19 @@ def _times() -> tuple[Column[str], Column[str], Column[int]]:
 
 def _text(name: str, info: Info) -> Column[str]:
     return Column(name, Text, nullable=False, server_default="", info=info)
+
+
+def _release(*, is_key: bool = False) -> Column[int]:
+    """Return the column that says which revision of an order's papers a row is about."""
+    return Column(
+        "release",
+        Integer,
+        primary_key=is_key,
+        autoincrement=False,
+        nullable=False,
+        server_default="1",
+        info=DEVICE,
+    )
 
 
 def _salt() -> str:
@@ -156,6 +170,8 @@ visits = Table(
     Column("weight_kg", Float, info=EMPTIED),
     Column("shoe_size_eu", Float, info=DEVICE),
     Column("measures", Text, nullable=False, server_default="{}", info=EMPTIED),
+    # what the shop is to be told of this visit's order: quantity, colour, day, remarks
+    Column("terms", Text, nullable=False, server_default="{}", info=EMPTIED),
     Column(
         "capture_state",
         Text,
@@ -197,6 +213,24 @@ captures = Table(
     Column("author", Text, nullable=False, info=STAFF),
     UniqueConstraint("visit_id", "number"),
 )
+
+visit_photos = Table(
+    "visit_photos",
+    metadata,
+    _id(),
+    Column("visit_id", Text, ForeignKey("visits.id"), nullable=False),
+    Column("number", Integer, nullable=False),
+    Column("content_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True),
+    Column("caption", Text, nullable=False, server_default=""),
+    Column("marks", Text, nullable=False, server_default="[]"),
+    Column("created_at", Text, nullable=False),
+    Column("changed_at", Text, nullable=False),
+    Column("revision", Integer, nullable=False),
+    Column("author", Text, nullable=False),
+    UniqueConstraint("visit_id", "number"),
+    info=REMOVED,
+)
+"""Pictures of the patient, as JPEG without any place or camera, with what is drawn on them."""
 
 prescription_versions = Table(
     "prescription_versions",
@@ -241,6 +275,9 @@ orders = Table(
     _text("shop", checked("who made the device")),
     Column("due_on", Date, info=WHEN),
     _text("remarks", EMPTIED),
+    _release(),
+    # folder that the papers were written to last, on whichever computer: it may be named after them
+    _text("place", EMPTIED),
     *_times(),
     Index("ix_orders_state_due_on", "state", "due_on"),
 )
@@ -257,6 +294,7 @@ order_feet = Table(
         index=True,
         info=KEY,
     ),
+    _release(is_key=True),
 )
 
 order_files = Table(
@@ -264,6 +302,7 @@ order_files = Table(
     metadata,
     Column("order_id", Text, ForeignKey("orders.id"), primary_key=True, info=KEY),
     Column("name", Text, primary_key=True, info=FILE_NAME),
+    _release(is_key=True),
     Column(
         "content_sha256", Text, ForeignKey("contents.sha256"), nullable=False, index=True, info=FILE
     ),
@@ -280,6 +319,7 @@ order_events = Table(
     Column("from_state", Text, info=STATE),
     Column("to_state", Text, nullable=False, info=STATE),
     _text("remarks", EMPTIED),
+    _release(),
 )
 
 follow_ups = Table(

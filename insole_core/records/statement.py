@@ -216,7 +216,8 @@ def _versions(connection: Connection, order_id: str) -> Iterator[Row[Any]]:
     query = (
         select(prescription_versions)
         .join(order_feet, order_feet.c.prescription_version_id == prescription_versions.c.id)
-        .where(order_feet.c.order_id == order_id)
+        .join(orders, orders.c.id == order_feet.c.order_id)
+        .where(orders.c.id == order_id, order_feet.c.release == orders.c.release)
         .order_by(prescription_versions.c.side)
     )
     for row in connection.execute(query):

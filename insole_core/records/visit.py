@@ -8,6 +8,7 @@ from datetime import date
 from enum import StrEnum
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.records.field_checks import check_number, check_text, check_visit_day
 from insole_core.records.person import Person, new_id
@@ -32,6 +33,8 @@ class Visit:
         By name, in the unit that the name ends with, such as ``{"left_length_mm": 251.0}``.
     revision
         Grows with every change; 0 for a visit that is not in the record yet.
+    terms
+        What the shop is to be told of its order.
     """
 
     person_id: str
@@ -46,6 +49,7 @@ class Visit:
     created_at: str = ""
     changed_at: str = ""
     revision: int = 0
+    terms: OrderTerms = field(default_factory=OrderTerms)
 
     def checked(self, today: date) -> Visit:
         """Return the visit as it is stored.

@@ -7,11 +7,18 @@ from typing import Final
 from sqlalchemy import Connection, func, select
 
 from insole_core.errors import RecordsError
-from insole_core.records.schema import captures, follow_ups, orders, prescription_versions
+from insole_core.records.schema import (
+    captures,
+    follow_ups,
+    orders,
+    prescription_versions,
+    visit_photos,
+)
 from insole_core.records.visit import Visit
 
 _HELD: Final = {
     "scans": captures,
+    "photos": visit_photos,
     "versions": prescription_versions,
     "orders": orders,
     "follow_ups": follow_ups,
@@ -33,9 +40,9 @@ def check_empty(connection: Connection, visit: Visit) -> None:
         counts[name] = int(connection.execute(query).scalar_one())
     if any(counts.values()):
         raise RecordsError(
-            "The visit of {day} holds scans ({scans}), versions of prescriptions ({versions}), "
-            "orders ({orders}) or follow-ups ({follow_ups}), and is kept; only an empty visit can "
-            "be deleted.",
+            "The visit of {day} holds scans ({scans}), photos ({photos}), versions of "
+            "prescriptions ({versions}), orders ({orders}) or follow-ups ({follow_ups}), and is "
+            "kept; only an empty visit can be deleted.",
             day=day,
             **counts,
         )

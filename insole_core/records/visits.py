@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import date
@@ -15,6 +14,7 @@ from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.records.audit import AuditLog
 from insole_core.records.context import RecordsContext
+from insole_core.records.order_rows import note_of_visit
 from insole_core.records.person import Person
 from insole_core.records.person_rows import locked_person, person_of
 from insole_core.records.prescription import Base
@@ -25,7 +25,7 @@ from insole_core.records.schema import persons, presence, visits
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
 from insole_core.records.visit_contents import check_empty
-from insole_core.records.visit_rows import VISIT_FIELDS, all_visits, visit_from, visit_of
+from insole_core.records.visit_rows import all_visits, visit_from, visit_of, visit_values
 
 _EDITED: Final = (
     "visited_on",
@@ -35,6 +35,7 @@ _EDITED: Final = (
     "shoe_size_eu",
     "measures",
     "capture_state",
+    "terms",
 )
 
 
@@ -85,11 +86,9 @@ class Visits:
         now = utc_now()
         visit = visit.checked(date.today())
         visit = replace(visit, created_at=now, changed_at=now, revision=1)
-        values = {name: getattr(visit, name) for name in VISIT_FIELDS}
-        values["measures"] = json.dumps(dict(visit.measures))
         with self._context.writing(Right.WRITE, visit.person_id) as connection:
             locked_person(connection, visit.person_id)
-            connection.execute(insert(visits).values(values))
+            connection.execute(insert(visits).values(visit_values(visit)))
             self._context.log(connection, "added", "visit", visit.id, person=visit.person_id)
         return visit
 
@@ -120,9 +119,7 @@ class Visits:
             changed = [n for n in _EDITED if getattr(visit, n) != getattr(stored, n)]
             if not changed:
                 return stored
-            values = {name: getattr(visit, name) for name in changed}
-            if "measures" in values:
-                values["measures"] = json.dumps(dict(visit.measures))
+            values = visit_values(visit, changed)
             values |= {"changed_at": utc_now(), "revision": revision + 1}
             connection.execute(update(visits).where(visits.c.id == visit.id).values(values))
             self._context.log(
@@ -174,7 +171,8 @@ class Visits:
             visit = visit_of(connection, visit_id)
             person = person_of(connection, visit.person_id)
             rows = self._prescriptions.newest_of(connection, visit_id)
-        record = CaseRecord(patient_of(person, visit))
+            order = note_of_visit(connection, visit)
+        record = CaseRecord(patient_of(person, visit), order=order)
         with ThreadPoolExecutor(len(Side)) as pool:  # unpacking takes most of the time
             feet = list(pool.map(self._prescriptions.foot_of, rows))
         for foot in reversed(feet):  # the left foot is shown first

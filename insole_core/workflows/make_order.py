@@ -313,7 +313,7 @@ def write_order(
         From `prepare` of the same parts and choice; None to do that
         here, without maps of pressures.
     release
-        Number, revision and who released it, for the drawing.
+        Number, revision and who released it, for job sheet and drawing.
     translate
         Into the language of the papers.
 
@@ -334,6 +334,9 @@ def write_order(
     Cancelled
     """
     materials = ", ".join(ordered_material(choice, part.insole.design) for part in parts)
+    release = release or Release()
+    released = {"number of the order": release.number, "name of who released the order": release.by}
+    require_nameless(patient, released)
     _require_nameless(choice, materials, path, patient, override)
     if choice.prescription:
         require_prescription(choice, patient, responsible)
@@ -355,7 +358,7 @@ def write_order(
                 responsible=responsible,
                 override=override,
                 drawn=drawn,
-                release=release or Release(),
+                release=release,
                 translate=translate,
                 printing=made.printing,
             )

@@ -90,14 +90,28 @@ class Ordered:
     Parameters
     ----------
     paths
-        Of the files that belong to it.
-    number
-        Of the order; empty for single files, which have none.
+        Of the files that it is made from, or of the whole order.
+    number, revision
+        Of the order, as its papers have them.
+    papers
+        Of single files: what was written beside them.
     """
 
     paths: tuple[Path, ...]
     terms: OrderTerms
-    number: str = ""
+    number: str
+    revision: int = 1
+    papers: tuple[Path, ...] = ()
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """All that was written."""
+        return self.paths + self.papers
+
+    @property
+    def place(self) -> Path:
+        """The folder that they were written to."""
+        return self.paths[0].parent
 
 
 def files_of_package(path: Path, order: ShopOrder) -> tuple[Path, ...]:
@@ -112,6 +126,7 @@ def write_package(
     path: Path,
     *,
     number: str,
+    revision: int = 1,
     shop: Shop,
     now: datetime,
     clinic: str = "",
@@ -126,8 +141,9 @@ def write_package(
     items
         One for each patient; taken one after the other, so that they may be made meanwhile.
     number
-        By which clinic and shop speak of the order. Where it takes the place of an order of this
-        number, it is the next revision of it.
+        By which clinic and shop speak of the order.
+    revision
+        At least; where it takes the place of an order of this number, it is the next one of it.
     released_by
         Name of who releases it, for the drawing.
     translate
@@ -150,7 +166,7 @@ def write_package(
     """
     is_archive = path.suffix.lower() == ".zip"
     program = f"Insole Studio {program_version()}"
-    state = Release(number, _revision(path, number), released_by)
+    state = Release(number, max(revision, _revision(path, number)), released_by)
     state.check()
     begun = ShopOrder(state, now.isoformat(timespec="seconds"), program, (), clinic)
     with Transaction() as outputs:

@@ -10,6 +10,7 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, Patient
+from insole_core.cases.order_note import OrderNote
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -131,6 +132,19 @@ class Case(QObject):
         self._history.push(before, after, sentence, merge_key)
         self._set(after)
 
+    def note_order(self, order: OrderNote) -> None:
+        """Note what was ordered, or what the shop is to be told; no step of undo takes it back."""
+        if order != self._record.order:
+            self._set(replace(self._record, order=order))
+
+    def note_stored_order(self, order: OrderNote) -> None:
+        """Note an order as the clinic's record has it; what is being changed here stays."""
+        terms = self._record.order.terms
+        if terms == self._saved_record.order.terms:
+            terms = order.terms
+        self._saved_record = replace(self._saved_record, order=order)
+        self.note_order(replace(order, terms=terms))
+
     def end_merging(self) -> None:
         """Let the next change be an undo step of its own, as the user begins another gesture."""
         self._history.end_merging()
@@ -217,7 +231,7 @@ class Case(QObject):
         """
         self.leaving.emit()
         record = CaseRecord.of_foot(FootRecord.begun(foot, source, design), self._record.patient)
-        self._begin(record, unsaved=True)
+        self._begin(replace(record, order=self._record.order), unsaved=True)
 
     def _begin(self, record: CaseRecord, unsaved: bool) -> None:
         self._history.clear()
@@ -265,7 +279,7 @@ class Case(QObject):
     def _step_to(self, record: CaseRecord | None) -> None:
         if record is not None:
             self._shown = None
-            self._set(record)
+            self._set(replace(record, order=self._record.order))
 
     def _set(self, record: CaseRecord) -> None:
         self._put(record)

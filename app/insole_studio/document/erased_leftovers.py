@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,7 @@ log = logging.getLogger(__name__)
 
 
 def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings) -> None:
-    """Remove unsaved work, copies of captures, and names of files and folders of the person.
+    """Remove unsaved work, copies of captures and papers, and names of the person's files.
 
     What another window is writing is its own: it is dropped when that hands it over to the record.
 
@@ -34,6 +35,7 @@ def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings) -> No
     for copy in paths.fetched_folder.glob("*-????????.*"):
         if any(capture.startswith(copy.stem[-8:]) for capture in traces.capture_ids):
             _remove(copy)
+    shutil.rmtree(paths.papers_folder, ignore_errors=True)
     settings.recent = [name for name in settings.recent if not traces.are_in(name)]
     for name in folder_names():
         if traces.are_in(getattr(settings, name)):

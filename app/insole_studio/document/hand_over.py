@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError, PersonErased, Unreachable
+from insole_core.export.shop_order import OrderTerms
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.document.journal import Recovered, find_recovered
 from insole_studio.texts import tr
@@ -168,8 +169,15 @@ def _keep(records: Records, journal: Recovered) -> KeptChange:
 
     visit = journal.visit
     assert visit is not None
+    terms = journal.record.order.terms
     change = CaseChange(
-        visit.visit_id, visit.before, journal.record, visit.bases, visit.editing, visit.sent
+        visit.visit_id,
+        visit.before,
+        journal.record,
+        visit.bases,
+        visit.editing,
+        visit.sent,
+        None if terms == OrderTerms() else terms,
     )
     kept = keep_case(records, change)
     for conflict in kept.conflicts.values():

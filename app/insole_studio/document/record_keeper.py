@@ -391,4 +391,13 @@ def _change(
 
     changed = (f for f in record.feet if all_feet or f is not before.of_side(f.side))
     bases = {foot.side: kept.bases.get(foot.side) for foot in changed}
-    return CaseChange(kept.visit.id, before.patient, record, bases, kept.editing, kept.sent)
+    terms = record.order.terms
+    return CaseChange(
+        kept.visit.id,
+        before.patient,
+        record,
+        bases,
+        kept.editing,
+        kept.sent,
+        None if terms == before.order.terms else terms,
+    )

@@ -21,6 +21,8 @@ _WARNING = QColor("#b3261e")
 _WARNING_ON_DARK = QColor("#ff9a8f")
 _DARK_BELOW = 128
 _MOST_DIGITS = 20
+_MEASURED_ROWS = 200
+"""By which the widths of columns are chosen, of however many."""
 
 
 @dataclass(frozen=True)
@@ -39,19 +41,44 @@ class TableRow:
     tip: str = ""
 
 
+@dataclass(frozen=True)
+class Sorting:
+    """By which column a table is sorted."""
+
+    column: int
+    is_descending: bool = False
+
+    @property
+    def order(self) -> Qt.SortOrder:
+        """As Qt calls it."""
+        order = Qt.SortOrder
+        return order.DescendingOrder if self.is_descending else order.AscendingOrder
+
+
 class RowTable(QTableView):
     """A table whose rows are chosen by a double click or Enter; texts are shown as they are.
 
     A click on a heading sorts by it, a second one the other way round, a third one not any more.
+    Whoever shows a part of many rows sorts them where they come from (`sort_chosen`), and shows
+    more of them once the end is in sight (`end_reached`).
     """
 
     chosen = Signal(str)
     """The key of the row that was chosen."""
     current_changed = Signal(str)
     """The key of the row that the cursor is on; empty if it is on none."""
+    sort_chosen = Signal(object)
+    """Emitted with a `Sorting`, or None for the order in which the rows come by themselves."""
+    end_reached = Signal()
+    """The last row is in sight."""
 
     def __init__(
-        self, headings: Sequence[str], stretched: int = 0, parent: QWidget | None = None
+        self,
+        headings: Sequence[str],
+        stretched: int = 0,
+        parent: QWidget | None = None,
+        *,
+        sorts: bool = True,
     ) -> None:
         """Make an empty table.
 
@@ -59,8 +86,11 @@ class RowTable(QTableView):
         ----------
         stretched
             Number of the column that takes the space which the others leave.
+        sorts
+            Whether it sorts its rows; otherwise they come as they are to be shown.
         """
         super().__init__(parent)
+        self._sorts = sorts
         self.setObjectName("rows")
         self._rows = _Rows(headings, self)
         self.setModel(self._rows)
@@ -79,12 +109,14 @@ class RowTable(QTableView):
         header.sectionClicked.connect(self._sort_by)
         self._given: tuple[TableRow, ...] = ()
         """The rows in the order in which they came."""
-        self._sorted_by: tuple[int, Qt.SortOrder] | None = None
+        self._sorted_by: Sorting | None = None
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         for column in range(len(headings)):
             mode = QHeaderView.ResizeMode
             kind = mode.Stretch if column == stretched else mode.ResizeToContents
             header.setSectionResizeMode(column, kind)
+        header.setResizeContentsPrecision(_MEASURED_ROWS)
+        self.verticalScrollBar().valueChanged.connect(self._look_for_end)
         self.doubleClicked.connect(self._choose)
         self.selectionModel().currentRowChanged.connect(self._announce)
 
@@ -108,20 +140,20 @@ class RowTable(QTableView):
 
     def _sort_by(self, column: int) -> None:
         """Sort by a column: upwards, downwards, or in the order in which the rows came."""
-        up, down = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
-        after = {(column, up): (column, down), (column, down): None}
-        self._sorted_by = (
-            (column, up) if self._sorted_by is None else after.get(self._sorted_by, (column, up))
-        )
+        up, down = Sorting(column), Sorting(column, is_descending=True)
+        after: dict[Sorting | None, Sorting | None] = {up: down, down: None}
+        self._sorted_by = after.get(self._sorted_by, up)
         header = self.horizontalHeader()
         header.setSortIndicatorShown(self._sorted_by is not None)
         if self._sorted_by is not None:
-            header.setSortIndicator(*self._sorted_by)
+            header.setSortIndicator(column, self._sorted_by.order)
         self._show_sorted()
+        self.sort_chosen.emit(self._sorted_by)
 
     def _show_sorted(self) -> None:
-        before = self.current_key
+        before, place = self.current_key, self.verticalScrollBar().value()
         self._rows.replace(self._in_order())
+        self.verticalScrollBar().setValue(place)
         keys = [row.key for row in self._rows.rows]
         if before in keys:
             self.selectRow(keys.index(before))
@@ -143,16 +175,21 @@ class RowTable(QTableView):
 
     def _in_order(self) -> list[TableRow]:
         """Return the rows as they are sorted; those with an empty cell come last in any case."""
-        if self._sorted_by is None:
+        if self._sorted_by is None or not self._sorts:
             return list(self._given)
-        column, order = self._sorted_by
+        column = self._sorted_by.column
         collator = QCollator()
         full = [row for row in self._given if row.cells[column]]
         full.sort(
             key=lambda row: collator.sortKey(_padded(row.cells[column])),
-            reverse=order is Qt.SortOrder.DescendingOrder,
+            reverse=self._sorted_by.is_descending,
         )
         return [*full, *(row for row in self._given if not row.cells[column])]
+
+    def _look_for_end(self, place: int) -> None:
+        bar = self.verticalScrollBar()
+        if bar.maximum() > 0 and place >= bar.maximum() - bar.pageStep() // 2:
+            self.end_reached.emit()
 
     def _choose(self, index: QModelIndex) -> None:
         self.chosen.emit(self._rows.rows[index.row()].key)

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date
+from itertools import groupby
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
@@ -30,7 +31,7 @@ from insole_core.records.fhir import (
     device_request_resource,
     patient_resource,
 )
-from insole_core.records.order import Order
+from insole_core.records.order import Order, OrderFile
 from insole_core.records.records import Records
 from insole_core.records.rights import Right, require
 from insole_core.records.statement import statement_of, write_statement_paper
@@ -265,13 +266,19 @@ class _ExportWriter:
         return relief_of(solid, from_above=True)
 
     def _write_order(self, order: Order, place: str) -> None:
-        names = _numbered([plain_name(file.name, "file") for file in order.files])
-        for file, name in zip(order.files, names, strict=True):
+        for release, files in groupby(order.files, lambda file: file.release):
+            is_newest = release == order.release
+            where = place if is_newest else f"{place}/revision-{release}"
+            self._write_order_files(tuple(files), where)
+        self._write_statement(order, place)
+
+    def _write_order_files(self, files: Sequence[OrderFile], place: str) -> None:
+        names = _numbered([plain_name(file.name, "file") for file in files])
+        for file, name in zip(files, names, strict=True):
             with self._told(f"{place}/{name}"):
                 path = self._new_folder(place) / name
                 self._records.contents.copy_to(file.content_sha256, path)
                 self._note(path)
-        self._write_statement(order, place)
 
     def _write_statement(self, order: Order, place: str) -> None:
         """Write the statement of an order, which names the patient; nothing unsigned is stated."""

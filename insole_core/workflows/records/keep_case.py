@@ -12,6 +12,7 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, RecordsError
+from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.records.field_merge import merge_fields
 from insole_core.records.person import Person
@@ -41,6 +42,8 @@ class CaseChange:
         UUID of the editing, as for `Prescriptions.save`; empty for none.
     sent
         The patient's fields as this editing has sent them since `before`, without an answer.
+    terms
+        What the shop is to be told, where it has changed; None where it has not.
     """
 
     visit_id: str
@@ -49,6 +52,7 @@ class CaseChange:
     bases: Mapping[Side, Base | None]
     editing: str = ""
     sent: tuple[Patient, ...] = ()
+    terms: OrderTerms | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,7 +157,8 @@ def _keep_person(records: Records, person: Person, patient: Patient) -> Person:
 
 def _keep_visit(records: Records, visit: Visit, patient: Patient, change: CaseChange) -> Visit:
     day = date.fromisoformat(patient.visit) if patient.visit else visit.visited_on
-    visit = replace(visit, visited_on=day, findings=patient.notes)
+    terms = change.terms or visit.terms
+    visit = replace(visit, visited_on=day, findings=patient.notes, terms=terms)
     if change.bases:
         measures = {**visit.measures, **visit_measures(change.now.feet)}
         visit = replace(visit, measures=measures, capture_state=CaptureState.DONE)
@@ -182,7 +187,13 @@ def add_case(records: Records, case: CaseRecord, person_id: str = "") -> Visit:
         person_id = records.persons.add(Person(patient.name, birth_date)).id
     day = read_day("visit", patient.visit, today)
     visited_on = date.fromisoformat(day) if day else today
-    visit = Visit(person_id, visited_on, findings=patient.notes, measures=visit_measures(case.feet))
+    visit = Visit(
+        person_id,
+        visited_on,
+        findings=patient.notes,
+        measures=visit_measures(case.feet),
+        terms=case.order.terms,
+    )
     visit = records.visits.add(visit)
     for foot in case.feet:
         records.prescriptions.save(visit.id, foot, None)

@@ -9,6 +9,7 @@ from typing import Any
 from insole_core.cases.case_json import foot_to_json
 from insole_core.cases.case_record import FootRecord, Patient
 from insole_core.errors import InputError
+from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.records.capture import Capture
@@ -138,13 +139,15 @@ def pseudonymous(dossier: PersonDossier) -> PersonDossier:
 
 def _pseudonymous_visit(dossier: VisitDossier) -> VisitDossier:
     versions = tuple(replace(version, reason="") for version in dossier.versions)
-    return VisitDossier(replace(dossier.visit, reason="", findings=""), versions, ())
+    visit = replace(dossier.visit, reason="", findings="", terms=OrderTerms())
+    return VisitDossier(visit, versions, ())
 
 
 def _pseudonymous_order(order: Order, name: str) -> Order:
     return replace(
         order,
         remarks="",
+        place="",
         events=tuple(replace(event, remarks="") for event in order.events),
         files=tuple(file for file in order.files if _is_for_the_shop(file, name)),
     )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import Any, Final
 
+from insole_core.export.shop_order import terms_to_json
 from insole_core.records.capture import Capture
 from insole_core.records.order import Order
 from insole_core.records.prescription import VersionSummary
@@ -72,6 +73,7 @@ def person_json(
 def _visit(dossier: VisitDossier, feet: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
     return {
         **_plain(dossier.visit),
+        "terms": terms_to_json(dossier.visit.terms),
         "captures": [_capture(capture) for capture in dossier.captures],
         "prescriptions": [_version(version, feet.get(version.id)) for version in dossier.versions],
     }

@@ -2880,6 +2880,10 @@
             <translation>Beställningen är tom; ange minst ett fall.</translation>
         </message>
         <message>
+            <source>The order {number} has a revision {release} already, of somebody else; export once more, under the next number.</source>
+            <translation>Beställningen {number} har redan en revision {release}, av någon annan; exportera en gång till, med nästa nummer.</translation>
+        </message>
+        <message>
             <source>The order {number} is {state} already; choose another state.</source>
             <translation>Beställningen {number} är redan {state}; välj ett annat läge.</translation>
         </message>
@@ -3336,8 +3340,8 @@
             <translation>Besöket den {day} har orsak, fynd, vikt, skostorlek eller mått och finns kvar; töm dem under ”Redigera…” först om det skapades av misstag.</translation>
         </message>
         <message>
-            <source>The visit of {day} holds scans ({scans}), versions of prescriptions ({versions}), orders ({orders}) or follow-ups ({follow_ups}), and is kept; only an empty visit can be deleted.</source>
-            <translation>Besöket den {day} innehåller skanningar ({scans}), versioner av ordinationer ({versions}), beställningar ({orders}) eller uppföljningar ({follow_ups}) och finns kvar; bara ett tomt besök kan tas bort.</translation>
+            <source>The visit of {day} holds scans ({scans}), photos ({photos}), versions of prescriptions ({versions}), orders ({orders}) or follow-ups ({follow_ups}), and is kept; only an empty visit can be deleted.</source>
+            <translation>Besöket den {day} innehåller skanningar ({scans}), foton ({photos}), versioner av ordinationer ({versions}), beställningar ({orders}) eller uppföljningar ({follow_ups}) och finns kvar; bara ett tomt besök kan tas bort.</translation>
         </message>
         <message>
             <source>The volume of interest was set by hand.</source>
@@ -4352,6 +4356,10 @@
             <translation>färgkamera</translation>
         </message>
         <message>
+            <source>cancelled</source>
+            <translation>makulerad</translation>
+        </message>
+        <message>
             <source>cannot be examined</source>
             <translation>kan inte undersökas</translation>
         </message>
@@ -4738,6 +4746,10 @@
         <message>
             <source>flatfoot</source>
             <translation>plattfot</translation>
+        </message>
+        <message>
+            <source>folder of the order</source>
+            <translation>beställningens mapp</translation>
         </message>
         <message>
             <source>follow up</source>
@@ -6260,6 +6272,10 @@
             <translation>omvänd Mortons förlängning</translation>
         </message>
         <message>
+            <source>revised</source>
+            <translation>reviderad</translation>
+        </message>
+        <message>
             <source>right</source>
             <translation>höger</translation>
         </message>
@@ -6498,6 +6514,10 @@
         <message>
             <source>tendon</source>
             <translation>sena</translation>
+        </message>
+        <message>
+            <source>terms of the order</source>
+            <translation>beställningens villkor</translation>
         </message>
         <message>
             <source>text on the bottom</source>
@@ -7670,6 +7690,10 @@
         <message>
             <source>{part_0} with {part_1} with {part_2}</source>
             <translation>{part_0} med {part_1} med {part_2}</translation>
+        </message>
+        <message>
+            <source>{path} cannot be opened: no program for it is installed; open it from the file manager.</source>
+            <translation>{path} kan inte öppnas: det finns inget program för den; öppna den från filhanteraren.</translation>
         </message>
         <message>
             <source>{path} cannot be read ({reason}); check that it is there and that you may read it.</source>

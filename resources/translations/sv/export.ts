@@ -276,6 +276,10 @@
             <translation>Patientens namn</translation>
         </message>
         <message>
+            <source>New: {number}</source>
+            <translation>Ny: {number}</translation>
+        </message>
+        <message>
             <source>No blocks of your own yet.</source>
             <translation>Inga egna block ännu.</translation>
         </message>
@@ -486,6 +490,10 @@
         <message>
             <source>The printer's program or the router that gets the files</source>
             <translation>Skrivarens program eller fräsmaskinen som får filerna</translation>
+        </message>
+        <message>
+            <source>The shop makes the newest revision of an order; a new order is made beside it</source>
+            <translation>Verkstaden tillverkar den nyaste revisionen av en beställning; en ny beställning tillverkas vid sidan av</translation>
         </message>
         <message>
             <source>These files are there already: {names}</source>

@@ -64,6 +64,10 @@
             <translation>Justerad</translation>
         </message>
         <message>
+            <source>All orders</source>
+            <translation>Alla beställningar</translation>
+        </message>
+        <message>
             <source>An administrator looks after accounts, backups and the audit log, and sees no patients; whoever treats patients signs in with an account of their own.</source>
             <translation>En administratör sköter konton, säkerhetskopior och loggen och ser inga patienter; den som behandlar patienter loggar in med ett eget konto.</translation>
         </message>
@@ -106,6 +110,14 @@
         <message>
             <source>By</source>
             <translation>Av</translation>
+        </message>
+        <message>
+            <source>Cancel the order</source>
+            <translation>Makulera beställningen</translation>
+        </message>
+        <message>
+            <source>Cancelled</source>
+            <translation>Makulerad</translation>
         </message>
         <message>
             <source>Capture: {state}</source>
@@ -392,6 +404,10 @@
             <translation>Öppna beställningar</translation>
         </message>
         <message>
+            <source>Open the folder</source>
+            <translation>Öppna mappen</translation>
+        </message>
+        <message>
             <source>Open the visit</source>
             <translation>Öppna besöket</translation>
         </message>
@@ -400,12 +416,16 @@
             <translation>Beställning {number}</translation>
         </message>
         <message>
-            <source>Order {number} is in the record, with its files.</source>
-            <translation>Beställning {number} finns i journalen, med sina filer.</translation>
+            <source>Order {number} was written without files.</source>
+            <translation>Beställning {number} skrevs utan filer.</translation>
         </message>
         <message>
-            <source>Order {number} is in the record, with its files; it is due {day}.</source>
-            <translation>Beställning {number} finns i journalen med sina filer; den ska vara klar {day}.</translation>
+            <source>Order {number}: {state}.</source>
+            <translation>Beställning {number}: {state}.</translation>
+        </message>
+        <message>
+            <source>Ordered</source>
+            <translation>Beställd</translation>
         </message>
         <message>
             <source>Orders</source>
@@ -432,6 +452,10 @@
             <translation>Resultat</translation>
         </message>
         <message>
+            <source>Patient, order or shop</source>
+            <translation>Patient, beställning eller verkstad</translation>
+        </message>
+        <message>
             <source>Patients</source>
             <translation>Patienter</translation>
         </message>
@@ -446,6 +470,10 @@
         <message>
             <source>Prescribe as on the last visit</source>
             <translation>Ordinera som vid förra besöket</translation>
+        </message>
+        <message>
+            <source>Print the papers…</source>
+            <translation>Skriv ut pappren…</translation>
         </message>
         <message>
             <source>Read it so</source>
@@ -484,6 +512,10 @@
             <translation>Returnerad</translation>
         </message>
         <message>
+            <source>Revision</source>
+            <translation>Revision</translation>
+        </message>
+        <message>
             <source>Sample patient</source>
             <translation>Provpatient</translation>
         </message>
@@ -510,6 +542,10 @@
         <message>
             <source>Search patients</source>
             <translation>Sök patienter</translation>
+        </message>
+        <message>
+            <source>Search the orders</source>
+            <translation>Sök bland beställningarna</translation>
         </message>
         <message>
             <source>Sent</source>
@@ -576,8 +612,16 @@
             <translation>Filen säger inte hur dess bokstäver är lagrade. Vilka namn är rätt?</translation>
         </message>
         <message>
+            <source>The files of order {number} are copied from the record; choose where to</source>
+            <translation>Filerna i beställning {number} kopieras från registret; välj vart</translation>
+        </message>
+        <message>
             <source>The first version of this foot.</source>
             <translation>Fotens första version.</translation>
+        </message>
+        <message>
+            <source>The first {shown} of {count} orders</source>
+            <translation>De första {shown} av {count} beställningar</translation>
         </message>
         <message>
             <source>The orders of the clinic by state, the first due on top</source>
@@ -606,6 +650,10 @@
         <message>
             <source>Theirs</source>
             <translation>Deras</translation>
+        </message>
+        <message>
+            <source>This order was written without papers.</source>
+            <translation>Den här beställningen skrevs utan papper.</translation>
         </message>
         <message>
             <source>This visit is open elsewhere too: {who}. Nothing gets lost.</source>
@@ -712,6 +760,10 @@
             <translation>signerad av {name}</translation>
         </message>
         <message>
+            <source>{count} orders</source>
+            <translation>{count} beställningar</translation>
+        </message>
+        <message>
             <source>{day}, overdue</source>
             <translation>{day}, försenad</translation>
         </message>
@@ -734,6 +786,18 @@
         <message>
             <source>{name}: what was not saved yet is now in the record.</source>
             <translation>{name}: det som inte var sparat än finns nu i journalen.</translation>
+        </message>
+        <message>
+            <source>{number}, revision {revision}</source>
+            <translation>{number}, revision {revision}</translation>
+        </message>
+        <message>
+            <source>{order} is in the record, with its files.</source>
+            <translation>{order} finns i registret med sina filer.</translation>
+        </message>
+        <message>
+            <source>{order} is in the record, with its files; it is due {day}.</source>
+            <translation>{order} finns i registret med sina filer; den väntas {day}.</translation>
         </message>
     </context>
 </TS>

@@ -7,16 +7,20 @@ from datetime import date, timedelta
 from pathlib import Path
 
 import pytest
+from sqlalchemy import insert
 
 from insole_core.cases.case_record import FootRecord
+from insole_core.cases.order_note import OrderNote
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Conflict, InputError, RecordsError
+from insole_core.export.shop_order import OrderTerms
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
+from insole_core.records import schema
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH, SESSION
 from insole_core.records.follow_up import FollowUp
-from insole_core.records.order import Order, OrderState
+from insole_core.records.order import Order, OrderSearch, OrderState
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
@@ -82,6 +86,78 @@ def test_an_order_goes_through_its_states(records: Records, order: Order) -> Non
     ]
     assert records.orders.open() == []
     assert [o.number for o in records.orders.open(OrderState.DELIVERED)] == [order.number]
+
+
+def test_what_is_exported_again_is_a_revision_and_the_first_one_stays(
+    records: Records, visit: Visit, order: Order, foot_record: FootRecord, tmp_path: Path
+) -> None:
+    sent = records.orders.move(order.id, OrderState.SENT, "", order.revision)
+    base = records.visits.open_case(visit.id).bases[Side.LEFT]
+    thicker = foot_record.with_design(replace(foot_record.design, thickness_mm=5))
+    base = records.prescriptions.save(visit.id, thicker, base)
+    stl = tmp_path / "left.stl"
+    stl.write_bytes(b"thicker")
+    place = str(tmp_path)
+    revised = records.orders.revise(
+        order.id, [base.version_id], release=2, due_on=TOMORROW, files=[stl], place=place
+    )
+    assert (revised.number, revised.release, revised.place) == (order.number, 2, place)
+    assert revised.state is OrderState.DESIGNED
+    assert revised.version_ids == (base.version_id,)
+    read = {f.release: records.contents.read(f.content_sha256) for f in revised.files}
+    assert read == {1: b"solid", 2: b"thicker"}
+    assert [f.release for f in revised.newest_files] == [2]
+    assert [(e.to_state, e.release) for e in revised.events] == [
+        ("designed", 1), ("sent", 1), ("designed", 2),
+    ]  # fmt: skip
+    assert revised.revision == sent.revision + 1
+    with pytest.raises(InputError, match="has a revision 2 already"):
+        records.orders.revise(order.id, [base.version_id], release=2)
+    (copy,) = records.orders.copy_files(order.id, tmp_path)
+    assert copy.read_bytes() == b"thicker"
+
+
+def test_the_next_export_revises_what_is_not_delivered_or_cancelled(
+    records: Records, visit: Visit, order: Order
+) -> None:
+    terms = OrderTerms(2, "black", "", "soft heel", TOMORROW)
+    records.visits.change(replace(visit, terms=terms), visit.revision)
+    noted = records.visits.open_case(visit.id).record.order
+    assert noted == OrderNote(order.number, 1, terms) == records.orders.note_of(visit.id)
+    for state in (OrderState.DELIVERED, OrderState.CANCELLED):
+        order = records.orders.move(order.id, state, "", order.revision)
+        assert records.orders.note_of(visit.id) == OrderNote(terms=terms)
+    records.orders.move(order.id, OrderState.RETURNED, "", order.revision)
+    assert records.orders.note_of(visit.id).number == order.number
+
+
+def test_orders_are_searched_sorted_and_counted(
+    records: Records, visit: Visit, order: Order
+) -> None:
+    eva = records.persons.add(Person("Eva Öberg"))
+    with records.context.database.writing() as connection:
+        connection.execute(insert(schema.orders), [
+            {"id": f"o{n}", "number": f"26-X{n:03}", "visit_id": visit.id, "person_id": eva.id,
+             "state": state, "shop": "Söder" if n % 2 else "", "created_at": f"2026-11-{n:02}T",
+             "changed_at": "2026", "revision": 1}
+            for n, state in enumerate(["delivered", "cancelled", "sent"] * 4, 1)
+        ])  # fmt: skip
+
+    def numbers(search: OrderSearch, limit: int | None = None) -> list[str]:
+        return [found.number for found in records.orders.find(search, limit)]
+
+    assert records.orders.count(OrderSearch()) == 13
+    assert len(numbers(OrderSearch((OrderState.CANCELLED,)))) == 4
+    assert numbers(OrderSearch(typed="oberg x007")) == ["26-X007"]
+    assert numbers(OrderSearch(typed="anna cnc")) == [order.number]
+    assert numbers(OrderSearch(typed="percent%")) == []
+    by_shop = OrderSearch(sorted_by="shop", is_descending=True)
+    assert [s.shop for s in records.orders.find(by_shop, 8)] == ["Söder"] * 6 + ["CNC", ""]
+    assert numbers(OrderSearch(sorted_by="person_name"), 2) == [order.number, "26-X001"]
+    latest = OrderSearch(sorted_by="ordered_on", is_descending=True)
+    assert numbers(latest, 2) == [order.number, "26-X012"]
+    by_state = records.orders.find(OrderSearch(sorted_by="state"))
+    assert [s.state for s in by_state][::4] == ["designed", "sent", "delivered", "cancelled"]
 
 
 def test_open_orders_come_by_their_due_date(records: Records, visit: Visit, order: Order) -> None:

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.export.shop_order import Release
 from insole_core.geometry.side import Side
 from insole_core.solids.marking import Relief
 from insole_core.solids.print_presets import PrintPreset, read_print_presets
@@ -36,6 +37,7 @@ from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
 
 _TEXT = ".stl text"
+_REVISED, _NEW = "revised", "new"
 _LINES_PX = 52
 
 
@@ -82,6 +84,8 @@ class OrderForm(QWidget):
     """Shows an `OrderChoice`, and emits a new one when a field is edited."""
 
     edited = Signal(object)
+    order_chosen = Signal(bool)
+    """Emitted with whether a new order is to be begun in place of a revision."""
     material_edited = Signal(object, str)
     """Emitted with a side, and the material that its insole is to be made of."""
     blocks_requested = Signal()
@@ -90,6 +94,8 @@ class OrderForm(QWidget):
     def __init__(self, stock: Stock, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._blocks: dict[str, Block] = {}
+        self.order = ComboBox([])
+        self.order.edited.connect(self._choose_order)
         self.kind = ComboBox(
             [
                 ("insole", tr("Insole, trimmed")),
@@ -151,13 +157,39 @@ class OrderForm(QWidget):
             for name, block in self._blocks.items():
                 self.block.addItem(_text(block), name)
 
-    def show_order_number(self, number: str, *, is_sample: bool) -> None:
-        """Show what the order is called without a pseudonym; a sample is always called one."""
+    def show_release(
+        self, chosen: Release, revised: Release | None, new_number: str, *, is_sample: bool
+    ) -> None:
+        """Show which order is exported, and what it is called without a pseudonym.
+
+        Parameters
+        ----------
+        chosen
+            Number and revision of what is exported next.
+        revised
+            The revision that can be exported; None where there is no order to revise.
+        new_number
+            Of the order that can be begun.
+        is_sample
+            Whether the patient is the sample, which is always called one.
+        """
+        with QSignalBlocker(self.order):
+            self.order.clear()
+            if revised is not None:
+                text = tr("{number}, revision {revision}")
+                revision = text.format(number=revised.number, revision=revised.revision)
+                self.order.addItem(revision, _REVISED)
+            self.order.addItem(tr("New: {number}").format(number=new_number), _NEW)
+            self.order.show_value(_NEW if chosen.number == new_number else _REVISED)
+        self.order.setEnabled(revised is not None)
+        self.order.setToolTip(
+            tr("The shop makes the newest revision of an order; a new order is made beside it")
+        )
         self.pseudonym.setReadOnly(is_sample)
-        self.pseudonym.setPlaceholderText(number)
+        self.pseudonym.setPlaceholderText(chosen.number)
         self.pseudonym.setToolTip(
             tr("What the shop knows the patient by; without one, the order number {number}").format(
-                number=number
+                number=chosen.number
             )
         )
 
@@ -288,6 +320,7 @@ class OrderForm(QWidget):
         self._form.setVerticalSpacing(6)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         rows: list[tuple[str, QWidget]] = [
+            (tr("Order"), self.order),
             (tr("Piece"), self.kind), ("", self.both), (tr("Block"), self.block),
             ("", self.own_blocks),
             (tr("Cutter ⌀"), self.cutter), (tr("Draft"), self.draft),
@@ -325,6 +358,9 @@ class OrderForm(QWidget):
         self.terms.edited.connect(self._pass_on)
         self.pseudonym.textEdited.connect(self._pass_on)
         self.text.textChanged.connect(self._pass_on)
+
+    def _choose_order(self, word: str) -> None:
+        self.order_chosen.emit(word == _NEW)
 
     def _pass_on(self) -> None:
         if self.signalsBlocked():

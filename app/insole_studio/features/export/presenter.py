@@ -12,8 +12,9 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.days import read_day
+from insole_core.cases.order_note import OrderNote
 from insole_core.errors import InsoleError
-from insole_core.export.shop_order import OrderTerms
+from insole_core.export.shop_order import Release, ShopOrder
 from insole_core.export.solid_file import merged
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.materials import MaterialTable
@@ -150,7 +151,7 @@ class ExportPresenter:
         self._block_store, self._asker, self._exported = blocks, asker, exported
         self._memory = memory
         self._own_blocks: tuple[Block, ...] = ()
-        self._choice, self._number = memory.load(), ""
+        self._choice, self._new_number, self._begins_order = memory.load(), "", False
         self._rules = read_rules()
         self._record = CaseRecord()
         self.parts: tuple[Part, ...] = ()
@@ -178,6 +179,7 @@ class ExportPresenter:
             changed=self._show_prepared,
         )
         panel.choice_edited.connect(self.edit_choice)
+        panel.order_chosen.connect(self.choose_order)
         panel.material_edited.connect(self.edit_material)
         panel.blocks_requested.connect(self.edit_blocks)
         panel.deliver_on_edited.connect(self.edit_deliver_on)
@@ -216,6 +218,8 @@ class ExportPresenter:
         if self._is_case_left:
             return  # a field lets go of what was typed as its window closes
         before, self._choice = self._choice, choice
+        if choice.terms != before.terms:
+            self._case.note_order(replace(self._case.record.order, terms=choice.terms))
         same_cutter = _cutter_mm(choice) == _cutter_mm(before)
         if choice.makes_alike(before) and same_cutter and not self._problem:
             self._show_order()
@@ -223,6 +227,11 @@ class ExportPresenter:
                 self._prepare()
         else:
             self.remake()
+
+    def choose_order(self, is_new: bool) -> None:
+        """Choose between a revision of the order that was exported last, and a new order."""
+        self._begins_order = is_new
+        self._show_release()
 
     def edit_material(self, side: Side, material: str) -> None:
         """Set what a foot's insole is made of; another foot without a material gets it too."""
@@ -379,31 +388,31 @@ class ExportPresenter:
 
     def _ask_package(self, package: Package) -> None:
         """Let the user choose where the order is written, and write it."""
-        path = self._asker.package_path(self._number, package)
+        path = self._asker.package_path(self._release.number, package)
         if path is not None and (not path.exists() or self._asker.may_replace([path])):
             self.export_package_to(path)
 
     def export_package_to(self, path: Path) -> None:
         """Write the order with all its files as one folder or archive, in the background."""
-        record, choice, number = self._record, self._order, self._number
+        record, choice, release = self._record, self._order, self._release
         item = PackedItem(
             self.parts, choice, record.patient, {}, self._override(), self._machine.made
         )
-        author, clinic = self._case.author, self._asker.responsible().clinic
+        clinic = self._asker.responsible().clinic
 
-        def write(progress: Progress) -> tuple[Path, ...]:
+        def write(progress: Progress) -> ShopOrder:
             check_overwriting((path,), record.source_paths)
-            order = write_package(
+            return write_package(
                 [item], path,
-                number=number, shop=self._shop, now=datetime.now().astimezone(), clinic=clinic,
-                released_by=author, translate=translate_core_message, progress=progress,
+                number=release.number, revision=release.revision, released_by=release.by,
+                shop=self._shop, now=datetime.now().astimezone(), clinic=clinic,
+                translate=translate_core_message, progress=progress,
             )  # fmt: skip
-            return files_of_package(path, order)
 
-        def done(paths: tuple[Path, ...]) -> None:
-            if not self._is_case_left:
-                self._number_order()
-            self._tell_written(record, choice, (path,), Ordered(paths, choice.terms, number))
+        def done(order: ShopOrder) -> None:
+            paths, state = files_of_package(path, order), order.release
+            ordered = Ordered(paths, choice.terms, state.number, state.revision)
+            self._tell_written(record, choice, (path,), ordered)
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._fail)
@@ -413,20 +422,25 @@ class ExportPresenter:
         """Write the file and its documents in the background."""
         record, parts, choice = self._record, self.parts, self._order
         override, responsible = self._override(), self._asker.responsible()
-        made = self._machine.made
+        made, release = self._machine.made, self._release
+
+        files = files_of(parts, choice, path, override is not None)
 
         def write(progress: Progress) -> tuple[Path, ...]:
-            files = files_of(parts, choice, path, override is not None)
             check_overwriting(files, record.source_paths)
             return write_order(
                 parts, choice, path,
                 shop=self._shop, patient=record.patient, responsible=responsible,
-                override=override, made=made, translate=translate_core_message, progress=progress,
+                override=override, made=made, release=release, translate=translate_core_message,
+                progress=progress,
             )  # fmt: skip
 
         def done(paths: tuple[Path, ...]) -> None:
             shown = (*paths, *programs_of(parts, choice, path))
-            self._tell_written(record, choice, shown, Ordered(shown, choice.terms))
+            papers = tuple(file for file in files if file not in shown)
+            number, revision = release.number, release.revision
+            ordered = Ordered(shown, choice.terms, number, revision, papers)
+            self._tell_written(record, choice, shown, ordered)
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._fail)
@@ -438,12 +452,15 @@ class ExportPresenter:
         names = ", ".join(written.name for written in shown)
         self._panel.show_summary(tr("Exported {name}").format(name=names))
         self._remember(choice)
-        exported = record if self._is_case_left else self._noted(record, choice.pseudonym)
+        exported = record if self._is_case_left else self._noted(record, choice.pseudonym, ordered)
         self._exported(exported, ordered)
 
-    def _noted(self, record: CaseRecord, pseudonym: str) -> CaseRecord:
+    def _noted(self, record: CaseRecord, pseudonym: str, ordered: Ordered) -> CaseRecord:
         """Keep in the case what the workshop knows it by; return the record that was exported."""
-        is_current = self._case.record is record
+        is_current = self._case.record.holds_the_same(record)
+        terms = self._case.record.order.terms  # perhaps edited while the files were written
+        self._case.note_order(OrderNote(ordered.number, ordered.revision, terms))
+        self._number_order()
         patient = replace(self._case.record.patient, pseudonym=pseudonym)
         if patient != self._case.record.patient:
             self._case.apply(patient, tr("Note the order number"))
@@ -469,7 +486,15 @@ class ExportPresenter:
     @property
     def _order(self) -> OrderChoice:
         """The choice with the order number in place of a pseudonym that is missing."""
-        return replace(self._choice, pseudonym=self._choice.pseudonym or self._number)
+        return replace(self._choice, pseudonym=self._choice.pseudonym or self._release.number)
+
+    @property
+    def _release(self) -> Release:
+        """Number and revision that the next export has."""
+        last = self._case.record.order
+        if last.number and not self._begins_order:
+            return last.revised(self._case.author)
+        return Release(self._new_number, by=self._case.author)
 
     @property
     def _blocks(self) -> tuple[Block, ...]:
@@ -498,18 +523,26 @@ class ExportPresenter:
             text="",
             own_materials={},
             printing=self._choice.printing and replace(self._choice.printing, weight_kg=None),
-            terms=OrderTerms(),
+            terms=record.order.terms.from_day(date.today()),
         )
 
     def _number_order(self) -> None:
-        """Draw the number of the next order."""
-        self._number = new_order_number(date.today())
-        is_sample = self._case.record.patient.is_sample
-        self._panel.show_order_number(self._number, is_sample=is_sample)
+        """Draw a number for a new order; what is exported again is a revision of the last one."""
+        self._new_number, self._begins_order = new_order_number(date.today()), False
+        self._show_release()
+
+    def _show_release(self) -> None:
+        record = self._case.record
+        revised = record.order.revised() if record.order.number else None
+        self._panel.show_release(
+            self._release, revised, self._new_number, is_sample=record.patient.is_sample
+        )
 
     def _follow(self) -> None:
         """Make the order again unless only what does not shape it has changed."""
         record, before = self._case.record, self._record
+        if record.order != before.order:
+            self._show_release()
         if record.feet is before.feet and record.at_hand is before.at_hand:
             self._record = record
             self._panel.show_patient(patient_text(record.patient))

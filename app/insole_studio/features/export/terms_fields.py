@@ -81,6 +81,7 @@ class TermsFields(QObject):
     def forget_day(self) -> None:
         """Empty the delivery date, whatever is typed there."""
         self.deliver_on.clear()
+        self._terms = replace(self._terms, deliver_on=None)
 
     def name_quantity(self, form: QFormLayout, *, is_pair: bool) -> None:
         """Say of what the quantity is."""

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.export.shop_order import Release
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -41,6 +42,7 @@ class ExportView(QWidget):
     """The export panel; emits the user's intents."""
 
     choice_edited = Signal(object)
+    order_chosen = Signal(bool)
     material_edited = Signal(object, str)
     blocks_requested = Signal()
     responsible_requested = Signal()
@@ -58,6 +60,7 @@ class ExportView(QWidget):
         super().__init__(parent)
         self.form = OrderForm(stock)
         self.form.edited.connect(self.choice_edited)
+        self.form.order_chosen.connect(self.order_chosen)
         self.form.material_edited.connect(self.material_edited)
         self.form.blocks_requested.connect(self.blocks_requested)
         self.form.responsible_requested.connect(self.responsible_requested)
@@ -114,9 +117,11 @@ class ExportView(QWidget):
         """Offer blocks."""
         self.form.show_blocks(blocks)
 
-    def show_order_number(self, number: str, *, is_sample: bool) -> None:
-        """Show what the order is called without a pseudonym; a sample is always called one."""
-        self.form.show_order_number(number, is_sample=is_sample)
+    def show_release(
+        self, chosen: Release, revised: Release | None, new_number: str, *, is_sample: bool
+    ) -> None:
+        """Show which order is exported, see `OrderForm.show_release`."""
+        self.form.show_release(chosen, revised, new_number, is_sample=is_sample)
 
     def read_day(self) -> None:
         """Emit what is typed as the quantity and as the delivery date."""

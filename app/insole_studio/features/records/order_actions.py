@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import CaseRecord
-from insole_core.records.order import Order
+from insole_core.cases.order_note import OrderNote
+from insole_core.records.order import Order, OrderState, OrderSummary
 from insole_core.workflows.order_package import Ordered
 from insole_studio.features.records.order_dialog import OrderDialog
+from insole_studio.features.records.order_rows import state_text
 from insole_studio.features.records.record_texts import day_text
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -29,9 +31,13 @@ class OrderActions(QObject):
         self._services = services
         self._clinic = services.clinic
         self._tell = services.messages.show_error
+        self._clinic.changed.connect(self._refresh_note)
 
     def note_export(self, exported: CaseRecord, ordered: Ordered) -> None:
-        """Add an order of the exported feet, once they are in the record as they were exported."""
+        """Store the order of the exported feet, once these are in the record as they were exported.
+
+        A later revision is that of the order of its number; any other export is a new order.
+        """
         visit_id = self._services.keeper.visit_id
         if not visit_id:
             return
@@ -41,9 +47,18 @@ class OrderActions(QObject):
             newest = [records.prescriptions.versions(visit_id, side)[0].id for side in sides]
             terms = ordered.terms
             due_on = terms.deliver_on or records.orders.usual_due_on(date.today())
+            remarks, files, place = terms.remarks, ordered.files, str(ordered.place)
+            known = records.orders.with_number(ordered.number) if ordered.revision > 1 else None
+            if known is not None and known.visit_id == visit_id:
+                return records.orders.revise(
+                    known.id, newest,
+                    release=ordered.revision, due_on=terms.deliver_on or known.due_on or due_on,
+                    remarks=remarks, files=files, place=place,
+                )  # fmt: skip
             return records.orders.add(
                 visit_id, newest,
-                due_on=due_on, remarks=terms.remarks, files=ordered.paths, number=ordered.number,
+                due_on=due_on, remarks=remarks, files=files, number=ordered.number,
+                release=ordered.revision, place=place,
             )  # fmt: skip
 
         self._services.keeper.leave(lambda: self._clinic.write(add, self._offer, self._tell))
@@ -54,13 +69,54 @@ class OrderActions(QObject):
             "records-order", lambda records: records.orders.get(order_id), self._ask, self._tell
         )
 
+    def move(self, order: OrderSummary, state: OrderState) -> None:
+        """Bring an order to another state, and offer to take that back."""
+
+        def moved(after: Order) -> None:
+            sentence = tr("Order {number}: {state}.")
+            self._services.notices.put(
+                NOTICE,
+                sentence.format(number=after.number, state=state_text(after.state)),
+                (tr("Undo"), lambda: self._move_back(after, order.state)),
+            )
+
+        self._clinic.write(
+            lambda r: r.orders.move(order.id, state, "", order.revision), moved, self._tell
+        )
+
+    def _move_back(self, order: Order, state: OrderState) -> None:
+        self._clinic.write(
+            lambda r: r.orders.move(order.id, state, "", order.revision),
+            lambda _order: None,
+            self._tell,
+        )
+
+    def _refresh_note(self) -> None:
+        """Let the open case know what has become of its order, here or at another station."""
+        visit_id = self._services.keeper.visit_id
+        if not visit_id or not self._clinic.is_open:
+            return
+
+        def take(note: OrderNote) -> None:
+            if self._services.keeper.visit_id == visit_id:
+                self._services.case.note_stored_order(note)
+
+        # Whatever goes wrong, the next change asks again; saving tells of it.
+        self._clinic.ask(
+            "records-order-note", lambda r: r.orders.note_of(visit_id), take, lambda _error: None
+        )
+
     def _offer(self, order: Order) -> None:
-        sentence = tr("Order {number} is in the record, with its files.")
+        number = tr("Order {number}").format(number=order.number)
+        if order.release > 1:
+            revision = tr("{number}, revision {revision}")
+            number = revision.format(number=number, revision=order.release)
+        sentence = tr("{order} is in the record, with its files.")
         if order.due_on is not None:
-            sentence = tr("Order {number} is in the record, with its files; it is due {day}.")
+            sentence = tr("{order} is in the record, with its files; it is due {day}.")
         self._services.notices.put(
             NOTICE,
-            sentence.format(number=order.number, day=day_text(order.due_on)),
+            sentence.format(order=number, day=day_text(order.due_on)),
             (tr("Shop and due date…"), lambda: self.ask(order.id)),
         )
 

@@ -17,6 +17,7 @@ from insole_core.cases.days import read_day
 from insole_core.errors import InputError
 from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.order import Order
+from insole_studio.features.records.order_rows import event_text
 from insole_studio.texts import tr
 from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.form_labels import mark_labels
@@ -24,6 +25,8 @@ from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.notes_field import NotesField
 
 _WIDTH_PX = 420
+_MOST_STEPS = 8
+"""Of its history, the latest."""
 
 
 class OrderDialog(QDialog):
@@ -40,6 +43,8 @@ class OrderDialog(QDialog):
         self.remarks.setPlainText(order.remarks)
         self.due_on = order.due_on
         self.refusal = MessageLabel("warning")
+        self.history = MessageLabel("quiet")
+        self.history.say_all([event_text(event) for event in order.events[-_MOST_STEPS:]])
         buttons = QDialogButtonBox()
         role = QDialogButtonBox.ButtonRole
         self.keep = buttons.addButton(tr("Keep"), role.AcceptRole)
@@ -55,6 +60,7 @@ class OrderDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.setSpacing(12)
         layout.addLayout(form)
+        layout.addWidget(self.history)
         layout.addWidget(self.refusal)
         layout.addWidget(buttons)
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import date
+from typing import Final
 
-from insole_core.records.order import OrderState, OrderSummary
-from insole_studio.features.records.record_texts import day_text
+from insole_core.records.order import OrderEvent, OrderKey, OrderState, OrderSummary
+from insole_studio.features.records.record_texts import day_text, moment_text
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import TableRow
 
@@ -21,6 +22,7 @@ def state_text(state: OrderState) -> str:
         OrderState.DELIVERED: tr("Delivered"),
         OrderState.ADJUSTED: tr("Adjusted"),
         OrderState.RETURNED: tr("Returned"),
+        OrderState.CANCELLED: tr("Cancelled"),
     }[state]
 
 
@@ -36,10 +38,49 @@ def order_rows(orders: Sequence[OrderSummary], today: date) -> list[TableRow]:
     ]
 
 
+def full_order_rows(orders: Sequence[OrderSummary], today: date) -> list[TableRow]:
+    """Return the rows of orders with all that a summary tells, in the order of `COLUMNS`."""
+    return [
+        TableRow(
+            order.id,
+            (
+                order.person_name,
+                order.number,
+                str(order.release),
+                state_text(order.state),
+                due_text(order, today),
+                order.shop,
+                day_text(order.ordered_on),
+            ),
+            attention=order.is_overdue(today),
+        )
+        for order in orders
+    ]
+
+
+COLUMNS: Final[tuple[OrderKey, ...]] = (
+    "person_name", "number", "release", "state", "due_on", "shop", "ordered_on",
+)  # fmt: skip
+"""What the columns of the list of orders show, and are sorted by."""
+
+
+def event_text(event: OrderEvent) -> str:
+    """Return a step of an order: when, what became of it, who did it."""
+    state = state_text(event.to_state)
+    if event.release > 1:
+        revision = tr("{number}, revision {revision}")
+        state = revision.format(number=state, revision=event.release)
+    return f"{moment_text(event.at)}  {state}, {event.author}"
+
+
 def order_text(order: OrderSummary, today: date) -> str:
     """Return an order as a line of its visit: number, state, due date."""
+    number = tr("Order {number}").format(number=order.number)
+    if order.release > 1:
+        revision = tr("{number}, revision {revision}")
+        number = revision.format(number=number, revision=order.release)
     parts = (
-        tr("Order {number}").format(number=order.number),
+        number,
         state_text(order.state),
         tr("due {day}").format(day=due_text(order, today)) if order.due_on else "",
     )

@@ -3,21 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from datetime import date
 from typing import TYPE_CHECKING
 
-from insole_core.records.order import OrderState, OrderSummary
+from insole_core.records.order import OPEN_STATES, OrderSearch, OrderState, OrderSummary
 from insole_core.records.person import Person
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.records.order_rows import due_text, state_text
-from insole_studio.features.records.orders_page import OPEN, OrdersPage
+from insole_studio.features.records.order_actions import OrderActions
+from insole_studio.features.records.order_rows import COLUMNS, full_order_rows
+from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
 from insole_studio.texts import tr
-from insole_studio.widgets.row_table import TableRow
+from insole_studio.widgets.row_table import Sorting
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
 
 READ = "records-orders"
+FIRST_ROWS = 200
+"""That are shown at first; each time the end is in sight, twice as many."""
+
+
+@dataclass(frozen=True)
+class _Found:
+    orders: Sequence[OrderSummary]
+    count: int
+    days: int
 
 
 class OrdersPresenter:
@@ -25,20 +36,32 @@ class OrdersPresenter:
 
     Parameters
     ----------
+    actions
+        On one order.
     tell
         Shows an error.
     """
 
     def __init__(
-        self, page: OrdersPage, clinic: ClinicRecord, tell: Callable[[Exception], None]
+        self,
+        page: OrdersPage,
+        clinic: ClinicRecord,
+        actions: OrderActions,
+        tell: Callable[[Exception], None],
     ) -> None:
         self._page = page
         self._clinic = clinic
+        self._actions = actions
         self._tell = tell
-        self._state: OrderState | None = None
+        self._search = OrderSearch(OPEN_STATES)
         self._person: Person | None = None
+        self._wanted = FIRST_ROWS
+        self._count = 0
         self.orders: dict[str, OrderSummary] = {}
         page.state_chosen.connect(self._choose_state)
+        page.search_edited.connect(self._choose_words)
+        page.table.sort_chosen.connect(self._choose_sorting)
+        page.table.end_reached.connect(self._show_more)
         page.move_requested.connect(self._move)
         page.days_edited.connect(self._set_days)
         clinic.changed.connect(self._refresh)
@@ -46,32 +69,60 @@ class OrdersPresenter:
     def show(self, person: Person | None) -> None:
         """Show the orders of a person; those of the clinic for None."""
         self._person = person
-        self._show(())  # not those of before, while the record answers
-        self._read()
+        self._show((), 0)  # not those of before, while the record answers
+        self._begin()
 
     def _choose_state(self, word: str) -> None:
-        self._state = None if word == OPEN else OrderState(word)
-        self._read()
+        states = {OPEN: OPEN_STATES, ALL: ()}
+        chosen = states[word] if word in states else (OrderState(word),)
+        self._search = replace(self._search, states=chosen)
+        self._begin()
+
+    def _choose_words(self, typed: str) -> None:
+        self._search = replace(self._search, typed=typed)
+        self._begin()
+
+    def _choose_sorting(self, sorting: Sorting | None) -> None:
+        sorting = sorting or Sorting(COLUMNS.index("due_on"))
+        self._search = replace(
+            self._search,
+            sorted_by=COLUMNS[sorting.column],
+            is_descending=sorting.is_descending,
+        )
+        self._begin()
+
+    def _show_more(self) -> None:
+        is_waiting = len(self.orders) < min(self._wanted, self._count)
+        if not is_waiting and len(self.orders) < self._count:
+            self._wanted *= 2
+            self._read()
 
     def _refresh(self) -> None:
         if self._page.isVisible() and self._clinic.is_open:
             self._read()
 
-    def _read(self) -> None:
-        person, state = self._person, self._state
+    def _begin(self) -> None:
+        """Show the first of what is searched for."""
+        self._wanted = FIRST_ROWS
+        self._page.table.scrollToTop()
+        self._read()
 
-        def read(records: Records) -> tuple[Sequence[OrderSummary], int]:
-            days = records.orders.days_until_due()
-            if person is not None:
-                return records.orders.of_person(person.id), days
-            return records.orders.open(state), days
+    def _read(self) -> None:
+        search, wanted = self._search, self._wanted
+        if self._person is not None:
+            search = replace(search, states=(), typed="", person_id=self._person.id)
+
+        def read(records: Records) -> _Found:
+            with records.snapshot():
+                found = records.orders.find(search, wanted)
+                count = records.orders.count(search) if len(found) == wanted else len(found)
+                return _Found(found, count, records.orders.days_until_due())
 
         self._clinic.ask(READ, read, self._take, self._tell)
 
-    def _take(self, answer: tuple[Sequence[OrderSummary], int]) -> None:
-        orders, days = answer
-        self._show(orders)
-        self._page.show_days(days)
+    def _take(self, found: _Found) -> None:
+        self._show(found.orders, found.count)
+        self._page.show_days(found.days)
 
     def _set_days(self, days: int) -> None:
         self._clinic.write(
@@ -80,31 +131,14 @@ class OrdersPresenter:
             self._tell,
         )
 
-    def _show(self, orders: Sequence[OrderSummary]) -> None:
+    def _show(self, orders: Sequence[OrderSummary], count: int) -> None:
         self.orders = {order.id: order for order in orders}
-        today = date.today()
-        rows = [
-            TableRow(
-                order.id,
-                (
-                    order.person_name,
-                    order.number,
-                    state_text(order.state),
-                    due_text(order, today),
-                    order.shop,
-                ),
-                attention=order.is_overdue(today),
-            )
-            for order in orders
-        ]
+        self._count = count
         person = self._person
         title = tr("Orders") if person is None else tr("Orders of {name}").format(name=person.name)
-        self._page.show_orders(title, rows, of_person=person is not None)
+        self._page.show_orders(
+            title, full_order_rows(orders, date.today()), count, of_person=person is not None
+        )
 
     def _move(self, order_id: str, word: str) -> None:
-        order = self.orders[order_id]
-
-        def move(records: Records) -> None:
-            records.orders.move(order_id, OrderState(word), "", order.revision)
-
-        self._clinic.write(move, lambda _nothing: self._read(), self._tell)
+        self._actions.move(self.orders[order_id], OrderState(word))

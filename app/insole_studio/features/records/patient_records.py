@@ -43,6 +43,7 @@ from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.features.records.order_actions import OrderActions
+from insole_studio.features.records.order_files import OrderFiles
 from insole_studio.features.records.orders_page import OrdersPage
 from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.person_page import PersonPage
@@ -105,6 +106,7 @@ class PatientRecords(QObject):
         self.captures = VisitCaptures(services)
         self._presence = VisitPresence(services)
         self.order_actions = OrderActions(services)
+        self.order_files = OrderFiles(services)
         self.sample = SamplePatient(services, leave_case, self.show_person, self.show_start)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
@@ -117,6 +119,7 @@ class PatientRecords(QObject):
     def close(self) -> None:
         """Leave the open visit to other stations."""
         self._presence.close()
+        self.order_files.close()
 
     def show_start(self) -> None:
         """Show the start page, its search line empty and with the focus."""
@@ -281,10 +284,14 @@ class PatientRecords(QObject):
         """Show the orders of the clinic, or of the person on the page."""
         if self.orders is None:
             self.orders = OrdersPage()
-            self._orders_presenter = OrdersPresenter(self.orders, self._clinic, self._tell)
+            self._orders_presenter = OrdersPresenter(
+                self.orders, self._clinic, self.order_actions, self._tell
+            )
             self.orders.patients_requested.connect(self.show_start)
             self.orders.order_chosen.connect(self._open_order)
             self.orders.edit_requested.connect(self.order_actions.ask)
+            self.orders.papers_requested.connect(self.order_files.open_papers)
+            self.orders.folder_requested.connect(self.order_files.open_folder)
         assert self._orders_presenter is not None
         self.page_requested.emit(self.orders)
         self._orders_presenter.show(self._shown_person if of_person else None)

@@ -7,6 +7,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from insole_core.errors import NotAllowed
+from insole_core.records.order import OPEN_STATES, OrderSearch
 from insole_core.records.person import PersonSummary
 from insole_core.records.visit import VisitSummary
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
@@ -155,4 +156,6 @@ def _remedies(clinic: ClinicRecord) -> tuple[str, ...]:
 
 
 def _lists(records: Records) -> _Lists:
-    return _Lists(records.visits.on(date.today()), records.orders.open()[:MOST_ORDERS])
+    return _Lists(
+        records.visits.on(date.today()), records.orders.find(OrderSearch(OPEN_STATES), MOST_ORDERS)
+    )

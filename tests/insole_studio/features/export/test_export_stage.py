@@ -198,7 +198,7 @@ def test_export_names_the_side_and_writes_what_is_wanted(
     assert "anna-left.3mf" in stage.view.summary.text()
 
 
-def test_an_order_is_written_as_a_whole_and_numbered_anew(
+def test_an_order_is_written_as_a_whole_and_revised_when_it_is_exported_again(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path, qtbot: QtBot
 ) -> None:
     told: list[Ordered] = []
@@ -232,9 +232,66 @@ def test_an_order_is_written_as_a_whole_and_numbered_anew(
     assert (release.number, release.by) == (chosen.number, "A. Ek") == (ordered.number, "A. Ek")
     assert {file.role for file in item.files} == {"solid", "job_sheet"}
     assert item.sides == (Side.LEFT, Side.RIGHT)
+    chosen.replace = True
+    stage.view.export.click()
+    settle()
+    assert chosen.asked == ["order.zip"]
+    assert (told[1].number, told[1].revision) == (ordered.number, 2)
+    assert verify_order(chosen.answer).order.release.revision == 2
+    field = stage.view.form.order
+    assert field.currentText() == f"{ordered.number}, revision 3"
+    field.setFocus()
+    qtbot.keyClick(field, Qt.Key.Key_Down)
     stage.view.export.click()
     assert chosen.number != ordered.number
-    assert chosen.asked == ["order.zip"]
+    settle()
+    assert (told[2].number, told[2].revision) == (chosen.number, 1)
+
+
+def test_the_job_sheet_of_a_single_file_has_the_number_of_its_order(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    told: list[Ordered] = []
+    stage.exported.connect(lambda _record, ordered: told.append(ordered))
+    order(stage, both=False, pseudonym="P-7")
+    settle()
+    chosen.answer, chosen.replace = tmp_path / "p.stl", True
+    for revision in ("1", "2"):
+        stage.view.export.click()
+        settle()
+        (sheet,) = told[-1].papers
+        text = text_of_pdf(sheet)
+        assert told[-1].number == told[0].number
+        assert f"Order number\n{told[0].number}" in text
+        assert f"Revision\n{revision}" in text
+    assert told[0].files == (tmp_path / "p-left.stl", tmp_path / "p-left-job-sheet.pdf")
+
+
+def test_what_the_shop_is_told_stays_with_the_case(
+    stage: ExportStage, settle: Callable[[], None], case: Case, qtbot: QtBot
+) -> None:
+    fields, day = stage.view.form.terms, date.today() + timedelta(days=9)
+    for field, text in (
+        (fields.colour, "black"), (fields.deliver_on, day.isoformat()), (fields.remarks, "soft"),
+    ):  # fmt: skip
+        field.setFocus()
+        qtbot.keyClicks(field, text)
+    qtbot.keyClick(fields.deliver_on, Qt.Key.Key_Return)
+    record = case.record
+    assert record.order.terms == OrderTerms(1, "black", "", "soft", day)
+    assert case.has_unsaved_changes
+    case.open(CaseRecord(), None)
+    settle()
+    assert (fields.colour.text(), fields.deliver_on.text()) == ("", "")
+    case.open(record, None)
+    settle()
+    assert (fields.colour.text(), fields.deliver_on.text()) == ("black", day.isoformat())
+    assert fields.remarks.toPlainText() == "soft"
+    past = replace(record.order.terms, deliver_on=date.today() - timedelta(days=1))
+    case.open(replace(record, order=replace(record.order, terms=past)), None)
+    settle()
+    assert fields.deliver_on.text() == ""
+    assert stage.view.export.isEnabled()
 
 
 @pytest.mark.parametrize(

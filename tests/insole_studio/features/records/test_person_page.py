@@ -22,7 +22,6 @@ from insole_core.insole.prescription.design import HeelLift
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
 from insole_core.records.field_merge import FieldChoice
-from insole_core.records.order import OrderState
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
@@ -384,37 +383,6 @@ def test_a_follow_up_is_added(
     rest()
     (added,) = records.follow_ups.of_person(visit.person_id)
     assert added.outcome == "Better"
-
-
-def test_orders_are_listed_by_state_and_moved(
-    page: PersonPage,
-    clinic: Application,
-    records: Records,
-    visit: Visit,
-    rest: Callable[[], None],
-) -> None:
-    version = records.prescriptions.versions(visit.id, Side.LEFT)[0]
-    late = date.today() - timedelta(days=1)
-    order = records.orders.add(visit.id, [version.id], shop="CNC Nord", due_on=late)
-    clinic.controller.run_action("orders", False)
-    rest()
-    orders = clinic.features.records.orders
-    assert orders is not None
-    (row,) = orders.table.rows
-    assert row.attention
-    assert row.cells == (
-        "Anna Berg", order.number, "Designed", f"{late.isoformat()}, overdue", "CNC Nord"
-    )  # fmt: skip
-    assert not orders.move_button.isEnabled()
-    orders.table.take_first()
-    orders.to_state.show_value(OrderState.DELIVERED.value)
-    QTest.mouseClick(orders.move_button, LEFT)
-    rest()
-    assert orders.table.rows == ()
-    orders.shown.show_value(OrderState.DELIVERED.value)
-    orders.state_chosen.emit(OrderState.DELIVERED.value)
-    rest()
-    assert [row.key for row in orders.table.rows] == [order.id]
 
 
 def test_the_days_until_a_new_order_is_due_are_set_by_the_clinic(

@@ -1,0 +1,124 @@
+"""The stored files of an order, brought back: its papers to print, its folder to look into."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from insole_core.errors import OutputError
+from insole_core.export.atomic import make_output_folder, make_private_folder
+from insole_core.export.write_errors import output_errors
+from insole_core.records.order import Order
+from insole_core.visible_text import visible_line
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.last_folders import Kept
+from insole_studio.services.other_programs import open_file
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+
+Open = Callable[[Path], bool]
+
+
+class OrderFiles(QObject):
+    """Opens papers and folders of orders in the programs that the user has for them.
+
+    Parameters
+    ----------
+    open_path
+        Opens a file or a folder; returns whether there is a program for it.
+    """
+
+    def __init__(self, services: AppServices, open_path: Open = open_file) -> None:
+        super().__init__(services.window)
+        self._services = services
+        self._open = open_path
+        self._tell = services.messages.show_error
+
+    def close(self) -> None:
+        """Remove the copies that were printed."""
+        shutil.rmtree(self._services.paths.papers_folder, ignore_errors=True)
+
+    def open_papers(self, order_id: str) -> None:
+        """Open the papers of the newest revision, from where they are printed."""
+        folder = self._services.paths.papers_folder
+
+        def copy(records: Records) -> tuple[Path, ...]:
+            from insole_core.workflows.records.order_papers import copy_papers
+
+            with output_errors(folder):
+                shutil.rmtree(folder, ignore_errors=True)  # of the order before
+                make_private_folder(folder)
+            return copy_papers(records, order_id, folder)
+
+        self._services.clinic.ask("records-papers", copy, self._open_all, self._tell)
+
+    def open_folder(self, order_id: str) -> None:
+        """Open the folder that the files were written to; where it is gone, they are copied."""
+
+        def show(order: Order) -> None:
+            place = Path(order.place)
+            if order.place and _holds(place, order):
+                self._open_all((place,))
+            elif order.files:
+                self._copy_to_folder(order)
+            else:
+                sentence = tr("Order {number} was written without files.")
+                self._services.messages.say(sentence.format(number=order.number))
+
+        self._services.clinic.ask(
+            "records-order", lambda records: records.orders.get(order_id), show, self._tell
+        )
+
+    def _copy_to_folder(self, order: Order) -> None:
+        """Copy the files of an order out of the record, and open the folder of the copies."""
+        title = tr("The files of order {number} are copied from the record; choose where to")
+        questions = self._services.messages.questions
+        within = questions.folder_to_open(title.format(number=order.number), Kept.EXPORTS)
+        if within is None:
+            return
+        folder = _new_folder(within, order.number)
+
+        def copy(records: Records) -> tuple[Path, ...]:
+            make_output_folder(folder)
+            records.orders.copy_files(order.id, folder)
+            return (folder,)
+
+        self._services.clinic.ask("records-order-files", copy, self._open_all, self._tell)
+
+    def _open_all(self, paths: tuple[Path, ...]) -> None:
+        if not paths:
+            self._services.messages.say(tr("This order was written without papers."))
+        for path in paths:
+            if not self._open(path):
+                self._tell(
+                    OutputError(
+                        "{path} cannot be opened: no program for it is installed; open it from "
+                        "the file manager.",
+                        path=visible_line(str(path)),
+                    )
+                )
+
+
+def _holds(place: Path, order: Order) -> bool:
+    """Return whether a folder has the files of an order's newest revision."""
+    try:
+        return bool(order.newest_files) and all(
+            (place / file.name).is_file() for file in order.newest_files
+        )
+    except OSError:  # a share that does not answer, or a path of another system
+        return False
+
+
+def _new_folder(within: Path, number: str) -> Path:
+    """Return a folder that is not there yet, named after an order."""
+    folder, count = within / number, 1
+    while folder.exists():
+        count += 1
+        folder = within / f"{number}-{count}"
+    return folder

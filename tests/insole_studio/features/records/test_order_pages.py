@@ -1,0 +1,233 @@
+"""Orders in the window: revised, listed, searched, cancelled, printed; terms that stay."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Callable
+from datetime import date, timedelta
+from pathlib import Path
+
+import pytest
+from canned_questions import CannedQuestions
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+from sqlalchemy import insert
+
+from insole_core.export.shop_order import OrderTerms
+from insole_core.geometry.side import Side
+from insole_core.records import schema
+from insole_core.records.order import Order, OrderState
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+from insole_core.workflows.order_package import Ordered
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.records.order_files import OrderFiles
+from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
+
+LEFT = Qt.MouseButton.LeftButton
+TODAY = date.today()
+YESTERDAY, SOON = TODAY - timedelta(days=1), TODAY + timedelta(days=9)
+
+
+@pytest.fixture
+def order(records: Records, visit: Visit) -> Order:
+    """An order of Anna Berg that is late."""
+    version = records.prescriptions.versions(visit.id, Side.LEFT)[0]
+    return records.orders.add(visit.id, [version.id], shop="CNC Nord", due_on=YESTERDAY)
+
+
+@pytest.fixture
+def page(clinic: Application, order: Order, rest: Callable[[], None]) -> OrdersPage:
+    """The orders of the clinic."""
+    clinic.controller.run_action("orders", False)
+    rest()
+    shown = clinic.features.records.orders
+    assert shown is not None
+    return shown
+
+
+@pytest.fixture
+def opened(clinic: Application, monkeypatch: pytest.MonkeyPatch) -> list[Path]:
+    """What was opened in other programs."""
+    paths: list[Path] = []
+
+    def note(path: Path) -> bool:
+        paths.append(path)
+        return True
+
+    monkeypatch.setattr(clinic.features.records.order_files, "_open", note)
+    return paths
+
+
+def choose(page: OrdersPage, word: str) -> None:
+    """Choose which orders are shown, with the keyboard."""
+    page.shown.setFocus()
+    page.shown.show_value(word)
+    page.shown.activated.emit(page.shown.currentIndex())
+
+
+def heading(page: OrdersPage, column: int) -> None:
+    header = page.table.horizontalHeader()
+    x = header.sectionViewportPosition(column) + 8
+    QTest.mouseClick(header.viewport(), LEFT, pos=header.rect().center().__class__(x, 8))
+
+
+def keys(page: OrdersPage) -> list[str]:
+    return [row.key for row in page.table.rows]
+
+
+def test_orders_are_listed_moved_and_cancelled_and_nothing_vanishes(
+    page: OrdersPage, clinic: Application, records: Records, order: Order, rest: Callable[[], None]
+) -> None:
+    (row,) = page.table.rows
+    assert row.attention
+    assert row.cells == (
+        "Anna Berg", order.number, "1", "Designed", f"{YESTERDAY.isoformat()}, overdue", "CNC Nord",
+        TODAY.isoformat(),
+    )  # fmt: skip
+    assert not page.move_button.isEnabled()
+    page.table.take_first()
+    page.to_state.show_value(OrderState.DELIVERED.value)
+    QTest.mouseClick(page.move_button, LEFT)
+    rest()
+    assert keys(page) == []
+    for word in (ALL, OrderState.DELIVERED.value):
+        choose(page, word)
+        rest()
+        assert keys(page) == [order.id]
+    page.table.take_first()
+    QTest.mouseClick(page.cancel_button, LEFT)
+    rest()
+    assert keys(page) == []
+    choose(page, OrderState.CANCELLED.value)
+    rest()
+    assert page.table.rows[0].cells[3] == "Cancelled"
+    clinic.services.notices.take("record-order")  # Undo
+    rest()
+    assert records.orders.get(order.id).state is OrderState.DELIVERED
+    choose(page, OPEN)
+    rest()
+    assert keys(page) == []
+
+
+def test_ten_thousand_orders_are_searched_sorted_and_loaded_as_one_scrolls(
+    page: OrdersPage, records: Records, visit: Visit, order: Order, rest: Callable[[], None]
+) -> None:
+    with records.context.database.writing() as connection:
+        connection.execute(insert(schema.orders), [
+            {"id": f"o{n}", "number": f"26-X{n:05}", "visit_id": visit.id,
+             "person_id": visit.person_id, "state": "delivered", "shop": f"Shop {n % 7}",
+             "created_at": f"{YESTERDAY.isoformat()}T{n:05}", "changed_at": "2026", "revision": 1}
+            for n in range(10_000)
+        ])  # fmt: skip
+    choose(page, ALL)
+    rest()
+    assert len(page.table.rows) == 200
+    assert "200" in page._count.text()
+    assert "10001" in page._count.text()
+    bar = page.table.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    rest()
+    assert len(page.table.rows) == 400
+    assert bar.value() > 0
+    heading(page, 1)
+    rest()
+    assert page.table.rows[0].cells[1] == "26-X00000" or page.table.rows[0].key == order.id
+    heading(page, 1)
+    rest()
+    assert page.table.rows[0].cells[1] == max(f"26-X{9999:05}", order.number)
+    page.search.setFocus()
+    QTest.keyClicks(page.search, "x00712")
+    rest()
+    assert [row.cells[1] for row in page.table.rows] == ["26-X00712"]
+
+
+def test_papers_are_printed_again_and_the_folder_is_opened(
+    page: OrdersPage, clinic: Application, records: Records, order: Order, opened: list[Path],
+    questions: CannedQuestions, rest: Callable[[], None], tmp_path: Path,
+) -> None:  # fmt: skip
+    page.table.take_first()
+    QTest.mouseClick(page.papers_button, LEFT)
+    rest()
+    assert opened == []
+    written = tmp_path / "26-1"
+    written.mkdir()
+    (written / "p-left.stl").write_bytes(b"solid")
+    (written / "p-left-job-sheet.pdf").write_bytes(b"%PDF 2")
+    with zipfile.ZipFile(written / "order.zip", "w") as packed:
+        packed.writestr("packed-job-sheet.pdf", b"%PDF packed")
+    order = records.orders.revise(
+        order.id, order.version_ids, release=2, files=sorted(written.iterdir()), place=str(written)
+    )
+    rest()
+    page.table.take_first()
+    QTest.mouseClick(page.papers_button, LEFT)
+    rest()
+    assert sorted(path.read_bytes() for path in opened) == [b"%PDF 2", b"%PDF packed"]
+    copies = opened.copy()
+    opened.clear()
+    QTest.mouseClick(page.folder_button, LEFT)
+    rest()
+    assert opened == [written]
+    opened.clear()
+    written.rename(tmp_path / "elsewhere")
+    questions.path = tmp_path
+    QTest.mouseClick(page.folder_button, LEFT)
+    rest()
+    assert opened == [tmp_path / order.number]
+    assert (opened[0] / "p-left.stl").read_bytes() == b"solid"
+    OrderFiles.close(clinic.features.records.order_files)
+    assert not any(path.exists() for path in copies)
+
+
+def test_a_visit_that_is_exported_again_is_one_order_with_two_revisions(
+    clinic: Application, records: Records, visit: Visit, rest: Callable[[], None], tmp_path: Path,
+    qtbot: QtBot,
+) -> None:  # fmt: skip
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    clinic.features.export.open()
+    stage = clinic.features.export.stage
+    assert stage is not None
+
+    def settle() -> None:
+        qtbot.waitUntil(lambda: not stage.jobs.is_running())
+        rest()
+
+    settle()
+    QTest.keyClicks(stage.view.form.terms.colour, "black")
+    for _ in range(2):
+        stage.presenter.export_to(tmp_path / "p.stl")
+        settle()
+    (listed,) = records.orders.of_person(visit.person_id)
+    order = records.orders.get(listed.id)
+    assert (order.release, order.place) == (2, str(tmp_path))
+    assert [(f.release, f.name) for f in order.files] == [
+        (2, "p-left-job-sheet.pdf"), (2, "p-left.stl"),
+        (1, "p-left-job-sheet.pdf"), (1, "p-left.stl"),
+    ]  # fmt: skip
+    assert records.visits.get(visit.id).terms == OrderTerms(colour="black")
+    records.orders.move(order.id, OrderState.CANCELLED, "", order.revision)  # at another station
+    field = stage.view.form.order
+    qtbot.waitUntil(lambda: field.count() == 1)
+    stage.presenter.export_to(tmp_path / "p.stl")
+    settle()
+    assert len(records.orders.of_person(visit.person_id)) == 2
+    assert stage.view.form.terms.colour.text() == "black"
+
+
+def test_a_revision_that_somebody_else_has_written_is_told(
+    clinic: Application, records: Records, visit: Visit, order: Order, rest: Callable[[], None],
+    qtbot: QtBot, tmp_path: Path,
+) -> None:  # fmt: skip
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    records.orders.revise(order.id, order.version_ids, release=2)
+    solid = tmp_path / "p-left.stl"
+    solid.write_bytes(b"solid")
+    ordered = Ordered((solid,), OrderTerms(), order.number, 2)
+    clinic.features.export.exported_files.emit(clinic.case.record, ordered)
+    qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs))
+    (dialog,) = clinic.services.messages.dialogs
+    assert "has a revision 2 already" in dialog.text()
