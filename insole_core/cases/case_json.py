@@ -135,7 +135,7 @@ def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
         raise foot.fail("variants", "have the same name twice")
     source = _source(foot.object("source"))
     return FootRecord(
-        foot=_foot(foot, side, source.form, mesh_of),
+        foot=_foot(foot, side, source, mesh_of),
         source=source,
         variants=variants,
         chosen=foot.choice("chosen", names),
@@ -146,7 +146,7 @@ def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
 
 
 def _foot(
-    foot: JsonObject, side: Side, form: Form, mesh_of: Callable[[Side], TriangleMesh]
+    foot: JsonObject, side: Side, source: ScanSource, mesh_of: Callable[[Side], TriangleMesh]
 ) -> Foot:
     matrix = np.array(foot.matrix("source2insole", 4))
     is_near = np.abs(matrix).max() < _MOST_SOURCE_MM
@@ -158,7 +158,8 @@ def _foot(
         source2insole=matrix,
         length_mm=foot.number("length_mm", 50, 500),
         notes=tuple(foot.texts("notes")),
-        form=form,
+        form=source.form,
+        mirrored=source.mirrored,
     )
 
 
@@ -224,6 +225,7 @@ def _source(source: JsonObject) -> ScanSource:
         source.text("recorded_at", empty=True),
         source.choice("form", list(Form)) if source.has("form") else Form.FOOT,
         choice_from_json(source.object("choice")) if source.has("choice") else NOTHING_SAID,
+        source.flag("mirrored") if source.has("mirrored") else False,
     )
 
 
@@ -234,4 +236,6 @@ def _source_to_json(source: ScanSource) -> dict[str, Any]:
     content["choice"] = choice_to_json(source.choice)
     if not content["choice"]:
         del content["choice"]
+    if not source.mirrored:
+        del content["mirrored"]
     return content

@@ -24,6 +24,8 @@ class ScanSource:
         What was scanned; a session shows a foot.
     choice
         With which a mesh is read as the same foot once more.
+    mirrored
+        Whether the foot is the mirror image of what this scan shows: of the other foot.
     """
 
     kind: str
@@ -32,6 +34,7 @@ class ScanSource:
     recorded_at: str = ""
     form: Form = Form.FOOT
     choice: ImportChoice = NOTHING_SAID
+    mirrored: bool = False
 
     def without_place(self) -> ScanSource:
         """Return the source without where its file lay: folders and files are named after patients.

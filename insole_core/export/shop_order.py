@@ -186,6 +186,8 @@ class OrderItem:
         "insole", "block" or "positive", as an export has it.
     materials
         Of each side that is made.
+    mirrored
+        Sides whose foot was not scanned: they are the other one's mirror image.
     """
 
     pseudonym: str
@@ -193,6 +195,7 @@ class OrderItem:
     materials: Mapping[Side, str]
     terms: OrderTerms
     files: tuple[OrderedFile, ...]
+    mirrored: tuple[Side, ...] = ()
 
     @property
     def sides(self) -> tuple[Side, ...]:
@@ -263,11 +266,13 @@ def digest_of_order(content: Mapping[str, Any]) -> str:
 
 
 def _item_json(item: OrderItem) -> dict[str, Any]:
+    mirrored = {"mirrored": [str(side) for side in item.mirrored]} if item.mirrored else {}
     return {
         "pseudonym": item.pseudonym,
         "kind": item.kind,
         "sides": [str(side) for side in item.sides],
         "materials": {str(side): item.materials[side] for side in item.sides},
+        **mirrored,
         **terms_to_json(item.terms),
         "files": [
             {
@@ -350,7 +355,17 @@ def _item(item: JsonObject) -> OrderItem:
         {side: materials.text(str(side), empty=True) for side in sides},
         terms_from_json(item),
         tuple(_file(file, sides) for file in item.objects("files")),
+        _mirrored(item, sides),
     )
+
+
+def _mirrored(item: JsonObject, ordered: tuple[Side, ...]) -> tuple[Side, ...]:
+    if not item.has("mirrored"):
+        return ()
+    named = item.texts("mirrored")
+    if not set(named) <= set(ordered):
+        raise item.fail("mirrored", "names a side that is not ordered")
+    return tuple(side for side in ordered if side in named)
 
 
 def _file(file: JsonObject, ordered: tuple[Side, ...]) -> OrderedFile:

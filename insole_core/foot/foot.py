@@ -40,6 +40,8 @@ class Foot:
         How pose and side were decided, a sentence each.
     form
         What was scanned: the foot itself, or what was pressed by it or cast of it under load.
+    mirrored
+        Whether it is the mirror image of the other foot, because this one was not scanned.
     derived
         Cache of recent results for this foot: landmarks, border, outline, sole, display.
     """
@@ -50,6 +52,7 @@ class Foot:
     length_mm: float
     notes: tuple[str, ...] = ()
     form: Form = Form.FOOT
+    mirrored: bool = False
     derived: Memo = field(default_factory=_cache, init=False, repr=False)
 
     @property

@@ -309,7 +309,7 @@ def run_export_job(
 
 
 def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> None:
-    label = job.identification.get("pseudonym", "")
+    label = ", ".join(filter(None, (job.identification.get("pseudonym", ""), *_mirrored(job))))
     if job.printing is None:
         objects = [layer for each in placed for layer in each.objects(job.shop)]
         write_solids(objects, path, ascii_stl=job.ascii_stl, label=label)
@@ -320,6 +320,12 @@ def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> 
     ]
     title = " ".join(filter(None, ("Insole", label)))
     write_slicer_3mf(prints, path, job.printing.printer, title)
+
+
+def _mirrored(job: ExportJob) -> list[str]:
+    """Say in the file itself which of its parts are for a foot that was not scanned."""
+    sides = (part.side for part in job.parts if part.insole.foot.mirrored)
+    return [f"{side} mirrored from {side.other}" for side in sides]
 
 
 def require_3mf(path: Path) -> None:

@@ -258,6 +258,7 @@ def _write_item(item: PackedItem, how: _How, progress: Progress) -> OrderItem:
         {part.side: ordered_material(choice, part.insole.design) for part in item.parts},
         choice.terms,
         tuple(files),
+        tuple(part.side for part in item.parts if part.insole.foot.mirrored),
     )
 
 

@@ -45,7 +45,7 @@ def mesh_source(path: Path, form: Form = Form.FOOT) -> ScanSource:
 def feet_made_of(
     path: Path, feet: Sequence[FootRecord], progress: Progress = SILENT
 ) -> tuple[FootRecord, ...]:
-    """Return those feet of a case that were made of a mesh file, wherever it lay then.
+    """Return those feet of a case that a mesh file shows, wherever it lay then.
 
     Raises
     ------
@@ -57,7 +57,8 @@ def feet_made_of(
         digest = sha256_of(path, MAX_ARCHIVE_BYTES, progress)
     except OSError:  # whoever reads the scan says what is wrong
         return ()
-    return tuple(foot for foot in feet if foot.source.sha256 == digest)
+    shown = (foot for foot in feet if not foot.source.mirrored)
+    return tuple(foot for foot in shown if foot.source.sha256 == digest)
 
 
 def choice_of(feet: Sequence[FootRecord]) -> ImportChoice:

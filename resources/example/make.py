@@ -31,7 +31,7 @@ def main() -> None:
     """Simulate, reconstruct, prescribe, write."""
     simulated = simulate_session(SimulationOptions(seed=SEED, side=Side.RIGHT, distance_mm=700))
     foot = place_foot(reconstruct(simulated.session).mesh, Side.RIGHT, frame="reference")
-    pelott = Pelott(id="pelott", centre_mm=(-3.0, 0.595 * foot.length_mm))
+    pelott = Pelott(id="pelott", centre_mm=(-3.0, 0.605 * foot.length_mm))
     posting = Posting(id="posting", rearfoot_deg=4.0)
     patient = Patient("Example, Anna", "1971-04-02", "2026-11-20", "Forefoot pain when walking.")
     device = read_device(resource_path(DEVICE))

@@ -154,6 +154,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             SEPARATOR,
             *BESIDE_KEYS,
             SEPARATOR,
+            "mirror_foot",
             "copy_to_other",
             "copy_selected_to_other",
             "repeat_last",

@@ -79,9 +79,15 @@ class ModelView(QWidget):
             whole.addWidget(_strip(title))
         whole.addLayout(layout)
 
-    def show_side(self, side: Side | None) -> None:
-        """Show the side on the badge, and orient the medial and lateral presets by it."""
-        self._badge.show_side(side)
+    def show_side(self, side: Side | None, *, mirrored: bool = False) -> None:
+        """Show the side on the badge, and orient the medial and lateral presets by it.
+
+        Parameters
+        ----------
+        mirrored
+            Whether the badge says that it is the mirror image of the other one.
+        """
+        self._badge.show_side(side, mirrored=mirrored)
         self._presets.setVisible(side is not None)
         if side is not None:
             self.scene.side = side

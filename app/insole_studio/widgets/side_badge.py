@@ -21,17 +21,22 @@ class SideBadge(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Maximum)
         self.show_side(None)
 
-    def show_side(self, side: Side | None) -> None:
-        """Show a side; None hides the badge."""
+    def show_side(self, side: Side | None, *, mirrored: bool = False) -> None:
+        """Show a side, and whether it is the other one's mirror image; None hides the badge."""
         self.setVisible(side is not None)
         if side is None:
             self.clear()
             return
-        self.setText(tr("LEFT") if side is Side.LEFT else tr("RIGHT"))
+        word = tr("LEFT") if side is Side.LEFT else tr("RIGHT")
+        self.setText(f"{word} · {_mirrored_from(side.other)}" if mirrored else word)
         self.setStyleSheet(
             f"background: {COLORS[side]}; color: white; border-radius: 4px;"
             " padding: 1px 8px; font-weight: 600;"
         )
+
+
+def _mirrored_from(side: Side) -> str:
+    return tr("mirrored from left") if side is Side.LEFT else tr("mirrored from right")
 
 
 def side_letter(side: Side) -> QLabel:

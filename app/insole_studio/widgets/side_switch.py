@@ -15,6 +15,7 @@ _WAYS_TO_ADD: dict[str, Callable[[], str]] = {
     "open_session": lambda: tr("Open session…"),
     "open_archive": lambda: tr("Import a scan…"),
     "capture": lambda: tr("Capture…"),
+    "mirror_foot": lambda: tr("Other foot as mirror image"),
 }
 _SHAPE = "border-radius: 4px; padding: 4px 4px; font-weight: 600;"
 

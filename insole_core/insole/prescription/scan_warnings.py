@@ -1,4 +1,4 @@
-"""Warnings about how the scanned foot lies."""
+"""Warnings about how the scanned foot lies, and of one that was not scanned."""
 
 from __future__ import annotations
 
@@ -16,6 +16,20 @@ _SHOWN_DEG = 0.1
 
 
 def scan_warnings(insole: Insole) -> Iterator[DesignWarning]:
+    """Warn of a foot that is the other one's mirror image, or is not level."""
+    if insole.foot.mirrored:
+        yield DesignWarning(
+            Message(
+                "The {side} foot was not scanned: foot and insole are mirrored from the {other} "
+                "foot.",
+                side=insole.foot.side,
+                other=insole.foot.side.other,
+            )
+        )
+    yield from _tilt_warnings(insole)
+
+
+def _tilt_warnings(insole: Insole) -> Iterator[DesignWarning]:
     """Warn of a foot that is not level, whose insole is thicker below heel or ball than asked.
 
     A base form replaces the foot's own heights, so that then there is nothing to warn of.

@@ -232,8 +232,8 @@
             <translation>En {part} har bara {count} användbara punkter, men {least} behövs; flytta sensorn närmare och mät igen.</translation>
         </message>
         <message>
-            <source>A {side} foot by its shape: {reason} (margin {ratio:.1f} to 1).</source>
-            <translation>En {side} fot enligt formen: {reason} (marginal {ratio:.1f} till 1).</translation>
+            <source>A {side} foot by its shape: {reason}.</source>
+            <translation>En {side} fot enligt formen: {reason}.</translation>
         </message>
         <message>
             <source>Accounts are off, although nobody has switched them off: anybody may do anything; switch them on again, and compare the record with a backup.</source>
@@ -3444,6 +3444,10 @@
             <translation>Foten ({side}) ändrades medan bilden passades in under den, så bilden lades inte dit; lägg den igen.</translation>
         </message>
         <message>
+            <source>The {side} foot was not scanned: foot and insole are mirrored from the {other} foot.</source>
+            <translation>Foten ({side}) är inte skannad: fot och inlägg är speglade från den andra foten ({other}).</translation>
+        </message>
+        <message>
             <source>The {side} foot: {reason}</source>
             <translation>Foten på {side} sida: {reason}</translation>
         </message>
@@ -5774,6 +5778,10 @@
         <message>
             <source>names a marker twice</source>
             <translation>anger en markör två gånger</translation>
+        </message>
+        <message>
+            <source>names a side that is not ordered</source>
+            <translation>nämner en sida som inte är beställd</translation>
         </message>
         <message>
             <source>names one material twice; keep one of them</source>

@@ -1152,6 +1152,10 @@
             <translation>Sänk med penseln</translation>
         </message>
         <message>
+            <source>Make foot and insole of the side that was not scanned by mirroring; it is said</source>
+            <translation>Gör fot och inlägg för sidan som inte skannades genom spegling; det sägs</translation>
+        </message>
+        <message>
             <source>Make no foot</source>
             <translation>Gör ingen fot</translation>
         </message>
@@ -1194,6 +1198,14 @@
         <message>
             <source>Millimetres</source>
             <translation>Millimeter</translation>
+        </message>
+        <message>
+            <source>Mirror the left foot to the right</source>
+            <translation>Spegla vänsterfoten till höger</translation>
+        </message>
+        <message>
+            <source>Mirror the right foot to the left</source>
+            <translation>Spegla högerfoten till vänster</translation>
         </message>
         <message>
             <source>Mondopoint</source>
@@ -1350,6 +1362,10 @@
         <message>
             <source>Orbit</source>
             <translation>Rotera</translation>
+        </message>
+        <message>
+            <source>Other foot as mirror image</source>
+            <translation>Andra foten som spegelbild</translation>
         </message>
         <message>
             <source>Outline</source>
@@ -1916,6 +1932,14 @@
             <translation>3D-vyerna kan inte ritas: den här datorn har ingen OpenGL.</translation>
         </message>
         <message>
+            <source>The case has a left foot already; only one that was not scanned is mirrored.</source>
+            <translation>Fallet har redan en vänsterfot; bara en som inte är skannad speglas.</translation>
+        </message>
+        <message>
+            <source>The case has a right foot already; only one that was not scanned is mirrored.</source>
+            <translation>Fallet har redan en högerfot; bara en som inte är skannad speglas.</translation>
+        </message>
+        <message>
             <source>The checks stand on the right, each with its number; a click shows the place. Click on “Export…” and say where to write the file.</source>
             <translation>Kontrollerna står till höger, var och en med sitt tal; ett klick visar stället. Klicka på ”Exportera…” och säg var filen ska skrivas.</translation>
         </message>
@@ -2278,6 +2302,14 @@
         <message>
             <source>med.</source>
             <translation>med.</translation>
+        </message>
+        <message>
+            <source>mirrored from left</source>
+            <translation>speglad från vänster</translation>
+        </message>
+        <message>
+            <source>mirrored from right</source>
+            <translation>speglad från höger</translation>
         </message>
         <message>
             <source>not measured</source>

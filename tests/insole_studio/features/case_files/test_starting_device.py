@@ -12,16 +12,21 @@ import pytest
 
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_core.insole.prescription.device import device_of
+from insole_core.insole.prescription.materials import read_materials
 from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.clinic_devices import clinic_devices
 from insole_core.workflows.default_device import DefaultDevice
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.app.bootstrap import Application
 from insole_studio.user_paths import UserPaths
 
 pytestmark = pytest.mark.slow
 Settle = Callable[[], None]
+RIDGE_MM = 0.2
+"""Least bend of a ridge between toes over 1 mm."""
 
 
 @pytest.fixture(scope="module")
@@ -91,9 +96,18 @@ def test_an_untouched_foot_gives_way_to_another_scan_without_a_question(
     assert app.case.record.current.source.path == str(second)
 
 
-def test_the_example_stays_as_it_was(app: Application, settle: Settle) -> None:
+def test_the_example_is_a_finished_device(app: Application, settle: Settle) -> None:
+    """What is seen first is an insole, and no imprint with ridges between the toes."""
     app.features.case_files.opener.open_example()
     settle()
-    design = app.case.record.design
+    design, insole = app.case.record.design, app.stage.preview.insole
     assert design is not None
-    assert (design.device, design.base, design.finish, design.shell) == ("", None, None, None)
+    assert insole is not None
+    assert (design.device, design.base) == ("EVA, full length", None)
+    assert [type(correction) for correction in design.corrections] == [Pelott, Posting]
+    found = design_warnings(insole, landmarks_of(app.case.record), load_rules(), read_materials())
+    assert found == ()
+    length = insole.foot.length_mm
+    x, y = np.meshgrid(np.linspace(-25, 15, 41), np.linspace(0.85, 0.95, 9) * length)
+    heights = insole.contact.height_at(np.stack([x.ravel(), y.ravel()], axis=1)).reshape(x.shape)
+    assert np.abs(np.diff(heights, 2, axis=1)).max() < RIDGE_MM

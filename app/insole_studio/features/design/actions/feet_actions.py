@@ -8,6 +8,7 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Correction
+from insole_core.workflows.mirrored_foot import mirrored_foot
 from insole_core.workflows.template_transfer import fitted, template_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.actions.lost_corrections import may_replace
@@ -46,6 +47,26 @@ class FeetActions:
         side = self._case.side
         if side is not None:
             self.take(side.other)
+
+    def mirror(self) -> None:
+        """Make the foot that was not scanned, and its prescription, as a mirror image.
+
+        Raises
+        ------
+        UsageError
+            If the case has both feet.
+        DesignError
+            If landmarks lie in an impossible order.
+        """
+        foot = self._case.record.current
+        assert foot is not None, "the action needs a foot"
+        if self._case.record.other is not None:
+            raise UsageError(_there(foot.side.other))
+        sentence = {
+            Side.LEFT: tr("Mirror the right foot to the left"),
+            Side.RIGHT: tr("Mirror the left foot to the right"),
+        }
+        self._case.apply(mirrored_foot(foot, self._case.stamped), sentence[foot.side.other])
 
     def copy_prescription(self) -> None:
         """Copy the prescription to the other foot, mirrored; ask where that costs corrections.
@@ -100,6 +121,12 @@ class FeetActions:
         if selected is None:
             raise UsageError(tr("No correction is selected; click on one in the list first."))
         return selected
+
+
+def _there(side: Side) -> str:
+    if side is Side.LEFT:
+        return tr("The case has a left foot already; only one that was not scanned is mirrored.")
+    return tr("The case has a right foot already; only one that was not scanned is mirrored.")
 
 
 def _missing(side: Side) -> str:

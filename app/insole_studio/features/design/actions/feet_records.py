@@ -73,6 +73,15 @@ FEET_ACTIONS: tuple[ActionRecord[Design], ...] = (
         "Ctrl+Shift+B",
     ),
     ActionRecord(
+        "mirror_foot",
+        lambda: tr("Other foot as mirror image"),
+        lambda: tr(
+            "Make foot and insole of the side that was not scanned by mirroring; it is said"
+        ),
+        lambda design, _on: design.feet.mirror(),
+        needs_foot=True,
+    ),
+    ActionRecord(
         "copy_to_other",
         lambda: tr("Copy the prescription to the other foot"),
         lambda: tr("Prescribe the same for the other foot, mirrored and fitted by its landmarks"),

@@ -20,7 +20,7 @@ from insole_studio.widgets.empty_page import ListedRow
 class ModelPanel(Protocol):
     """A panel that shows the foot or the insole in 3-D."""
 
-    def show_side(self, side: Side | None) -> None: ...  # noqa: D102
+    def show_side(self, side: Side | None, *, mirrored: bool = False) -> None: ...  # noqa: D102
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
     def show_list(self, title: str, rows: Sequence[ListedRow]) -> None: ...  # noqa: D102
     def clear(self) -> None: ...  # noqa: D102

@@ -212,9 +212,10 @@ class ModelPresenter:
     def show_all(self) -> None:
         """Show the case after another foot was opened."""
         self._marked = _NOTHING
-        if self._case.foot is None:
+        foot = self._case.foot
+        if foot is None:
             self.panel.clear()
-        self.panel.show_side(self._case.side)
+        self.panel.show_side(self._case.side, mirrored=foot is not None and foot.mirrored)
         self.show_surface()
 
     def rest(self) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.foot.measure_table import MeasureRow, measure_table
 from insole_core.foot.measures import DEFINITIONS, MISSING, doubts, measure
 from insole_core.geometry.side import Side
@@ -59,12 +59,17 @@ def measures_of(record: CaseRecord) -> list[Measure]:
     """Return all measures: of one foot, or of both with their asymmetry."""
     if not record.feet:
         return []
-    doubtful = {foot.side: doubts(landmarks_of(foot)) for foot in record.feet}
+    doubtful = {foot.side: doubts(landmarks_of(foot)) for foot in _scanned(record)}
     return [_measure(row, doubtful) for row in measure_table(_measured(record), with_missing=True)]
 
 
 def _measured(record: CaseRecord) -> dict[Side, dict[str, float | None]]:
-    return {foot.side: measure(foot.foot, landmarks_of(foot)) for foot in record.feet}
+    return {foot.side: measure(foot.foot, landmarks_of(foot)) for foot in _scanned(record)}
+
+
+def _scanned(record: CaseRecord) -> list[FootRecord]:
+    """Return the feet that have measures of their own: a mirror image has none."""
+    return [foot for foot in record.feet if not foot.foot.mirrored]
 
 
 def distances_of(record: CaseRecord) -> list[Measure]:
