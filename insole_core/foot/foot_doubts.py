@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rotation_angle_deg
-from insole_core.messages import Message
+from insole_core.messages import Message, joined
 
 USUAL_LENGTH_MM = (110.0, 320.0)
 """EU 17 to 49."""
@@ -81,18 +81,21 @@ def _size_doubts(sizes: Proportions, candidate: FootCandidate) -> Iterator[Messa
 
 def _pose_doubts(found: FoundFoot, likely: FootCandidate, side: Side | None) -> Iterator[Message]:
     limit = CLEAR * likely.dissimilarity
-    for other in found.candidates:
-        is_meant = side in (None, other.side) and other.dissimilarity < limit
-        if is_meant and differ(other.source2insole, [likely.source2insole]):
-            yield Message(
-                "The foot may lie in another way as well: taken is a {side} foot, {length}, turned "
-                "otherwise it is a {other_side} one, {other_length}; see that heel, toes and sole "
-                "are right.",
-                side=likely.side,
-                length=likely.length_text,
-                other_side=other.side,
-                other_length=other.length_text,
-            )
+    others = [
+        Message("a {side} one, {length}", side=other.side, length=other.length_text)
+        for other in found.candidates
+        if side in (None, other.side)
+        and other.dissimilarity < limit
+        and differ(other.source2insole, [likely.source2insole])
+    ]
+    if others:
+        yield Message(
+            "The foot may lie in another way as well: taken is a {side} foot, {length}, turned "
+            "otherwise it is {others}; see that heel, toes and sole are right.",
+            side=likely.side,
+            length=likely.length_text,
+            others=joined(dict.fromkeys(others), " / "),  # ways that read alike are said once
+        )
 
 
 def _side_doubt(found: FoundFoot) -> Message:

@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from insole_core.errors import InputError
-from insole_core.foreign_files import HEAD_BYTES, check_no_other_kind
 from insole_core.geometry.side import Side
-from insole_core.given_file import given_errors
 from insole_core.messages import joined
-from insole_core.regular_file import is_folder, open_regular
-from insole_core.scans.scan_content import MOST_BYTES, ScanContent, archive_content, file_content
+from insole_core.regular_file import is_folder
+from insole_core.scans.scan_content import ScanContent, archive_content, file_content
 from insole_core.scans.scan_suffixes import SCAN_SUFFIXES, check_suffix
 from insole_core.zip_archive import ZipArchive
 
@@ -70,21 +68,6 @@ def scan_parts(path: Path) -> tuple[ScanPart, ...]:
     if not path.exists():
         raise InputError("{path} does not exist; check the name of the file.", path=path)
     return (ScanPart(path, "", side_of_name(path.stem)),)
-
-
-def check_scans(path: Path) -> None:
-    """Refuse what is no scan by its name or its first bytes, before anything is asked of it.
-
-    Raises
-    ------
-    InputError
-    """
-    for part in scan_parts(path):
-        if part.name and not is_folder(part.place):
-            continue  # in an archive it is read as a whole
-        with given_errors(part.path, MOST_BYTES), open_regular(part.path) as file:
-            head = file.read(HEAD_BYTES)
-        check_no_other_kind(part.path, head)
 
 
 def part_content(part: ScanPart) -> ScanContent:

@@ -12,8 +12,8 @@ from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
-from insole_core.scans.scan_folder import check_scans, holds_scans
-from insole_core.workflows.import_scan import examine_scan, take_foot
+from insole_core.scans.scan_folder import holds_scans
+from insole_core.workflows.import_scan import examine_scan, read_scan, take_foot
 from insole_core.workflows.make_feet import make_feet
 from insole_core.workflows.make_foot import open_foot, open_session
 from insole_core.workflows.scanned_foot import ScannedFoot
@@ -116,8 +116,8 @@ def _require_nothing_said(path: Path, choice: ImportChoice) -> None:
 def _mesh_foot(
     path: Path, side: Side | None, choice: ImportChoice, progress: Progress
 ) -> ScannedFoot:
-    check_scans(path)
     if side is None:
+        read_scan(path, choice, progress)  # what is no scan is told before anything is asked of it
         raise UsageError(
             "{path} is a mesh, which does not say which foot it is; add --side.", path=path
         )

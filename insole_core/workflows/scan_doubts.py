@@ -32,7 +32,7 @@ def with_unit_doubt(found: FoundFoot, read: ReadMesh) -> FoundFoot:
     """Doubt a unit that only the size tells: of a child's foot, or of a foot in two units.
 
     A unit that the file or its format states is taken if the foot is one in it. If not, another is
-    always asked for.
+    always asked for. What else is in doubt is told by lengths, and asked once the unit is known.
     """
     if read.is_unit_said or read.stated == read.unit:
         return found
@@ -52,7 +52,7 @@ def with_unit_doubt(found: FoundFoot, read: ReadMesh) -> FoundFoot:
     likely = UnitReading(read.unit, length_mm)
     readings = (likely, *(one for one in others if is_within(one.length_mm, _READINGS_MM)))
     doubt = _unit_doubt(readings, read)
-    return replace(found, unit_readings=readings, doubts=(doubt, *found.doubts))
+    return replace(found, unit_readings=readings, doubts=(doubt,))
 
 
 def _unit_doubt(readings: tuple[UnitReading, ...], read: ReadMesh) -> Message:

@@ -2676,8 +2676,8 @@
             <translation>Foten ligger så som häl, tå och sula klickades.</translation>
         </message>
         <message>
-            <source>The foot may lie in another way as well: taken is a {side} foot, {length}, turned otherwise it is a {other_side} one, {other_length}; see that heel, toes and sole are right.</source>
-            <translation>Foten kan också ligga på ett annat sätt: den tas som {side} fot, {length}, vänd på annat sätt är den {other_side}, {other_length}; se efter att häl, tår och sula stämmer.</translation>
+            <source>The foot may lie in another way as well: taken is a {side} foot, {length}, turned otherwise it is {others}; see that heel, toes and sole are right.</source>
+            <translation>Foten kan också ligga på ett annat sätt: den tas som {side} fot, {length}, vänd på annat sätt är den {others}; se efter att häl, tår och sula stämmer.</translation>
         </message>
         <message>
             <source>The foot was pressed into foam, so its tissue is spread by weight already: no expansion is proposed.</source>
@@ -4102,6 +4102,10 @@
         <message>
             <source>a web page, as it is saved when a download fails</source>
             <translation>en webbsida, som den sparas när en hämtning misslyckas</translation>
+        </message>
+        <message>
+            <source>a {side} one, {length}</source>
+            <translation>{side}, {length}</translation>
         </message>
         <message>
             <source>account</source>

@@ -35,6 +35,13 @@ def foot() -> TriangleMesh:
     return thinned(TriangleMesh(mesh.vertices, mesh.triangles), 5.0)
 
 
+@pytest.fixture(scope="module")
+def egg() -> TriangleMesh:
+    """An ellipsoid as large as a foot, which may lie in several ways."""
+    shape = trimesh.creation.icosphere(3)
+    return TriangleMesh(np.asarray(shape.vertices) * (45, 125, 30), np.asarray(shape.faces))
+
+
 def written(suffix: str, mesh: TriangleMesh, path: Path, change: object = None) -> Path:
     shape = trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False)
     made = shape.export(file_type=suffix)
@@ -67,6 +74,28 @@ def test_a_guessed_unit_is_asked(
     unit = found.unit_readings[0].unit
     told = open_scan(path, Side.LEFT, choice=ImportChoice(unit=unit)).foot
     assert told.length_mm == pytest.approx(found.unit_readings[0].length_mm)
+
+
+def test_what_is_told_by_lengths_is_asked_once_the_unit_is_known(
+    egg: TriangleMesh, tmp_path: Path
+) -> None:
+    path = written("stl", scaled(egg, 14.0), tmp_path / "egg.stl")
+    (found,) = examine_scan(path).feet
+    assert "does not say in which unit it is" in found.doubts[0]
+    assert all("no toes" in doubt for doubt in found.doubts[1:])
+    (told,) = examine_scan(path, ImportChoice(unit="cm")).feet
+    assert "may lie in another way" in " ".join(told.doubts)
+
+
+@pytest.mark.parametrize("side", [None, Side.LEFT])
+def test_ways_to_lie_that_read_alike_are_said_once(
+    egg: TriangleMesh, tmp_path: Path, side: Side | None
+) -> None:
+    path = written("stl", egg, tmp_path / "egg.stl")
+    (found,) = examine_scan(path, ImportChoice(side)).feet
+    (doubt,) = (doubt for doubt in found.doubts if "may lie in another way" in doubt)
+    ways = str(doubt.values["others"]).split(" / ")
+    assert len(ways) == len(set(ways))
 
 
 @pytest.mark.parametrize(("suffix", "length"), [("stl", 24.6), ("stl", 0.246), ("glb", 0.14)])
@@ -190,6 +219,8 @@ def test_odd_texts_of_points_are_refused_in_words(tmp_path: Path, text: bytes, r
         ("foot.3dm", b"3D Geometry File Format", "a model of Rhino"),
         ("foot.csv", b"x,y,z\n1,2,3\n", "a table"),
         ("foot.ply", b"<!DOCTYPE html><html>", "a web page"),
+        ("equal.xyz", b"10 20 30\n" * 5000, "points in a few places only"),
+        ("flat.ply", b"ply\nformat ascii 1.0\nend_header\n", "no points"),
     ],
 )
 def test_what_is_no_scan_is_named_before_the_side_is_asked(

@@ -195,9 +195,9 @@ class ImportPresenter(QObject):
 
     @property
     def _ways(self) -> list[FootCandidate]:
-        """The candidates of the shown foot's side."""
+        """The candidates of the shown foot's side; none while the unit is asked for."""
         foot, chosen = self._foot, self._candidate
-        if foot is None or chosen is None:
+        if foot is None or chosen is None or foot.unit_readings:
             return []
         return [one for one in foot.candidates if one.side is chosen.side]
 
@@ -276,7 +276,7 @@ class ImportPresenter(QObject):
         dialog.show_feet(rows, self._shown, self._unmarked)
         ways = self._ways
         dialog.show_candidates(
-            list(map(candidate_text, ways)), ways.index(chosen) if chosen is not None else -1
+            list(map(candidate_text, ways)), ways.index(chosen) if chosen in ways else -1
         )
         foot = self._foot
         dialog.finding.say("" if foot is None else finding_text(foot, chosen))

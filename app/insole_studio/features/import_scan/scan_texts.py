@@ -39,9 +39,9 @@ def unit_text(reading: UnitReading) -> str:
     return f"{unit}: {translate_core_message(foot_text_in(reading))}"
 
 
-def candidate_text(candidate: FootCandidate, *, is_unit_known: bool = True) -> str:
-    """Describe one way in which a scan can be a foot; a length that is a guess is none."""
-    parts = [translate_core_message(candidate.length_text)] if is_unit_known else []
+def candidate_text(candidate: FootCandidate) -> str:
+    """Describe one way in which a scan can be a foot."""
+    parts = [translate_core_message(candidate.length_text)]
     if candidate.leg is not None:
         parts.append(fill(tr("leg cut off at {mm:.0f} mm"), mm=candidate.leg.height_mm))
     return ", ".join(parts)
@@ -62,8 +62,9 @@ def finding_text(foot: FoundFoot, chosen: FootCandidate | None) -> str:
 
 
 def _described(side: str, foot: FoundFoot, candidate: FootCandidate) -> str:
-    text = candidate_text(candidate, is_unit_known=not foot.unit_readings)
-    return f"{side}, {text}" if text else side
+    if foot.unit_readings:  # a length that is a guess is none
+        return side
+    return f"{side}, {candidate_text(candidate)}"
 
 
 def foot_text(foot: FoundFoot, candidate: FootCandidate | None) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from asked_scan import asked_scan
 from pointing import pixel
 from PySide6.QtCore import Qt
@@ -365,3 +366,20 @@ def test_the_unit_is_asked_by_what_each_would_give(
     settle()
     assert app.case.foot is not None
     assert app.case.foot.length_mm == pytest.approx(140, abs=1)
+
+
+def test_ways_to_lie_are_told_by_their_lengths_once_the_unit_is_known(
+    open_scan: Open, settle: Callable[[], None]
+) -> None:
+    egg = trimesh.creation.icosphere(3)
+    vertices = np.asarray(egg.vertices) * (2.52, 7.0, 1.68)
+    dialog = open_scan(TriangleMesh(vertices, np.asarray(egg.faces, np.int32)))
+    assert dialog is not None
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    assert dialog.sides[Side.LEFT].isChecked()
+    assert not dialog.candidates.isVisible()
+    QTest.mouseClick(dialog.units["cm"], LEFT)
+    settle()
+    rows = [dialog.candidates.item(number).text() for number in range(dialog.candidates.count())]
+    assert dialog.candidates.isVisible()
+    assert all("139 mm long" in row for row in rows)
