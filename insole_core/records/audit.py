@@ -32,6 +32,7 @@ from sqlalchemy import (
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.author import Author, Proof
+from insole_core.records.checked_values import highest, lowest
 from insole_core.records.database import Database
 from insole_core.records.rights import Right, require
 from insole_core.records.row_seals import ROW, SEALED, digests_of
@@ -324,7 +325,7 @@ def _within(connection: Connection, query: Select[Any], times: tuple[str, str]) 
     """
     begin, end = times
     seq = audit.c.seq + 0  # else PostgreSQL looks for the first one from the first line on
-    bounds = select(func.min(seq), func.max(seq)).where(audit.c.at >= begin, audit.c.at < end)
+    bounds = select(lowest(seq), highest(seq)).where(audit.c.at >= begin, audit.c.at < end)
     first, last = connection.execute(bounds).one()
     if first is None:
         return query.where(false())

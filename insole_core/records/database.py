@@ -7,6 +7,7 @@ import sqlite3
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from json import JSONDecodeError
 from pathlib import Path
 from typing import Any, Final
 
@@ -18,6 +19,7 @@ from sqlalchemy.pool import QueuePool
 
 from insole_core.errors import RecordsError
 from insole_core.messages import Message
+from insole_core.records.checked_values import NoValue
 from insole_core.records.database_errors import DamagedDatabase, busy, described, unreadable
 from insole_core.records.head_witness import HeadWitness
 from insole_core.records.place import RecordsPlace
@@ -33,6 +35,8 @@ _NO_VALUE: Final = (
     ValueError, TypeError, OverflowError, RecursionError, LookupError, AttributeError,
 )  # fmt: skip
 """What a date, a word or a JSON text raises that is none, or one of another form."""
+_DAMAGED_CELL: Final = (NoValue, JSONDecodeError)
+"""The same, where other errors are those of whoever writes."""
 _SERVER_ARGUMENTS: Final[dict[str, Any]] = {
     "connect_timeout": 10,
     "application_name": "insole-studio",
@@ -104,9 +108,14 @@ class Database:
         ------
         RecordsError
         """
+        with self._telling(_NO_VALUE):
+            yield
+
+    @contextmanager
+    def _telling(self, kinds: tuple[type[Exception], ...]) -> Iterator[None]:
         try:
             yield
-        except _NO_VALUE as error:
+        except kinds as error:
             raise unreadable(self.place, error) from error
 
     @contextmanager
@@ -143,7 +152,7 @@ class Database:
                 "The record is open for reading only, so nothing can be changed: {reason}",
                 reason=self.problem,
             )
-        with self._transaction(**{_WRITES: True}) as connection:
+        with self._telling(_DAMAGED_CELL), self._transaction(**{_WRITES: True}) as connection:
             self._check_schema(connection)
             yield connection
             head = None if self.schema is None else self.witness.coming(connection)

@@ -10,6 +10,7 @@ from sqlalchemy import ColumnElement, Connection, Row, Select, case, or_, select
 
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import RecordsError
+from insole_core.records.checked_values import word_of
 from insole_core.records.order import (
     OPEN_STATES,
     Order,
@@ -50,7 +51,7 @@ def order_of(connection: Connection, order_id: str) -> Order:
     files = files.order_by(order_files.c.release.desc(), order_files.c.name)
     events = select(order_events).where(order_events.c.order_id == order_id)
     events = events.order_by(order_events.c.seq)
-    values: dict[str, Any] = {**row._mapping, "state": OrderState(row.state)}
+    values: dict[str, Any] = {**row._mapping, "state": word_of(OrderState, row.state)}
     return Order(
         **values,
         version_ids=tuple(connection.execute(feet).scalars()),
@@ -93,7 +94,9 @@ def summary_of_order(row: Row[Any]) -> OrderSummary:
     """Return the summary of a row of `listed_orders`."""
     values = dict(row._mapping)
     ordered_on = date.fromisoformat(values.pop("created_at")[:10])
-    return OrderSummary(**values | {"state": OrderState(row.state), "ordered_on": ordered_on})
+    return OrderSummary(
+        **values | {"state": word_of(OrderState, row.state), "ordered_on": ordered_on}
+    )
 
 
 def order_is_gone() -> RecordsError:
@@ -102,8 +105,8 @@ def order_is_gone() -> RecordsError:
 
 
 def _event(row: Row[Any]) -> OrderEvent:
-    before = None if row.from_state is None else OrderState(row.from_state)
-    after = OrderState(row.to_state)
+    before = None if row.from_state is None else word_of(OrderState, row.from_state)
+    after = word_of(OrderState, row.to_state)
     return OrderEvent(row.seq, row.at, row.author, before, after, row.remarks, row.release)
 
 

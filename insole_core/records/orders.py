@@ -12,6 +12,7 @@ from sqlalchemy import Connection, Row, func, insert, select, update
 
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import Conflict, InputError
+from insole_core.records.checked_values import word_of
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import (
@@ -249,7 +250,7 @@ class Orders:
                 release=release,
             )
             _write(connection, stored, values)
-            before, after = OrderState(stored.state), OrderState.DESIGNED
+            before, after = word_of(OrderState, stored.state), OrderState.DESIGNED
             self._add_event(connection, order_id, before, after, release=release)
             self._context.log(connection, "revised", "order", order_id, release=release)
             return order_of(connection, order_id)
@@ -303,7 +304,7 @@ class Orders:
                     state=str(state),
                 )
             _write(connection, stored, {"state": str(state)})
-            before = OrderState(stored.state)
+            before = word_of(OrderState, stored.state)
             self._add_event(
                 connection, order_id, before, state, release=stored.release, remarks=remarks
             )

@@ -23,6 +23,7 @@ from sqlalchemy import (
 
 from insole_core.cases.sample import SAMPLE_KEEPS_NAME, SAMPLE_PSEUDONYM
 from insole_core.errors import Conflict, InputError
+from insole_core.records.checked_values import highest
 from insole_core.records.context import RecordsContext
 from insole_core.records.merging import (
     Merge,
@@ -300,7 +301,7 @@ def _listed() -> Select[Any]:
 
 def _last_visit(person_id: ColumnElement[str]) -> ScalarSelect[date | None]:
     of_person = visits.c.person_id == person_id
-    return select(func.max(visits.c.visited_on)).where(of_person).scalar_subquery()
+    return select(highest(visits.c.visited_on)).where(of_person).scalar_subquery()
 
 
 def _found(connection: Connection, query: Select[Any]) -> list[PersonSummary]:

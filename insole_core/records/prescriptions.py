@@ -25,6 +25,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json
 from insole_core.json_object import JsonObject
 from insole_core.records.audit import AuditLog
+from insole_core.records.checked_values import word_of
 from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import check_text
@@ -414,7 +415,7 @@ def _prescribes(row: Row[Any]) -> bool:
 def summary_of(row: Row[Any]) -> VersionSummary:
     """Return the summary of a row that holds its columns."""
     values = {column.name: row._mapping[column.name] for column in _SUMMARY}
-    return VersionSummary(**values | {"side": Side(row.side)})
+    return VersionSummary(**values | {"side": word_of(Side, row.side)})
 
 
 def _newest(connection: Connection, visit_id: str, side: Side) -> Row[Any] | None:
@@ -478,7 +479,7 @@ def _visit_and_side(connection: Connection, version_id: str) -> tuple[str, Side]
     row = connection.execute(query).one_or_none()
     if row is None:
         raise _gone()
-    return row.visit_id, Side(row.side)
+    return row.visit_id, word_of(Side, row.side)
 
 
 def _gone() -> RecordsError:

@@ -31,6 +31,7 @@ from insole_core.errors import RecordsError
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.bare_files import BareFiles
+from insole_core.records.checked_values import highest
 from insole_core.records.clinic import setting_of
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
@@ -344,12 +345,12 @@ def _last_days(connection: Connection, person_id: str) -> list[date]:
     own_visits = _ids(visits, person_id)
     queries = (
         select(persons.c.created_at).where(persons.c.id == person_id),
-        select(func.max(visits.c.visited_on)).where(visits.c.person_id == person_id),
-        select(func.max(follow_ups.c.on_date)).where(follow_ups.c.person_id == person_id),
-        select(func.max(prescription_versions.c.created_at)).where(
+        select(highest(visits.c.visited_on)).where(visits.c.person_id == person_id),
+        select(highest(follow_ups.c.on_date)).where(follow_ups.c.person_id == person_id),
+        select(highest(prescription_versions.c.created_at)).where(
             prescription_versions.c.visit_id.in_(own_visits)
         ),
-        select(func.max(order_events.c.at)).where(
+        select(highest(order_events.c.at)).where(
             order_events.c.order_id.in_(_ids(orders, person_id))
         ),
     )

@@ -13,6 +13,7 @@ from sqlalchemy import Connection, select
 from insole_core.errors import NotAllowed
 from insole_core.messages import joined
 from insole_core.records.author import Author, Proof, Role
+from insole_core.records.checked_values import word_of
 from insole_core.records.schema import accounts, clinic
 
 ACCOUNTS_ON: Final = "accounts_on"
@@ -106,4 +107,4 @@ def require_signed_in(connection: Connection, author: Author) -> Role | None:
     role = None if author.proof is Proof.NONE else connection.execute(query).scalar()
     if role is None:
         raise NotAllowed("You are not signed in; sign in with your account of the record first.")
-    return Role(role)
+    return word_of(Role, role)

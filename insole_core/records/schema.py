@@ -27,6 +27,7 @@ from sqlalchemy import (
 )
 from sqlalchemy.types import TypeEngine
 
+from insole_core.records.checked_values import check_values
 from insole_core.records.marks import (
     BOOKKEEPING,
     CONTENT,
@@ -415,6 +416,10 @@ clinic = Table(
     info=NOBODY,
 )
 """Settings of the clinic, as JSON values."""
+
+for _table in metadata.sorted_tables:
+    for _column in _table.columns:
+        check_values(_column)
 
 FIRST_HASH = "0" * 64
 """previous_hash of the first line of the audit log."""

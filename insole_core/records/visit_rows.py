@@ -12,6 +12,7 @@ from sqlalchemy import Connection, Row, Select, select
 from insole_core.errors import RecordsError
 from insole_core.export.shop_order import OrderTerms, terms_from_json, terms_to_json
 from insole_core.json_object import JsonObject
+from insole_core.records.checked_values import word_of
 from insole_core.records.schema import visits
 from insole_core.records.visit import CaptureState, Visit
 
@@ -42,7 +43,7 @@ def visit_from(row: Row[Any]) -> Visit:
     """Return the visit of a row of `all_visits`."""
     values = dict(zip(VISIT_FIELDS, row, strict=True))
     values["measures"] = json.loads(values["measures"])
-    values["capture_state"] = CaptureState(values["capture_state"])
+    values["capture_state"] = word_of(CaptureState, values["capture_state"])
     values["terms"] = _terms(values["terms"])
     return Visit(**values)
 

@@ -36,6 +36,7 @@ from insole_core.records.backup.backup_key import damaged
 from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
 from insole_core.records.backup.portable_rows import insert_pieces, replace_pieces, tables_of
 from insole_core.records.backup.snapshot import OpenedSnapshot, open_snapshot
+from insole_core.records.checked_values import highest
 from insole_core.records.clinic import write_setting
 from insole_core.records.content_store import IDENTITY_VALUE, ContentStore
 from insole_core.records.context import RecordsContext
@@ -340,7 +341,7 @@ def _compared(connection: Connection, place: RecordsPlace, manifest: Manifest) -
     if connection.execute(last_common).scalar() not in (None, manifest.audit_hash):
         return Message("{place} holds another record than the backup.", place=place.name)
     newer = and_(audit.c.seq > seq, audit.c.action.not_in(_NO_CHANGE))
-    query = select(func.count(), func.max(audit.c.at)).where(newer)
+    query = select(func.count(), highest(audit.c.at)).where(newer)
     count, last_at = connection.execute(query).one()
     if count == 0:
         return Message(

@@ -9,6 +9,7 @@ from datetime import date
 from pathlib import Path
 
 import pytest
+from sqlalchemy import select
 
 from insole_core.errors import InsoleError, NotAllowed, RecordsError
 from insole_core.records.author import Author
@@ -16,6 +17,7 @@ from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
 from insole_core.records.records import Records
+from insole_core.records.schema import visits
 from insole_core.records.visit import Visit
 
 WHO = Author("anna", "desk")
@@ -98,6 +100,12 @@ def search(records: Records) -> object:
     return records.persons.search("", 5)
 
 
+def open_visit(records: Records) -> object:
+    with records.context.database.reading() as connection:
+        visit_id = connection.execute(select(visits.c.id)).scalar_one()
+    return records.visits.open_case(visit_id)
+
+
 CELLS: dict[str, tuple[str, Callable[[Records], object]]] = {
     "birth date": (
         "UPDATE persons SET birth_date = '9999-99-99'", search,
@@ -109,6 +117,10 @@ CELLS: dict[str, tuple[str, Callable[[Records], object]]] = {
     "state": (
         "UPDATE visits SET capture_state = 'gone'", lambda records: records.visits.on(DAY),
     ),
+    "state of a visit that is changed": (
+        "UPDATE visits SET capture_state = 'gone'", open_visit,
+    ),
+    "measures of a visit that is changed": ("UPDATE visits SET measures = '{'", open_visit),
     "setting": ("UPDATE clinic SET value = '{'", lambda records: records.accounts.are_on),
     "role": (
         "UPDATE accounts SET role = 'king'", sign_in,
