@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pyvista as pv
+from scipy.spatial import KDTree
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
@@ -42,9 +43,13 @@ GRAZING = (((0.0, 0.0, 1.0), 0.3), ((-1.0, 0.4, 0.3), 1.0))
 GHOST_OPACITY = 0.35
 SURE = 0.6
 NAME_PX, DIRECTION_PX, LABEL_PX = 12, 13, 13
-HANDLE_PX = {"move": 17.0, "size": 12.0}
-"""Diameter of the handles, without their rims."""
-RIM_PX = 5.0
+HANDLE_PX = {"move": 22.0, "size": 17.0, "corner": 11.0}
+"""Diameter of the handles with their rims."""
+UNRIMMED = 0.72
+"""Share of its diameter that a handle has without its rim."""
+HANDLE_SHARE, LEAST_HANDLES = 0.7, 0.4
+"""Share of the distance to their neighbours that handles and their rims take at most, and the share
+of their size that they keep: those of a small pad do not hide it."""
 POINTS_PER_INCH = 72
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 22.0)
@@ -320,7 +325,7 @@ class Painter:
     def _taken(self, look: ViewTransform) -> FloatArray:
         """Return left, top, right, bottom (n, 4) of handles and labels, px."""
         middle = look.pixels_of(np.array([h.position_mm for h in self._handles]).reshape(-1, 3))
-        radius = np.array([[(HANDLE_PX[h.kind] + RIM_PX) / 2] for h in self._handles])
+        radius = np.array([[HANDLE_PX[h.kind] / 2] for h in self._handles])
         radius = radius.reshape(-1, 1)
         places = np.array([place for place, _ in self._labels.values()]).reshape(-1, 3)
         half = _half_sizes_px([text for _, text in self._labels.values()], LABEL_PX)
@@ -363,8 +368,8 @@ class Painter:
         """Show draggable handles of constant size on the screen."""
         for kind, size in HANDLE_PX.items():
             places = [h.position_mm for h in handles if h.kind == kind]
-            self._show_dots(f"rim-{kind}", places, size + RIM_PX, "white")
-            self._show_dots(f"handles-{kind}", places, size, self.scheme.accent)
+            self._show_dots(f"rim-{kind}", places, size, "white")
+            self._show_dots(f"handles-{kind}", places, size * UNRIMMED, self.scheme.accent)
         self._handles = handles
         self._show_contour_labels()
 
@@ -473,9 +478,25 @@ class Painter:
         camera.parallel_scale = look.height_mm / 2
         camera.clipping_range = (1.0, 2 * EYE_DISTANCE_MM)
         self._look = look
+        self._size_handles(look)
         self._write_directions(look)
         self._place_names(look)
         self._show_contour_labels()
+
+    def _size_handles(self, look: ViewTransform) -> None:
+        """Draw handles that lie near each other smaller."""
+        share = 1.0
+        if len(self._handles) > 1:
+            at_px = look.pixels_of(np.array([handle.position_mm for handle in self._handles]))
+            apart_px = np.median(KDTree(at_px).query(at_px, k=2)[0][:, 1])
+            share = float(
+                np.clip(HANDLE_SHARE * apart_px / HANDLE_PX["size"], LEAST_HANDLES, 1.0)
+            )
+        for kind, size_px in HANDLE_PX.items():
+            for name, part in (("rim", share), ("handles", share * UNRIMMED)):
+                actor = self._plotter.actors.get(f"{name}-{kind}")
+                if actor is not None:
+                    actor.prop.point_size = size_px * part * self._ratio
 
     def _write_directions(self, look: ViewTransform | None) -> None:
         """Write the directions that can be told in this view, whole and beside the thing."""

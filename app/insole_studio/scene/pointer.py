@@ -60,6 +60,9 @@ class PointerEvent:
         Whether Ctrl or Shift is held.
     by_key
         Whether the pointer is driven by keys; it then refers to the selected object.
+    before_mm
+        Points (3,) of the surface over which it came here since the event before, oldest first: the
+        hand is faster than the picture.
     """
 
     phase: Phase
@@ -71,6 +74,12 @@ class PointerEvent:
     fine: bool = False
     coarse: bool = False
     by_key: bool = False
+    before_mm: tuple[FloatArray, ...] = ()
+
+    @property
+    def touched_mm(self) -> tuple[FloatArray, ...]:
+        """Points (3,) of the surface touched since the event before, the present one last."""
+        return self.before_mm if self.surface_mm is None else (*self.before_mm, self.surface_mm)
 
     def on_level(self, z_mm: float) -> FloatArray | None:
         """Return the point (3,) under the pointer at a height; None if seen edge-on."""

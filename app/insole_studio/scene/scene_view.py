@@ -11,6 +11,7 @@ import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QImage,
+    QInputEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -28,6 +29,7 @@ from insole_studio.scene.canvas import Canvas, make_canvas
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.keyboard_cursor import KeyboardCursor
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer_moves import PointerMoves
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, ViewTransform, fitted, look
 
 if TYPE_CHECKING:
@@ -161,6 +163,7 @@ class SceneView(QWidget):
         self._last = QPointF()
         self._grip = QPointF()
         """From the pointer to the handle that it drags, so that grabbing alone moves nothing."""
+        self._moves = PointerMoves(self._moved, self)
         self._dark = dark
         self._renderer: _Renderer | None = None
         """Made with the first thing to draw: the empty window opens without waiting for VTK."""
@@ -313,10 +316,14 @@ class SceneView(QWidget):
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Handle mouse and keys before the renderer's own interactor sees them."""
         kind = event.type()
+        if isinstance(event, QMouseEvent) and kind == QEvent.Type.MouseMove:
+            self._moves.take(event)
+            return True
+        if isinstance(event, QInputEvent) or kind == QEvent.Type.Leave:
+            self._moves.hand_over()
         if isinstance(event, QMouseEvent):
             handler = {
                 QEvent.Type.MouseButtonPress: self._pressed,
-                QEvent.Type.MouseMove: self._moved,
                 QEvent.Type.MouseButtonRelease: self._released,
                 QEvent.Type.MouseButtonDblClick: self._double_clicked,
             }.get(kind)
@@ -429,14 +436,19 @@ class SceneView(QWidget):
             menu.addAction(offer.text).triggered.connect(partial(_run, offer))
         menu.popup(self.surface.mapToGlobal(QPointF(*event.pixel)).toPoint())
 
-    def _moved(self, event: QMouseEvent) -> None:
+    def _moved(self, moves: Sequence[QMouseEvent]) -> None:
+        if not self._is_alive:
+            return
+        event = moves[-1]
         position = event.position()
         if self._dragging == "menu":
             if (position - self._last).manhattanLength() < QApplication.startDragDistance():
                 return
             self._dragging = "orbit"
         if self._dragging == "tool":
-            pointer = self._event(Phase.MOVE, event)
+            hits = [self._hit(move.position() + self._grip) for move in moves[:-1]]
+            before = tuple(hit for hit in hits if hit is not None)
+            pointer = replace(self._event(Phase.MOVE, event), before_mm=before)
             self.go_on(pointer)
             self.hovered.emit(pointer)
         elif self._dragging in ("orbit", "pan"):

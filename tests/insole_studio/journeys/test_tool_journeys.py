@@ -15,6 +15,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QScroller, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 from round_foot import round_foot
+from x_pointer import drag_at_once
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
@@ -26,7 +27,7 @@ from insole_studio.document.section_plane import SectionPlane
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.features.design.tools.metatarsal_line import clearance
-from insole_studio.scene.scene_view import SceneView
+from insole_studio.scene.scene_view import ORBIT_DEG_PER_PX, SceneView
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
@@ -74,6 +75,60 @@ def test_a_pad_is_drawn_by_free_hand_and_its_corner_dragged(
     drag(foot, start, start + QPoint(10, 0))
     assert last(opened) != pad
     assert len(opened.case.history) == 2
+
+
+@pytest.mark.display
+@pytest.mark.parametrize("tool", ["tool_free_hand", "tool_brush"])
+def test_a_line_drawn_while_the_program_is_busy_loses_no_point(
+    opened: Application, foot: SceneView, qtbot: QtBot, tool: str
+) -> None:
+    act(opened, tool)
+    QApplication.processEvents()
+    drag_at_once(foot.surface, ring(foot, (0.0, 120.0), 18.0))
+    qtbot.waitUntil(lambda: len(opened.case.history) == 1)
+    drawn = last(opened)
+    assert isinstance(drawn, Pelott | BrushStroke)
+    points = drawn.outline_mm if isinstance(drawn, Pelott) else drawn.points_mm
+    assert points is not None
+    assert np.ptp(np.array(points), axis=0) == pytest.approx((36.0, 36.0), abs=3.0)
+    assert len(points) > 10
+
+
+@pytest.mark.display
+def test_other_drags_end_where_the_hand_ended_however_busy_the_program_is(
+    opened: Application, foot: SceneView, qtbot: QtBot
+) -> None:
+    way = [pixel(foot, 0.0, 110.0), pixel(foot, -8.0, 118.0), pixel(foot, 5.0, 124.0)]
+    act(opened, "tool_pelott")
+    drag_at_once(foot.surface, way)
+    qtbot.waitUntil(lambda: len(opened.case.history) == 1)
+    pad = last(opened)
+    assert isinstance(pad, Pelott)
+    assert pad.centre_mm == pytest.approx((5.0, 124.0), abs=1.0)
+    act(opened, "tool_section")
+    drag_at_once(foot.surface, way)
+    qtbot.waitUntil(lambda: opened.stage.cut.plane is not None)
+    plane = opened.stage.cut.plane
+    assert plane is not None
+    assert plane.origin_mm == pytest.approx((5.0, 124.0), abs=1.0)
+    act(opened, "tool_orbit")
+    before = foot.camera
+    drag_at_once(foot.surface, [QPoint(5, 5), QPoint(40, 60), QPoint(60, 40)])
+    qtbot.waitUntil(lambda: foot.camera != before)
+    assert foot.camera == before.orbited(-55 * ORBIT_DEG_PER_PX, 35 * ORBIT_DEG_PER_PX)
+
+
+def test_moves_that_come_faster_than_they_are_handled_are_handled_together(
+    opened: Application, foot: SceneView
+) -> None:
+    act(opened, "tool_brush")
+    shown: list[int] = []
+    opened.case.preview_changed.connect(lambda: shown.append(1))
+    drag(foot, *ring(foot, (0.0, 120.0), 18.0))
+    stroke = last(opened)
+    assert isinstance(stroke, BrushStroke)
+    assert len(stroke.points_mm) > 20
+    assert len(shown) < 10
 
 
 def test_a_drawing_that_crosses_itself_makes_no_pad(opened: Application, foot: SceneView) -> None:

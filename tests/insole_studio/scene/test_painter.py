@@ -287,3 +287,20 @@ def test_no_word_stands_before_or_behind_the_foot(
     camera = ViewCamera(preset=preset, focal_mm=(0.0, 120.0, 30.0), height_mm=400.0)
     painter.aim(look(camera, Subject.FOOT, Side.LEFT, SIZE))
     assert written[-1] == words
+
+
+def test_the_handles_of_a_small_pad_do_not_hide_it(painter: Painter, plotter: Any) -> None:
+    angles = np.linspace(0, 2 * np.pi, 14, endpoint=False)
+    for radius_mm, most in ((16.0, 0.25), (60.0, 0.15)):
+        ring = [(radius_mm * np.cos(a), 125.0 + radius_mm * np.sin(a), 0.0) for a in angles]
+        corners = [Handle(f"corner:{n}", place, kind="corner") for n, place in enumerate(ring)]
+        painter.show_handles((Handle("move", (0.0, 125.0, 0.0), kind="move"), *corners))
+        box = np.array([[-100.0, 0.0, 0.0], [100.0, 250.0, 20.0]])
+        seen = look(fitted(ViewCamera(Preset.PLANTAR), box, SIZE), Subject.FOOT, Side.LEFT, SIZE)
+        painter.aim(seen)
+        red, _green, blue = np.moveaxis(pixels(plotter), -1, 0)
+        x, y = np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1]))
+        middle = seen.pixels_of(np.array([0.0, 125.0, 0.0]))[0]
+        in_pad = np.hypot(x - middle[0], y - middle[1]) < radius_mm / seen.mm_per_px
+        is_handle = (blue > red + 60) | (np.minimum(red, blue) > 250)
+        assert 0.0 < is_handle[in_pad].mean() < most

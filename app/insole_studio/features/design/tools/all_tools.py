@@ -52,7 +52,7 @@ def make_tools(
         KeyPointTool(),
         TurnTool(),
         PelottTool(default_pelott(pads), behind_heads_mm),
-        FreeHandTool(),
+        FreeHandTool(behind_heads_mm),
         PostingTool(),
         OutlineTool(),
         RimTool(rim),

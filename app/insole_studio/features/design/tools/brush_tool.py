@@ -21,6 +21,7 @@ class BrushTool(Tool):
     """Tool whose drag is a stroke of the template's kind."""
 
     key = "brush"
+    draws = True
 
     def __init__(self) -> None:
         self.reset()
@@ -46,8 +47,11 @@ class BrushTool(Tool):
         points: tuple[Place, ...] = ()
         fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
         while True:
-            if event.surface_mm is not None and self._goes_on(points, place_at(event.surface_mm)):
-                points = (*points, place_at(event.surface_mm))
+            before = points
+            for place in map(place_at, event.touched_mm):
+                if self._goes_on(points, place):
+                    points = (*points, place)
+            if points is not before:
                 case.preview(design.with_added(replace(fresh, points_mm=points)))
             if event.phase is Phase.RELEASE:
                 break

@@ -8,7 +8,11 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
 from insole_core.insole.prescription.design import Pelott, Place
 from insole_studio.document.case import Case
-from insole_studio.features.design.tools.pelott_tool import pelott_handles, seen_from_above
+from insole_studio.features.design.tools.pelott_tool import (
+    grab_pelott,
+    pelott_handles,
+    seen_from_above,
+)
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool, place_at
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
@@ -23,8 +27,10 @@ class FreeHandTool(Tool):
     """Tool whose drag draws the outline of a new pad."""
 
     key = "free_hand"
+    draws = True
 
-    def __init__(self) -> None:
+    def __init__(self, behind_heads_mm: float) -> None:
+        self._behind_heads_mm = behind_heads_mm
         self.reset()
 
     def reset(self) -> None:
@@ -46,7 +52,9 @@ class FreeHandTool(Tool):
         return self._sketch
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Start drawing."""
+        """Grab a handle of the drawn pad, or start drawing."""
+        if event.handle is not None:
+            return grab_pelott(case, event, self._behind_heads_mm)
         if event.surface_mm is None or case.record.design is None or seen_from_above(event):
             return None
         return self._draw(case, event)
@@ -58,9 +66,8 @@ class FreeHandTool(Tool):
         case.select(None)
         try:
             while event.phase is not Phase.RELEASE:
-                if event.surface_mm is not None:
-                    self._sketch = (*self._sketch, place_at(event.surface_mm))
-                    case.preview(design)
+                self._sketch = (*self._sketch, *map(place_at, event.touched_mm))
+                case.preview(design)
                 event = yield
             drawn = np.array(self._sketch)
         finally:

@@ -141,9 +141,9 @@ def _carry(case: Case, press: PointerEvent, name: str, sentence: str) -> Gesture
     start = shown_points(case).get(name)
     on_skin = _is_touched(press, start)
     while True:
-        place = event.surface_mm if on_skin else _shifted(start, press, event)
-        if place is not None:
-            marked = annotations.with_key_point(KeyPoint(name, _place(place)))
+        touched = event.touched_mm if on_skin else (_shifted(start, press, event),)
+        if touched:
+            marked = annotations.with_key_point(KeyPoint(name, _place(touched[-1])))
             case.preview(marked)
         if event.phase is Phase.RELEASE:
             break

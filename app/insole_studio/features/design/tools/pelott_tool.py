@@ -116,7 +116,7 @@ class PelottTool(Tool):
 def pelott_handles(case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
     """Return the handles of the selected pad or arch, including the corners of a free outline."""
     return tuple(
-        Handle(name, surface.place(*spot), _hint(name), "move" if name == "move" else "size")
+        Handle(name, surface.place(*spot), _hint(name), _kind(name))
         for name, spot in _selected_spots(case).items()
     )
 
@@ -259,6 +259,12 @@ def _selected_spots(case: Case) -> dict[str, FloatArray]:
     return {name: spot for name, spot in _spots(pad).items() if name != "turn" or not is_arch(case)}
 
 
+def _kind(name: str) -> str:
+    """Return of which kind a handle is, by which it is drawn."""
+    kind = name.split(":")[0]
+    return kind if kind in ("move", "corner") else "size"
+
+
 def _spots(pad: Pelott) -> dict[str, FloatArray]:
     """Return the positions (3,) of the handles, by name."""
     front, back = _reach(pad)
@@ -300,8 +306,8 @@ def _follow(
     case.preview(design.with_added(pad))
     while event.phase is not Phase.RELEASE:
         event = yield
-        if event.surface_mm is not None:
-            pad = _settled(case, _at(pad, event.surface_mm[:2]), event, behind_heads_mm)
+        if event.touched_mm:
+            pad = _settled(case, _at(pad, event.touched_mm[-1][:2]), event, behind_heads_mm)
             case.preview(design.with_added(pad))
     case.apply(design.with_added(pad), tr("Place: {name}").format(name=name_of(pad)))
 

@@ -64,9 +64,9 @@ def _put(case: Case, event: PointerEvent, annotations: Annotations) -> Gesture:
 
 
 def _through(plane: ReferencePlane, event: PointerEvent) -> ReferencePlane:
-    if event.surface_mm is None:
+    if not event.touched_mm:
         return plane
-    x, y, z = (rounded(float(value), 0.1) for value in event.surface_mm)
+    x, y, z = (rounded(float(value), 0.1) for value in event.touched_mm[-1])
     return replace(plane, origin_mm=(x, y, z))
 
 

@@ -87,6 +87,8 @@ class Tool:
     turns_view: ClassVar[bool] = False
     """Whether a drag by the left button turns the view where there is nothing to drag: in other
     tools a drag that misses must not take away what the hand was aiming at."""
+    draws: ClassVar[bool] = False
+    """Whether a drag draws a line, of which no point may be left out."""
 
     def reset(self) -> None:
         """Forget what was set for the case before."""

@@ -11,6 +11,7 @@ from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
 from insole_studio.scene.gesture import AnyGesture, RunningGesture
 from insole_studio.scene.pointer import PointerEvent
+from insole_studio.scene.pointer_moves import keep_every_move
 
 
 class ToolController(QObject):
@@ -31,6 +32,7 @@ class ToolController(QObject):
         """Choose another tool."""
         self.cancel()
         self.tool = self.tools[key]
+        keep_every_move(self.tool.draws)
         self.tool_changed.emit()
 
     def reset(self) -> None:
