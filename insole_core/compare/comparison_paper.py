@@ -54,9 +54,8 @@ def write_report(difference: Difference, names: tuple[str, str], path: Path) -> 
 
 def _fit_text(difference: Difference) -> str:
     residual = difference.fit.residual_mm
-    if np.isnan(residual):
-        return "as both lie"
-    return f"with a residual of {residual:.2f} mm"
+    how = "as both lie" if np.isnan(residual) else f"with a residual of {residual:.2f} mm"
+    return f"mirrored, {how}" if difference.b_is_mirrored else how
 
 
 def _both(row: ComparedMeasure) -> str:

@@ -29,6 +29,7 @@ def report_json(difference: Difference) -> dict[str, Any]:
         "unit": "mm",
         "sign": "positive where a is higher (+z) than b",
         **{key: round(value, 6) for key, value in difference.statistics.items()},
+        "b_mirrored": difference.b_is_mirrored,
         "b2a": fit.b2a.tolist(),
         "fit": {"residual": residual, "share_of_b": round(fit.share, 4)},
         "pixel_mm": difference.grid.pitch_mm,

@@ -37,6 +37,8 @@ class Difference:
         Pose of b relative to a.
     feet
         Measures of a and of b, where they are feet.
+    b_is_mirrored
+        Whether b is of the other foot, and was mirrored in x before.
     """
 
     grid: Grid
@@ -44,6 +46,7 @@ class Difference:
     heights_b_mm: FloatArray
     fit: Fit
     feet: tuple[Measured | None, Measured | None] = (None, None)
+    b_is_mirrored: bool = False
 
     @cached_property
     def signed_mm(self) -> FloatArray:

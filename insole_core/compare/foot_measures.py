@@ -33,8 +33,8 @@ def recorded_foot_measures(mesh: TriangleMesh, side: Side) -> Measured | None:
     return measure(foot, find_landmarks(foot))
 
 
-def surface_measures(mesh: TriangleMesh) -> Measured | None:
-    """Measure a surface of which nothing is known, if it is a foot.
+def surface_measures(mesh: TriangleMesh) -> tuple[Side | None, Measured | None]:
+    """Measure a surface of which nothing is known, if it is a foot, and tell which one.
 
     Parameters
     ----------
@@ -42,10 +42,11 @@ def surface_measures(mesh: TriangleMesh) -> Measured | None:
 
     Returns
     -------
-    dict or None
+    side : Side or None
+    measures : dict or None
         By the names in `DEFINITIONS`; None for insoles, moulds, and what looks like no foot.
     """
     if not is_one_sided(mesh) and facing(mesh)[2] > 0:
-        return None
+        return None, None
     foot = recognised_foot(mesh)
-    return None if foot is None else measure(foot, find_landmarks(foot))
+    return (None, None) if foot is None else (foot.side, measure(foot, find_landmarks(foot)))

@@ -29,12 +29,18 @@ from insole_core.foot.measures import measure
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.messages import joined
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.workflows.calibration.correction_choice import is_corrected
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.insole_builder import InsoleBuilder
 
+_NAMES = {
+    (Side.LEFT, "foot"): Message("left foot"),
+    (Side.RIGHT, "foot"): Message("right foot"),
+    (Side.LEFT, "insole"): Message("left insole"),
+    (Side.RIGHT, "insole"): Message("right insole"),
+}
 REPORT_SUFFIXES = (".pdf", ".json", ".png", ".ply")
 
 
@@ -97,12 +103,12 @@ def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) 
     foot = None if wanted.side is None else record.of_side(wanted.side)
     if foot is None:
         raise InputError("The case has no such foot; open or capture one first.")
-    name = f"{foot.side} {wanted.kind}"
+    name = _NAMES[foot.side, wanted.kind]
     if wanted.kind == "foot":
         measures = measure(foot.foot, landmarks_of(foot))
-        return ComparisonSource(name, foot.foot.mesh, measures=measures)
+        return ComparisonSource(name, foot.foot.mesh, measures=measures, side=foot.side)
     _, solid = InsoleBuilder().solid(foot.foot, foot.design, progress)
-    return ComparisonSource(name, solid)
+    return ComparisonSource(name, solid, side=foot.side)
 
 
 def compare_sources(
@@ -116,6 +122,8 @@ def compare_sources(
 
     Parameters
     ----------
+    b
+        Mirrored, if it is of the other foot: see `ComparisonSource.like`.
     alignment
         How b is brought into the frame of a.
     median_pixels
@@ -130,7 +138,7 @@ def compare_sources(
     difference = compare_surfaces(
         a.mesh, b.mesh, alignment, median_pixels=median_pixels, progress=progress.part(0.0, 0.8)
     )
-    difference = replace(difference, feet=(a.measures, b.measures))
+    difference = replace(difference, feet=(a.measures, b.measures), b_is_mirrored=b.is_mirrored)
     progress.step(0.8, "Drawing the difference")
     surface, signed = difference_surface(difference)
     drawn = io.BytesIO()

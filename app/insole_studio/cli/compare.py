@@ -72,12 +72,14 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         )
         names = visible_line(arguments.a.name), visible_line(arguments.b.name)
         a = _read(arguments.a, progress.part(0.0, 0.2))
-        b = _read(arguments.b, progress.part(0.2, 0.4))
+        b = _read(arguments.b, progress.part(0.2, 0.4)).like(a)
+        _say_notes(arguments.a, a)
+        _say_notes(arguments.b, b)
         difference = compare_surfaces(
-            a.mesh, b.mesh, _alignment(arguments.align),
+            a.mesh, b.mesh, _alignment(arguments.align, b),
             median_pixels=arguments.median, progress=progress.part(0.4, 0.9),
         )  # fmt: skip
-        difference = replace(difference, feet=(a.measures, b.measures))
+        difference = replace(difference, feet=(a.measures, b.measures), b_is_mirrored=b.is_mirrored)
         progress.step(0.9, "Writing the report")
         text = json.dumps(report_json(difference), indent=1, allow_nan=False)
         write_text(text + "\n", report)
@@ -111,17 +113,21 @@ def _word_or_path(text: str) -> str | Path:
     return Path(text) if text.endswith(".json") else text
 
 
-def _alignment(given: str | Path) -> Alignment:
+def _alignment(given: str | Path, b: ComparisonSource) -> Alignment:
     from insole_core.compare.picked_points import read_picked_points
 
-    return read_picked_points(given) if isinstance(given, Path) else _ALIGNMENTS[given]
+    if isinstance(given, Path):
+        return b.points_like(read_picked_points(given))
+    return _ALIGNMENTS[given]
 
 
 def _read(path: Path, progress: Progress) -> ComparisonSource:
     from insole_core.compare.comparison_source import read_source
     from insole_core.workflows.calibration.correction_choice import is_corrected
 
-    source = read_source(path, progress, is_corrected)
+    return read_source(path, progress, is_corrected)
+
+
+def _say_notes(path: Path, source: ComparisonSource) -> None:
     for note in source.notes:
         print(visible_line(f"{path.name}: {note}"), file=sys.stderr)
-    return source

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pyvista as pv
-from scipy.spatial import KDTree
+import scipy
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
@@ -488,10 +488,9 @@ class Painter:
         share = 1.0
         if len(self._handles) > 1:
             at_px = look.pixels_of(np.array([handle.position_mm for handle in self._handles]))
-            apart_px = np.median(KDTree(at_px).query(at_px, k=2)[0][:, 1])
-            share = float(
-                np.clip(HANDLE_SHARE * apart_px / HANDLE_PX["size"], LEAST_HANDLES, 1.0)
-            )
+            nearest_px = np.asarray(scipy.spatial.KDTree(at_px).query(at_px, k=2)[0])
+            apart_px = float(np.median(nearest_px[:, 1]))
+            share = float(np.clip(HANDLE_SHARE * apart_px / HANDLE_PX["size"], LEAST_HANDLES, 1.0))
         for kind, size_px in HANDLE_PX.items():
             for name, part in (("rim", share), ("handles", share * UNRIMMED)):
                 actor = self._plotter.actors.get(f"{name}-{kind}")

@@ -5452,6 +5452,10 @@
             <translation>vänster och höger</translation>
         </message>
         <message>
+            <source>left foot</source>
+            <translation>vänster fot</translation>
+        </message>
+        <message>
             <source>left insole</source>
             <translation>vänster inlägg</translation>
         </message>
@@ -6290,6 +6294,10 @@
         <message>
             <source>right</source>
             <translation>höger</translation>
+        </message>
+        <message>
+            <source>right foot</source>
+            <translation>höger fot</translation>
         </message>
         <message>
             <source>right insole</source>
@@ -7626,6 +7634,10 @@
         <message>
             <source>{name} is not a PNG image; restore it from the recording.</source>
             <translation>{name} är ingen PNG-bild; återställ den från inspelningen.</translation>
+        </message>
+        <message>
+            <source>{name} is of the other foot, so that it is mirrored.</source>
+            <translation>{name} hör till den andra foten, och speglas därför.</translation>
         </message>
         <message>
             <source>{name} is of version {version}, which is newer than this program (it reads up to {newest}); install a newer Insole Studio.</source>

@@ -12,6 +12,7 @@ import trimesh
 
 from insole_core.compare.comparison import compare_surfaces
 from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
+from insole_core.compare.comparison_source import MIRROR, ComparisonSource
 from insole_core.compare.foot_measures import surface_measures
 from insole_core.compare.picked_points import find_dots, read_picked_points
 from insole_core.errors import InputError
@@ -22,6 +23,7 @@ from insole_core.geometry.transforms import inverse, rigid, rotation_about, tran
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott
 from insole_core.solids.solid import insole_solid, positive_solid
+from insole_core.workflows.compare_case import compare_sources
 
 PAD = Pelott(centre_mm=(5.0, 150.0), height_mm=3)
 NEAR = rigid(rotation_about(np.array([1, 0.3, 2.0]), 7), np.array([20.0, -30, 5]))
@@ -46,8 +48,8 @@ def misplaced_mm(found_b2a: np.ndarray, true_b2a: np.ndarray, b: TriangleMesh) -
 @pytest.mark.slow
 def test_a_surface_larger_than_any_foot_is_compared_as_no_foot(left_foot: Foot) -> None:
     large = replace(left_foot.mesh, vertices=1.8 * left_foot.mesh.vertices)
-    assert surface_measures(left_foot.mesh) is not None
-    assert surface_measures(large) is None
+    assert surface_measures(left_foot.mesh)[0] is Side.LEFT
+    assert surface_measures(large) == (None, None)
 
 
 @pytest.mark.parametrize("offset_mm", [-1.7, 0.3])
@@ -80,6 +82,46 @@ def test_bump_stays_after_the_best_fit(plain, padded, a2b):
     row, column = np.unravel_index(np.nanargmax(result.signed_mm), result.signed_mm.shape)
     assert result.grid.places[row, column] == pytest.approx(PAD.centre_mm, abs=2)
     assert result.statistics["median_abs"] < 0.01
+
+
+HIGHER = replace(PAD, height_mm=PAD.height_mm + 2)
+
+
+@pytest.fixture(scope="module")
+def higher(left_foot: Foot) -> TriangleMesh:
+    return insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, (HIGHER,))))
+
+
+@pytest.mark.parametrize("alignment", ["best", "none"])
+def test_equal_surfaces_differ_by_nothing_and_two_millimetres_by_two(padded, higher, alignment):
+    equal = compare_surfaces(padded, padded, alignment).statistics
+    assert max(equal["max"], abs(equal["signed_mean"])) < 0.005
+    signed = compare_surfaces(higher, padded, alignment).statistics
+    assert signed["max"] == pytest.approx(2.0, abs=0.005)
+    assert signed["signed_min"] > -0.005
+    opposite = compare_surfaces(padded, higher, alignment).statistics
+    assert opposite["signed_min"] == pytest.approx(-2.0, abs=0.005)
+    assert opposite["signed_max"] < 0.005
+
+
+@pytest.mark.parametrize("alignment", ["best", "none"])
+def test_the_other_foot_is_mirrored_and_said(left_foot, alignment):
+    """A made-up right foot is the mirror image of the left one."""
+    vertices = left_foot.mesh.vertices * MIRROR
+    other = TriangleMesh(vertices, left_foot.mesh.triangles).flipped()
+    a = ComparisonSource("left foot", left_foot.mesh, side=Side.LEFT)
+    b = ComparisonSource("right foot", other, side=Side.RIGHT).like(a)
+    assert b.is_mirrored
+    assert "right foot is of the other foot, so that it is mirrored." in b.notes
+    result = compare_sources(a, b, alignment, 1).difference
+    assert result.statistics["max"] < 0.005
+    assert report_json(result)["b_mirrored"]
+    same = ComparisonSource("left foot", left_foot.mesh, side=Side.LEFT)
+    unknown = ComparisonSource("scan", other)
+    assert (same.like(a), unknown.like(a)) == (same, unknown)
+    picked = left_foot.mesh.vertices[[10, 500, 900]], other.vertices[[10, 500, 900]]
+    by_points = compare_surfaces(a.mesh, b.mesh, b.points_like(picked))
+    assert by_points.statistics["max"] < 0.005
 
 
 def test_foot_against_its_own_insole(left_foot, plain):

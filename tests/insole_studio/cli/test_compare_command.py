@@ -12,6 +12,7 @@ from simulated_view import simulate_view
 
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot_placement import place_foot
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
@@ -116,7 +117,9 @@ def test_failures_leave_nothing_behind(
 
 
 @pytest.mark.slow
-def test_a_foot_has_the_measures_that_measure_tells(tmp_path: Path) -> None:
+def test_a_foot_has_the_measures_that_measure_tells(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     mesh = build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(1), cell_mm=4.0).mesh
     meshes = {"whole": mesh, "low": mesh.part(mesh.vertices[:, 2] < 35)}
     known = {}
@@ -125,9 +128,18 @@ def test_a_foot_has_the_measures_that_measure_tells(tmp_path: Path) -> None:
         call = ["measure", str(tmp_path / f"{name}.stl"), "--side", "right"]
         assert run([*call, "--report", str(tmp_path / f"{name}.json")]) == 0
         known[name] = json.loads((tmp_path / f"{name}.json").read_text())["measures"]
+    left = TriangleMesh(mesh.vertices * [-1.0, 1.0, 1.0], mesh.triangles).flipped()
+    write_stl(left, tmp_path / "left.stl")
+    feet = [str(tmp_path / f"{name}.stl") for name in ("whole", "left")]
+    assert run(["compare", *feet, "--report", str(tmp_path / "mirrored.json")]) == 0
+    assert "left.stl is of the other foot, so that it is mirrored." in capsys.readouterr().err
+    mirrored = json.loads((tmp_path / "mirrored.json").read_text())
+    assert mirrored["b_mirrored"]
+    assert mirrored["max"] < 0.01
     files = [str(tmp_path / f"{name}.stl") for name in meshes]
     assert run(["compare", *files, "--report", str(tmp_path / "difference.json")]) == 0
     found = json.loads((tmp_path / "difference.json").read_text())["measures"]
+    assert not json.loads((tmp_path / "difference.json").read_text())["b_mirrored"]
     for which, name in zip("ab", meshes, strict=True):
         assert found[which].keys() == {"foot_length", "ball_width", "heel_width", "arch_height"}
         for key, value in found[which].items():

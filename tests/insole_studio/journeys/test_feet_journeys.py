@@ -24,6 +24,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.resources import resource_path
+from insole_core.workflows.open_scan import open_scan
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
@@ -420,6 +423,33 @@ def test_two_variants_are_compared(opened: Application, settle: Settle) -> None:
     )
     assert opened.stage.insole_presenter.companion is None
     assert opened.window.actions_by_key["map_none"].isChecked()
+
+
+@pytest.mark.shared
+def test_equal_variants_of_a_real_foot_differ_by_nothing_and_two_millimetres_by_two(
+    app: Application, settle: Settle, shared_data: Path
+) -> None:
+    """A milled insole with pelott and posting: real flanks, a rim and a posted surface."""
+    foot = open_scan(shared_data / "feet" / "dupontgu" / "right_foot.stl", Side.RIGHT).foot
+    eva = read_device(resource_path("devices") / "eva-full-length.json")
+    pad = Pelott(centre_mm=(-8.0, 165.0), height_mm=4.0)
+    plain = replace(apply_device(eva, InsoleDesign(Side.RIGHT)), grid_mm=2.0)
+    posted = plain.with_added(pad).with_added(Posting(rearfoot_deg=4.0))
+    app.case.open_foot(foot, ScanSource("mesh", "/nowhere/foot.stl", "0" * 64), posted)
+    settle()
+    press(app, Qt.Key.Key_D, Qt.KeyboardModifier.ControlModifier)
+    held = (Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier)
+    press(app, Qt.Key.Key_B, *held)
+    press(app, Qt.Key.Key_J)
+    settle()
+    shown = app.stage.insole.numbers
+    assert shown.text().endswith("mean +0.00   95 % 0.00   max 0.00 mm")
+    app.case.apply(design(app).with_changed(replace(pad, height_mm=6.0)), "Raise")
+    settle()
+    assert shown.text().endswith("max 2.00 mm")
+    over = insole_difference(app.stage.preview, app.features.design.side_by_side.counterpart)
+    assert over is not None
+    assert np.nanmin(over) == pytest.approx(0.0, abs=0.005)
 
 
 def test_nothing_to_compare_with_is_said(opened: Application) -> None:

@@ -241,8 +241,10 @@ class ComparePresenter:
 
         def take(source: ComparisonSource) -> None:
             self._sources[which] = source
-            self._panel.show_source(which, source.mesh, _from_above(source.mesh))
-            self._panel.show_notes([note for s in self._sources.values() for note in s.notes])
+            laid = self._laid()
+            for name, shown in laid.items():
+                self._panel.show_source(name, shown.mesh, _from_above(shown.mesh))
+            self._panel.show_notes([note for shown in laid.values() for note in shown.notes])
             self._compare()
 
         self._panel.show_error("")
@@ -254,7 +256,8 @@ class ComparePresenter:
         alignment = self._chosen_alignment()
         if alignment is None or len(self._sources) < 2:
             return
-        a, b, median = self._sources["a"], self._sources["b"], self._median
+        laid, median = self._laid(), self._median
+        a, b = laid["a"], laid["b"]
 
         def compare(progress: Progress) -> Compared:
             return compare_sources(a, b, alignment, median, progress)
@@ -262,6 +265,13 @@ class ComparePresenter:
         self._panel.show_error("")
         self._jobs.start(COMPARING, compare, self._take, self._show_failure)
         self._show_buttons()
+
+    def _laid(self) -> dict[str, ComparisonSource]:
+        """Return the surfaces as they are compared: the second mirrored if of the other foot."""
+        laid = dict(self._sources)
+        if len(laid) == 2:
+            laid["b"] = laid["b"].like(laid["a"])
+        return laid
 
     def _chosen_alignment(self) -> Alignment | None:
         if self._alignment == "picked":

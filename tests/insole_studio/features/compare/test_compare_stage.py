@@ -107,6 +107,31 @@ def test_insole_and_foot_of_the_case_are_compared_at_once(
 
 
 @pytest.mark.slow
+def test_the_other_foot_and_its_insole_are_mirrored_and_said(
+    stage: CompareStage,
+    settle: Callable[[], None],
+    case: Case,
+    make_foot: Callable[[Side], Foot],
+) -> None:
+    """The made-up feet are mirror images."""
+    other = FootRecord.begun(make_foot(Side.RIGHT), NOWHERE, InsoleDesign(Side.RIGHT, grid_mm=2.0))
+    case.apply(other, "Open")
+    for kind in ("foot", "insole"):
+        stage.view.source_chosen.emit("a", f"0 {kind} left")
+        stage.view.source_chosen.emit("b", f"0 {kind} right")
+        settle()
+        assert number(stage, "Largest") < 0.3
+        assert (
+            f"Right {kind} is of the other foot, so that it is mirrored."
+            in stage.view._notes.text()
+        )
+    stage.view.source_chosen.emit("b", "0 insole left")
+    settle()
+    assert stage.view._notes.text() == ""
+    assert number(stage, "Largest") == 0.0
+
+
+@pytest.mark.slow
 def test_surface_from_a_file_is_fitted(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path,
     chosen: Chosen,

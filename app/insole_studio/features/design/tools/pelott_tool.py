@@ -261,7 +261,7 @@ def _selected_spots(case: Case) -> dict[str, FloatArray]:
 
 def _kind(name: str) -> str:
     """Return of which kind a handle is, by which it is drawn."""
-    kind = name.split(":")[0]
+    kind = name.split(":", maxsplit=1)[0]
     return kind if kind in ("move", "corner") else "size"
 
 
