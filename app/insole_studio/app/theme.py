@@ -131,6 +131,8 @@ def _style_sheet(colors: Colors) -> str:
     QToolBar QToolButton {{ padding: 4px; border-radius: 4px; }}
     QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
                            border-radius: 4px; }}
+    QToolButton#fold {{ font-weight: 600; color: {colors.quiet}; padding: 4px 4px 0 0; }}
+    QToolButton#fold:checked {{ background: transparent; color: {colors.quiet}; }}
     QToolButton:checked:disabled {{ background: {colors.raised}; color: {colors.quiet}; }}
     QLabel#check-sign {{ border-radius: 11px; font-weight: 700; background: {colors.raised}; }}
     QLabel#check-sign[state="passed"] {{ background: #1b7a3d; color: white; }}

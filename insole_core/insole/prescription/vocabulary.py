@@ -115,7 +115,7 @@ SPOKEN: Final[Mapping[type[Any], Mapping[str, Spoken]]] = {
     Posting: {
         "rearfoot_deg": _raising("Rearfoot"),
         "forefoot_deg": _raising("Forefoot"),
-        "method": Spoken("Posting"),
+        "method": Spoken("Kind"),
         "blend_start": _of_length("Rearfoot up to"),
         "blend_end": _of_length("Forefoot from"),
     },
@@ -159,9 +159,9 @@ SPOKEN: Final[Mapping[type[Any], Mapping[str, Spoken]]] = {
     InsoleDesign: {
         "thickness_mm": Spoken("Thickness"),
         "bottom": Spoken("Underside"),
-        "max_height_mm": Spoken("Flank height"),
+        "max_height_mm": Spoken("Side height"),
         "margin_mm": Spoken("Margin"),
-        "grid_mm": Spoken("Surface grid", decimals=2),
+        "grid_mm": Spoken("Computed every", decimals=2),
     },
     Outline: {
         "source": Spoken("Outline"),

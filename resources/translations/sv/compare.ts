@@ -24,6 +24,10 @@
             <translation>Bästa passning</translation>
         </message>
         <message>
+            <source>Both surfaces are evened out over this width before they are compared; 1 for none</source>
+            <translation>Båda ytorna jämnas ut över den här bredden innan de jämförs; 1 för ingen utjämning</translation>
+        </message>
+        <message>
             <source>Choose what is compared, at the left.</source>
             <translation>Välj till vänster vad som jämförs.</translation>
         </message>
@@ -96,10 +100,6 @@
             <translation>Medel, med tecken</translation>
         </message>
         <message>
-            <source>Median filter</source>
-            <translation>Medianfilter</translation>
-        </message>
-        <message>
             <source>Mesh or archive</source>
             <translation>Ytmodell eller arkiv</translation>
         </message>
@@ -132,6 +132,10 @@
             <translation>Session, även av en form…</translation>
         </message>
         <message>
+            <source>Smoothing</source>
+            <translation>Utjämning</translation>
+        </message>
+        <message>
             <source>Something unexpected happened; nothing was changed. Please report it.</source>
             <translation>Något oväntat hände; inget ändrades. Anmäl det gärna.</translation>
         </message>
@@ -146,10 +150,6 @@
         <message>
             <source>Writing the report</source>
             <translation>Skriver rapporten</translation>
-        </message>
-        <message>
-            <source>pixels</source>
-            <translation>pixlar</translation>
         </message>
     </context>
 </TS>

@@ -612,6 +612,10 @@
             <translation>Jämför med det sanna</translation>
         </message>
         <message>
+            <source>Computed every</source>
+            <translation>Beräknad var</translation>
+        </message>
+        <message>
             <source>Contact</source>
             <translation>Kontakt</translation>
         </message>
@@ -948,10 +952,6 @@
             <translation>Passar skevheten</translation>
         </message>
         <message>
-            <source>Flank height</source>
-            <translation>Kanthöjd</translation>
-        </message>
-        <message>
             <source>Flat</source>
             <translation>Plan</translation>
         </message>
@@ -1250,6 +1250,10 @@
         <message>
             <source>Kevin Root Medical, forum; Cox cast correction</source>
             <translation>Kevin Root Medical, forum; Cox, gipskorrigering</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Typ</translation>
         </message>
         <message>
             <source>Kirby, Podiatry Today</source>
@@ -2152,6 +2156,10 @@
             <translation>Sida</translation>
         </message>
         <message>
+            <source>Side height</source>
+            <translation>Sidohöjd</translation>
+        </message>
+        <message>
             <source>Signature</source>
             <translation>Signatur</translation>
         </message>
@@ -2234,10 +2242,6 @@
         <message>
             <source>SureFit; orthoscan</source>
             <translation>SureFit; orthoscan</translation>
-        </message>
-        <message>
-            <source>Surface grid</source>
-            <translation>Ytans rutnät</translation>
         </message>
         <message>
             <source>Swedish personal number</source>

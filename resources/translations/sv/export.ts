@@ -4,8 +4,16 @@
     <context>
         <name>studio</name>
         <message>
+            <source>A drawing with sections and all values, without the name</source>
+            <translation>En ritning med snitt och alla värden, utan namnet</translation>
+        </message>
+        <message>
             <source>A printer's program gets a 3MF</source>
             <translation>Skrivarens program får en 3MF</translation>
+        </message>
+        <message>
+            <source>A smaller file: larger triangles where the surface is flat</source>
+            <translation>En mindre fil: större trianglar där ytan är plan</translation>
         </message>
         <message>
             <source>Above</source>
@@ -28,6 +36,10 @@
             <translation>Tillverkarens adress</translation>
         </message>
         <message>
+            <source>All that is prescribed, with the patient's name, for the clinic itself</source>
+            <translation>Allt som ordineras, med patientens namn, för kliniken själv</translation>
+        </message>
+        <message>
             <source>An order holds all files for the shop, and a list by which they can be verified</source>
             <translation>En beställning innehåller alla filer till verkstaden och en lista som de kan kontrolleras mot</translation>
         </message>
@@ -38,10 +50,6 @@
         <message>
             <source>Any machine</source>
             <translation>Valfri maskin</translation>
-        </message>
-        <message>
-            <source>At most</source>
-            <translation>Högst</translation>
         </message>
         <message>
             <source>At most {left:.2f} mm of material stay in hollows</source>
@@ -70,6 +78,14 @@
         <message>
             <source>By material and body weight</source>
             <translation>Efter material och kroppsvikt</translation>
+        </message>
+        <message>
+            <source>By what the shop knows the patient, whose name stays here</source>
+            <translation>Vad verkstaden känner patienten under; namnet stannar här</translation>
+        </message>
+        <message>
+            <source>By which day the shop is to deliver</source>
+            <translation>Till vilken dag verkstaden ska leverera</translation>
         </message>
         <message>
             <source>Chamfer</source>
@@ -108,6 +124,10 @@
             <translation>Färg</translation>
         </message>
         <message>
+            <source>Colour of the material</source>
+            <translation>Materialets färg</translation>
+        </message>
+        <message>
             <source>Contact surface in a block</source>
             <translation>Kontaktytan i ett block</translation>
         </message>
@@ -132,8 +152,8 @@
             <translation>Täthet där</translation>
         </message>
         <message>
-            <source>Deviation</source>
-            <translation>Avvikelse</translation>
+            <source>Diameter of the cutter, which does not reach into narrower hollows</source>
+            <translation>Fräsens diameter; den når inte in i trängre fördjupningar</translation>
         </message>
         <message>
             <source>Draft</source>
@@ -142,6 +162,10 @@
         <message>
             <source>Draft and chamfer as the shell of the prescription has them</source>
             <translation>Släppning och fas enligt ordinationens skal</translation>
+        </message>
+        <message>
+            <source>Each layer of the insole as an object of its own</source>
+            <translation>Varje skikt av inlägget som ett eget objekt</translation>
         </message>
         <message>
             <source>Engraved</source>
@@ -198,6 +222,26 @@
         <message>
             <source>Hollows for the cutter</source>
             <translation>Hålkälar för fräsen</translation>
+        </message>
+        <message>
+            <source>How dense the print is, with {count} walls</source>
+            <translation>Hur tät utskriften är, med {count} väggar</translation>
+        </message>
+        <message>
+            <source>How far the surface may move where triangles are left out</source>
+            <translation>Hur långt ytan får flyttas där trianglar utelämnas</translation>
+        </message>
+        <message>
+            <source>How many are ordered</source>
+            <translation>Hur många som beställs</translation>
+        </message>
+        <message>
+            <source>How many triangles the file has at most</source>
+            <translation>Hur många trianglar filen har som mest</translation>
+        </message>
+        <message>
+            <source>How much of the print is filled at these places</source>
+            <translation>Hur stor del av utskriften som är fylld på dessa ställen</translation>
         </message>
         <message>
             <source>In the block</source>
@@ -268,6 +312,10 @@
             <translation>Material, höger</translation>
         </message>
         <message>
+            <source>May differ by</source>
+            <translation>Får avvika</translation>
+        </message>
+        <message>
             <source>Mill both sides</source>
             <translation>Fräs båda sidorna</translation>
         </message>
@@ -294,6 +342,10 @@
         <message>
             <source>Nothing</source>
             <translation>Ingenting</translation>
+        </message>
+        <message>
+            <source>Of what the insole is made</source>
+            <translation>Vad inlägget görs av</translation>
         </message>
         <message>
             <source>On the bottom</source>
@@ -372,6 +424,10 @@
             <translation>Ordination för journalen (PDF)</translation>
         </message>
         <message>
+            <source>Pressure from which on a place gets a density of its own</source>
+            <translation>Tryck från vilket ett ställe får en egen täthet</translation>
+        </message>
+        <message>
             <source>Print preset</source>
             <translation>Utskrift</translation>
         </message>
@@ -432,6 +488,10 @@
             <translation>STL som text</translation>
         </message>
         <message>
+            <source>STL is read everywhere; 3MF also holds unit, name and layers</source>
+            <translation>STL läses överallt; 3MF har även enhet, namn och skikt</translation>
+        </message>
+        <message>
             <source>Save the blocks</source>
             <translation>Spara blocken</translation>
         </message>
@@ -446,6 +506,14 @@
         <message>
             <source>Single files</source>
             <translation>Enskilda filer</translation>
+        </message>
+        <message>
+            <source>Size of the file</source>
+            <translation>Filens storlek</translation>
+        </message>
+        <message>
+            <source>Slope of the side walls; &gt; 0 is wider at the bottom</source>
+            <translation>Sidoväggarnas lutning; &gt; 0 är bredare nedtill</translation>
         </message>
         <message>
             <source>Something unexpected happened; nothing was written. Please report it.</source>
@@ -476,12 +544,20 @@
             <translation>Typsnittet saknar bokstäverna {letters}; en liknande eller ”?” står i stället.</translation>
         </message>
         <message>
+            <source>The insoles of both feet in one order</source>
+            <translation>Inläggen för båda fötterna i en beställning</translation>
+        </message>
+        <message>
             <source>The order of the case before has been written.</source>
             <translation>Beställningen för det förra fallet är skriven.</translation>
         </message>
         <message>
             <source>The order of the case before is still being written.</source>
             <translation>Beställningen för det förra fallet skrivs fortfarande.</translation>
+        </message>
+        <message>
+            <source>The piece of material that it is cut from, which must be large enough</source>
+            <translation>Materialstycket som det fräses ur, som måste vara stort nog</translation>
         </message>
         <message>
             <source>The prescription states who prescribes the insole and who makes it, as Annex XIII of the EU regulation on medical devices asks for. The shop does not get it.</source>
@@ -496,12 +572,20 @@
             <translation>Verkstaden tillverkar den nyaste revisionen av en beställning; en ny beställning tillverkas vid sidan av</translation>
         </message>
         <message>
+            <source>The text on the underside</source>
+            <translation>Texten på undersidan</translation>
+        </message>
+        <message>
             <source>These files are there already: {names}</source>
             <translation>Dessa filer finns redan: {names}</translation>
         </message>
         <message>
             <source>They deviate by {deviation:.3f} mm at most.</source>
             <translation>De avviker högst {deviation:.3f} mm.</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Trianglar</translation>
         </message>
         <message>
             <source>Undercut</source>
@@ -520,16 +604,40 @@
             <translation>Väggar</translation>
         </message>
         <message>
+            <source>What decides where the print is softer or firmer</source>
+            <translation>Vad som avgör var utskriften är mjukare eller fastare</translation>
+        </message>
+        <message>
+            <source>What else the shop is to know, without the patient's name</source>
+            <translation>Vad verkstaden mer ska veta, utan patientens namn</translation>
+        </message>
+        <message>
             <source>What is glued on top</source>
             <translation>Vad som limmas ovanpå</translation>
+        </message>
+        <message>
+            <source>What is made: the insole, its surface in a block, or the foot</source>
+            <translation>Vad som görs: inlägget, dess yta i ett block, eller foten</translation>
         </message>
         <message>
             <source>What the shop knows the patient by; without one, the order number {number}</source>
             <translation>Det som verkstaden känner patienten under; utan en sådan ordernumret {number}</translation>
         </message>
         <message>
+            <source>What was checked and with which outcome, for other programs</source>
+            <translation>Vad som kontrollerades och med vilket utfall, för andra program</translation>
+        </message>
+        <message>
+            <source>Whether a text is cut into the underside, or stands out of it</source>
+            <translation>Om en text fräses in i undersidan eller står ut ur den</translation>
+        </message>
+        <message>
             <source>Who stands on the prescription</source>
             <translation>Vilka som står på ordinationen</translation>
+        </message>
+        <message>
+            <source>Width of the bevel along the upper edge</source>
+            <translation>Fasens bredd längs överkanten</translation>
         </message>
         <message>
             <source>Writing the order of the case before was stopped.</source>

@@ -108,6 +108,18 @@
             <translation>Bra</translation>
         </message>
         <message>
+            <source>How far the foot may be shifted by what is not known of the sensor's place</source>
+            <translation>Hur mycket foten får vara förskjuten av det som inte är känt om sensorns plats</translation>
+        </message>
+        <message>
+            <source>How far the markers may lie in the picture from where they should be seen</source>
+            <translation>Hur långt markörerna får ligga i bilden från där de borde synas</translation>
+        </message>
+        <message>
+            <source>How far the markers of a view may lie from where they are known to be</source>
+            <translation>Hur långt en vys markörer får ligga från där de är kända att sitta</translation>
+        </message>
+        <message>
             <source>How uncertain the pose leaves the place of the foot (standard deviation)</source>
             <translation>Hur osäkert läget gör fotens plats (standardavvikelse)</translation>
         </message>
@@ -270,6 +282,18 @@
         <message>
             <source>Volume of interest</source>
             <translation>Mätvolym</translation>
+        </message>
+        <message>
+            <source>What lies outside this box is no part of the foot</source>
+            <translation>Det som ligger utanför den här lådan hör inte till foten</translation>
+        </message>
+        <message>
+            <source>What the colours of the foot show</source>
+            <translation>Vad fotens färger visar</translation>
+        </message>
+        <message>
+            <source>Which of both feet of the session is shown</source>
+            <translation>Vilken av sessionens båda fötter som visas</translation>
         </message>
         <message>
             <source>Whole image</source>

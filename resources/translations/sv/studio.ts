@@ -376,6 +376,10 @@
             <translation>Färgkartor, höjdkurvor och trådmodell</translation>
         </message>
         <message>
+            <source>Computed every</source>
+            <translation>Beräknad var</translation>
+        </message>
+        <message>
             <source>Confirm landmarks</source>
             <translation>Bekräfta landmärken</translation>
         </message>
@@ -680,6 +684,10 @@
             <translation>Undersöker…</translation>
         </message>
         <message>
+            <source>Example, Anna</source>
+            <translation>Exempel, Anna</translation>
+        </message>
+        <message>
             <source>Expert</source>
             <translation>Expert</translation>
         </message>
@@ -742,10 +750,6 @@
         <message>
             <source>Fit map</source>
             <translation>Passformskarta</translation>
-        </message>
-        <message>
-            <source>Flank height</source>
-            <translation>Kanthöjd</translation>
         </message>
         <message>
             <source>Flat</source>
@@ -1022,6 +1026,10 @@
         <message>
             <source>Keep, and capture the other foot</source>
             <translation>Behåll, och avbilda andra foten</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Typ</translation>
         </message>
         <message>
             <source>L</source>
@@ -1788,6 +1796,10 @@
             <translation>Sida</translation>
         </message>
         <message>
+            <source>Side height</source>
+            <translation>Sidohöjd</translation>
+        </message>
+        <message>
             <source>Sideways</source>
             <translation>Sidled</translation>
         </message>
@@ -1866,10 +1878,6 @@
         <message>
             <source>Surface</source>
             <translation>Yta</translation>
-        </message>
-        <message>
-            <source>Surface grid</source>
-            <translation>Ytans rutnät</translation>
         </message>
         <message>
             <source>Switch a correction off</source>

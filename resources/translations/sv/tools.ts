@@ -72,6 +72,18 @@
             <translation>Frihand</translation>
         </message>
         <message>
+            <source>How far the ball lies higher than the heel</source>
+            <translation>Hur mycket högre trampdynan ligger än hälen</translation>
+        </message>
+        <message>
+            <source>How far the foot is rolled onto its lateral edge</source>
+            <translation>Hur mycket foten är rullad över på lateralkanten</translation>
+        </message>
+        <message>
+            <source>How far the foot is turned on the ground, the toes to the medial side</source>
+            <translation>Hur mycket foten är vriden på marken, tårna åt medialsidan</translation>
+        </message>
+        <message>
             <source>If the scan lies wrongly</source>
             <translation>Om skanningen ligger fel</translation>
         </message>

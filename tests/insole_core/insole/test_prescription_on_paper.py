@@ -180,7 +180,7 @@ def test_a_unit_stands_with_each_number() -> None:
 def test_the_lines_say_what_was_left_out_before() -> None:
     facts = make_facts(FROM_FOOT)
     assert "Ball 2 mm" in facts["outline"]
-    assert "Flank height 30 mm" in facts["insole"]
+    assert "Side height 30 mm" in facts["insole"]
     assert facts["shoe"].startswith("Shoe Boot; Trimmed to it no; Room 0.5 mm; Inside through 4")
     assert "Toe line 4 mm" in facts["finish"]
     assert "Heel transition 9 mm" in facts["finish"]

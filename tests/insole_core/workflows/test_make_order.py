@@ -380,7 +380,7 @@ def test_a_prescription_says_which_edge_is_raised_and_where() -> None:
     posting = Posting(rearfoot_deg=-9.2, forefoot_deg=4.0)
     (line,) = correction_lines(InsoleDesign(Side.LEFT, (posting,)))
     assert line == (
-        "Posting: Rearfoot 9.2° lateral; Forefoot 4° medial; Posting extrinsic; "
+        "Posting: Rearfoot 9.2° lateral; Forefoot 4° medial; Kind extrinsic; "
         "Rearfoot up to 25 % of the length; Forefoot from 65 % of the length"
     )
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
@@ -110,7 +110,7 @@ class OpenActions:
             return with_landmarks(read_case(resource_path(EXAMPLE)))
 
         def opened(record: CaseRecord) -> None:
-            self._case.open(record, None)
+            self._case.open(replace(record, patient=_invented(record.patient)), None)
 
         self._saver.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
 
@@ -235,6 +235,11 @@ class OpenActions:
         )
         edited = foot.variants, foot.annotations
         return any(edited == (record.variants, record.annotations) for record in begun)
+
+
+def _invented(patient: Patient) -> Patient:
+    """Return the patient of the example in the language of the window."""
+    return replace(patient, name=tr("Example, Anna"), notes=tr("Forefoot pain when walking."))
 
 
 def _sentence_of_adding(side: Side) -> str:

@@ -72,7 +72,10 @@ class CompareView(QWidget):
             ]
         )  # fmt: skip
         self.alignment.edited.connect(self.alignment_chosen)
-        self.median = NumberField(tr("pixels"), least=1, greatest=25, step=1, decimals=0)
+        self.median = NumberField("mm", least=1, greatest=25, step=1, decimals=0)
+        self.median.setToolTip(
+            tr("Both surfaces are evened out over this width before they are compared; 1 for none")
+        )
         self.median.edited.connect(self.median_edited)
         self.hint = QLabel()
         self.hint.setObjectName("quiet")
@@ -214,7 +217,7 @@ class CompareView(QWidget):
         form.addRow(tr("First, A"), self.sources["a"])
         form.addRow(tr("Second, B"), self.sources["b"])
         form.addRow(tr("B is laid on A by"), self.alignment)
-        form.addRow(tr("Median filter"), self.median)
+        form.addRow(tr("Smoothing"), self.median)
         mark_labels(form)
         left.addLayout(form)
         for widget in (self.hint, self.take_back, self._notes):

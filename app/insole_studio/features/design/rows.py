@@ -97,7 +97,8 @@ class Proposal:
 class FieldGroup:
     """A titled group of fields, with buttons.
 
-    `caption` describes the buttons if their texts are not enough.
+    `caption` describes the buttons if their texts are not enough; a group that `folds` is for
+    experts, and shown when its title is clicked.
     """
 
     title: str
@@ -105,6 +106,7 @@ class FieldGroup:
     offers: tuple[Proposal, ...] = ()
     note: str = ""
     caption: str = ""
+    folds: bool = False
 
     @property
     def shape(self) -> FieldGroup:

@@ -64,7 +64,8 @@ class MachineFields(QObject):
         self.made_on = ComboBox([])
         self.made_on.setToolTip(tr("The printer's program or the router that gets the files"))
         self.preset = ComboBox([(each.name, translate_core_message(each.name)) for each in presets])
-        self._walls = {each.name: tr("{count} walls").format(count=each.walls) for each in presets}
+        walls = tr("How dense the print is, with {count} walls")
+        self._walls = {each.name: walls.format(count=each.walls) for each in presets}
         self.zones = ComboBox(
             [
                 ("table", tr("By material and body weight")),
@@ -72,6 +73,7 @@ class MachineFields(QObject):
                 ("file", tr("From a file")),
             ]
         )
+        self.zones.setToolTip(tr("What decides where the print is softer or firmer"))
         self.weight = NumberField("kg", least=WEIGHT.least, greatest=WEIGHT.greatest, step=1)
         usual = tr("That of the prescription; {usual:g} kg where it states none")
         self.weight.setToolTip(fill(usual, usual=USUAL_WEIGHT_KG))
@@ -79,6 +81,8 @@ class MachineFields(QObject):
         self.pressed = NumberField(
             "%", least=LEAST_PERCENT, greatest=MOST_PERCENT, step=1, decimals=0
         )
+        self.above.setToolTip(tr("Pressure from which on a place gets a density of its own"))
+        self.pressed.setToolTip(tr("How much of the print is filled at these places"))
         self.file = QPushButton()
         self.both_sides = QCheckBox(tr("Mill both sides"))
         self.both_sides.setToolTip(

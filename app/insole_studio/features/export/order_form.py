@@ -33,6 +33,7 @@ from insole_studio.features.export.rows import OrderedFoot
 from insole_studio.features.export.terms_fields import TermsFields
 from insole_studio.texts import localised, tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.fold import Fold
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
 
@@ -142,6 +143,8 @@ class OrderForm(QWidget):
         self.responsible.clicked.connect(self.responsible_requested)
         self.checks = QCheckBox(tr("Outcome of the checks (JSON)"))
         self.terms = TermsFields(self)
+        self.more = Fold(tr("Size of the file"))
+        self._tips()
         self._choice = OrderChoice()
         self._own_format = self._choice.suffix
         """What is chosen while it is for no printer."""
@@ -219,19 +222,22 @@ class OrderForm(QWidget):
         self.prescription.setToolTip(
             tr("It names the patient and never goes into an order; write it with single files")
             if choice.package
-            else ""
+            else tr("All that is prescribed, with the patient's name, for the clinic itself")
         )
         self.both.setVisible(has_pair)
         is_print = choice.printing is not None
         self.format.setEnabled(not is_print)
-        self.format.setToolTip(tr("A printer's program gets a 3MF") if is_print else "")
+        self.format.setToolTip(
+            tr("A printer's program gets a 3MF")
+            if is_print
+            else tr("STL is read everywhere; 3MF also holds unit, name and layers")
+        )
         self.layered.setVisible(
             choice.suffix == ".3mf" and choice.kind == "insole" and not is_print
         )
         self.machine.fit_rows(self._form)
         self._form.setRowVisible(self.text, choice.relief is not None)
-        for field in (self.triangles, self.deviation):
-            self._form.setRowVisible(field, choice.most_triangles is not None)
+        self._fit_more()
 
     def show_feet(self, feet: Sequence[OrderedFoot]) -> None:
         """Show the material of each foot that is made, and whose shell sets the walls."""
@@ -264,7 +270,11 @@ class OrderForm(QWidget):
         """Show the diameter of the cutter whose reach into hollows is checked."""
         self.cutter.show_value(diameter_mm)
         self.cutter.setEnabled(not is_of_router)
-        self.cutter.setToolTip(tr("That of the chosen router") if is_of_router else "")
+        self.cutter.setToolTip(
+            tr("That of the chosen router")
+            if is_of_router
+            else tr("Diameter of the cutter, which does not reach into narrower hollows")
+        )
 
     def choice(self) -> OrderChoice:
         """Return the order entered in the fields."""
@@ -290,11 +300,17 @@ class OrderForm(QWidget):
             printing=printing,
             milling=self.machine.milling(),
             job_sheet=self.job_sheet.isChecked(),
-            prescription=self.prescription.isChecked(),
+            prescription=self._wants_prescription,
             checks=self.checks.isChecked(),
             terms=self.terms.terms(),
             package=self.terms.chosen_package(),
         )
+
+    @property
+    def _wants_prescription(self) -> bool:
+        """What is ticked; beside an order, into which it never goes, what was ticked before."""
+        before = self._choice
+        return before.prescription if before.package else self.prescription.isChecked()
 
     def _boxes(self, choice: OrderChoice) -> list[tuple[QCheckBox, bool]]:
         return [
@@ -302,7 +318,7 @@ class OrderForm(QWidget):
             (self.layered, choice.layered),
             (self.limited, choice.most_triangles is not None),
             (self.job_sheet, choice.job_sheet),
-            (self.prescription, choice.prescription),
+            (self.prescription, choice.prescription and not choice.package),
             (self.checks, choice.checks),
         ]
 
@@ -327,8 +343,8 @@ class OrderForm(QWidget):
             (tr("Chamfer"), self.chamfer), (tr("Walls"), self.walls),
             *((tr("Material"), field) for field in self.materials.values()),
             *self.machine.rows,
-            (tr("Format"), self.format), ("", self.layered), ("", self.limited),
-            (tr("At most"), self.triangles), (tr("Deviation"), self.deviation),
+            (tr("Format"), self.format), ("", self.layered), ("", self.more), ("", self.limited),
+            (tr("Triangles"), self.triangles), (tr("May differ by"), self.deviation),
             (tr("Pseudonym"), self.pseudonym), (tr("On the bottom"), self.relief),
             (tr("Text"), self.text),
             *self.terms.rows,
@@ -351,6 +367,7 @@ class OrderForm(QWidget):
         for field in (self.draft, self.chamfer, self.triangles, self.deviation):
             field.edited.connect(self._pass_on)
         self.machine.edited.connect(self._pass_on)
+        self.more.opened.connect(self._fit_more)
         for box, _ in self._boxes(self._choice):
             box.toggled.connect(self._pass_on)
         for side, material in self.materials.items():
@@ -358,6 +375,37 @@ class OrderForm(QWidget):
         self.terms.edited.connect(self._pass_on)
         self.pseudonym.textEdited.connect(self._pass_on)
         self.text.textChanged.connect(self._pass_on)
+
+    def _tips(self) -> None:
+        """Say of each field in a sentence what it does."""
+        for field, tip in (
+            (self.kind, tr("What is made: the insole, its surface in a block, or the foot")),
+            (self.both, tr("The insoles of both feet in one order")),
+            (
+                self.block,
+                tr("The piece of material that it is cut from, which must be large enough"),
+            ),
+            (self.draft, tr("Slope of the side walls; > 0 is wider at the bottom")),
+            (self.chamfer, tr("Width of the bevel along the upper edge")),
+            (self.layered, tr("Each layer of the insole as an object of its own")),
+            (self.limited, tr("A smaller file: larger triangles where the surface is flat")),
+            (self.triangles, tr("How many triangles the file has at most")),
+            (self.deviation, tr("How far the surface may move where triangles are left out")),
+            (self.pseudonym, tr("By what the shop knows the patient, whose name stays here")),
+            (self.relief, tr("Whether a text is cut into the underside, or stands out of it")),
+            (self.text, tr("The text on the underside")),
+            (self.job_sheet, tr("A drawing with sections and all values, without the name")),
+            (self.checks, tr("What was checked and with which outcome, for other programs")),
+            *((field, tr("Of what the insole is made")) for field in self.materials.values()),
+        ):
+            field.setToolTip(tip)
+
+    def _fit_more(self) -> None:
+        """Show what decides the size of the file only where it is asked for."""
+        is_open = self.more.is_open
+        self._form.setRowVisible(self.limited, is_open)
+        for field in (self.triangles, self.deviation):
+            self._form.setRowVisible(field, is_open and self._choice.most_triangles is not None)
 
     def _choose_order(self, word: str) -> None:
         self.order_chosen.emit(word == _NEW)

@@ -42,6 +42,14 @@ class TermsFields(QObject):
         self.cover.setPlaceholderText(tr("What is glued on top"))
         self.deliver_on = DateField()
         self.remarks = NotesField()
+        for named, tip in (
+            (self.quantity, tr("How many are ordered")),
+            (self.colour, tr("Colour of the material")),
+            (self.cover, tr("What is glued on top")),
+            (self.deliver_on, tr("By which day the shop is to deliver")),
+            (self.remarks, tr("What else the shop is to know, without the patient's name")),
+        ):
+            named.setToolTip(tip)
         self._terms = OrderTerms()
         for field in (self.package, self.quantity):
             field.edited.connect(self.edited)

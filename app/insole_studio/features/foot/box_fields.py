@@ -61,5 +61,6 @@ class BoxFields(QWidget):
 def _field(name: str) -> NumberField:
     field = NumberField("mm", least=-_FARTHEST_MM, greatest=_FARTHEST_MM, step=5.0, decimals=0)
     field.setAccessibleName(name)
+    field.setToolTip(tr("What lies outside this box is no part of the foot"))
     field.set_room(_FIELD_PX)
     return field

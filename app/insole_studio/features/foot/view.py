@@ -34,6 +34,7 @@ from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.fold import Fold
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
@@ -80,6 +81,7 @@ class FootStageView(QWidget):
         self.maps = QComboBox()
         self.maps.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.maps.setAccessibleName(tr("Colours of the foot"))
+        self.maps.setToolTip(tr("What the colours of the foot show"))
         self.undo = _tool_button("undo", "Ctrl+Z")
         self.redo = _tool_button("redo", "Ctrl+Shift+Z")
         QShortcut(QKeySequence("Ctrl+Y"), self, self.redo.click)
@@ -92,6 +94,7 @@ class FootStageView(QWidget):
         self.go_on.setToolTip(tr("Work on this foot") + " (Ctrl+Enter)")
         self.feet = ComboBox([(side.value, text) for side, text in _foot_texts().items()])
         self.feet.setAccessibleName(tr("Foot that is shown"))
+        self.feet.setToolTip(tr("Which of both feet of the session is shown"))
         self._name = QLabel()
         self._name.setObjectName("heading")
         self._sentences = MessageLabel("warning")
@@ -331,17 +334,20 @@ class FootStageView(QWidget):
         volume.addWidget(_heading(tr("Volume of interest")))
         volume.addWidget(self.box)
         volume.addStretch(1)
-        right.addWidget(_heading(tr("A view is refused above")))
-        form = QFormLayout()
+        limits = QWidget()
+        right.addWidget(Fold(tr("A view is refused above"), (limits,)))
+        form = QFormLayout(limits)
+        form.setContentsMargins(0, 0, 0, 0)
         form.setVerticalSpacing(4)
-        names = (tr("Markers in space"), tr("Markers in the image"), tr("Uncertain at the foot"))
-        for text, field in zip(names, self.limits, strict=True):
+        for (text, tip), field in zip(_limit_texts(), self.limits, strict=True):
             label = QLabel(text)
+            label.setToolTip(tip)
+            field.setToolTip(tip)
             label.setMinimumWidth(label.sizeHint().width())  # never narrower than its text
             label.setBuddy(field)
             form.addRow(label, field)
         mark_labels(form)
-        right.addLayout(form)
+        right.addWidget(limits)
         right.addStretch(1)
         right.addWidget(self.make)
         right.addWidget(self.cancel)
@@ -369,6 +375,24 @@ def _limit_field(unit: str) -> NumberField:
     field = NumberField(unit, least=0.1, greatest=20.0, step=0.1)
     field.set_room(_LIMIT_PX)
     return field
+
+
+def _limit_texts() -> tuple[tuple[str, str], ...]:
+    """Return name and meaning of each limit."""
+    return (
+        (
+            tr("Markers in space"),
+            tr("How far the markers of a view may lie from where they are known to be"),
+        ),
+        (
+            tr("Markers in the image"),
+            tr("How far the markers may lie in the picture from where they should be seen"),
+        ),
+        (
+            tr("Uncertain at the foot"),
+            tr("How far the foot may be shifted by what is not known of the sensor's place"),
+        ),
+    )
 
 
 def _foot_texts() -> dict[Side, str]:

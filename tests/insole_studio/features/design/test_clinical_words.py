@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QWidget
 
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import (
@@ -35,6 +35,7 @@ from insole_studio.features.design.parameters.correction_fields import (
 from insole_studio.features.design.patient.measure_grid import MeasureGrid
 from insole_studio.features.design.patient.measure_texts import measures_of
 from insole_studio.features.design.rows import FieldSpec
+from insole_studio.widgets.fold import Fold
 from insole_studio.widgets.number_field import NumberField
 
 PAD = Pelott(centre_mm=(-3.0, 153.3), sigma_mm=(20.0, 30.0))
@@ -109,7 +110,12 @@ def test_the_zone_of_a_posting_is_typed_in_per_cent_under_expert(opened: Applica
     zone = field(opened, "posting.blend_end")
     group = zone.parentWidget()
     assert group is not None
-    assert group.findChild(QLabel, "heading").text() == "Expert"
+    whole = group.parentWidget()
+    assert isinstance(whole, QWidget)
+    fold = whole.findChild(Fold)
+    assert isinstance(fold, Fold)
+    assert fold.text() == "Expert"
+    QTest.mouseClick(fold, Qt.MouseButton.LeftButton)
     assert "forefoot angle" in zone.toolTip()
     opened.stage.parameters.ensureWidgetVisible(zone)
     QTest.mouseDClick(zone.lineEdit(), Qt.MouseButton.LeftButton)

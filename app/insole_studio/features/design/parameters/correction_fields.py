@@ -183,7 +183,7 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
         ),
         Editable(
             "method",
-            lambda: tr("Posting"),
+            lambda: tr("Kind"),
             lambda: tr("Extrinsic turns the whole insole, intrinsic leaves its rim as it is"),
         ),
         _share(
@@ -305,12 +305,12 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
         ),
         Editable(
             "max_height_mm",
-            lambda: tr("Flank height"),
+            lambda: tr("Side height"),
             lambda: tr("Height over the ground up to which the insole follows the foot"),
         ),
         Editable(
             "grid_mm",
-            lambda: tr("Surface grid"),
+            lambda: tr("Computed every"),
             lambda: tr("Distance of the points that the surface is computed at"),
             step=0.25,
             expert=True,

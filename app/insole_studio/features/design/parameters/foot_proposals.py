@@ -146,10 +146,19 @@ class FootProposals:
         except InputError as error:
             return FieldGroup(title, note=translate_core_message(str(error)))
         fields = (
-            _field("pose.roll_deg", tr("Medial edge up"), angles.roll_deg),
-            _field("pose.pitch_deg", tr("Toe end up"), angles.pitch_deg),
-            _field("pose.yaw_deg", tr("Toes medially"), angles.yaw_deg),
-        )
+            _field(
+                "pose.roll_deg", tr("Medial edge up"), angles.roll_deg,
+                tr("How far the foot is rolled onto its lateral edge"),
+            ),
+            _field(
+                "pose.pitch_deg", tr("Toe end up"), angles.pitch_deg,
+                tr("How far the ball lies higher than the heel"),
+            ),
+            _field(
+                "pose.yaw_deg", tr("Toes medially"), angles.yaw_deg,
+                tr("How far the foot is turned on the ground, the toes to the medial side"),
+            ),
+        )  # fmt: skip
         tip = tr("Level the sole and lay the foot axis along the insole by the landmarks")
         return FieldGroup(title, fields, (Proposal("align.", tr("Align"), tip),))
 
@@ -201,8 +210,9 @@ def _quarter_group() -> FieldGroup:
     )
 
 
-def _field(key: str, label: str, value: float) -> FieldSpec:
-    return FieldSpec(key, label, "°", round(value, 1) + 0.0, _ANGLE.least, _ANGLE.greatest, 0.5)
+def _field(key: str, label: str, value: float, tip: str) -> FieldSpec:
+    shown = round(value, 1) + 0.0
+    return FieldSpec(key, label, "°", shown, _ANGLE.least, _ANGLE.greatest, 0.5, tip=tip)
 
 
 _ACTS: dict[str, Callable[[FootProposals, str], None]] = {

@@ -420,8 +420,9 @@ def _make_groups(
         (tr("Expert: shell"), design.shell, "shell"),
     ):
         if part is not None:
-            expert.append(FieldGroup(title, field_specs(part, prefix, side, expert=True)))
-    expert.append(FieldGroup(tr("Expert"), own))
+            fields = field_specs(part, prefix, side, expert=True)
+            expert.append(FieldGroup(title, fields, folds=True))
+    expert.append(FieldGroup(tr("Expert"), own, folds=True))
     return [outline, *made, *expert] if outline_first else [*made, outline, *expert]
 
 

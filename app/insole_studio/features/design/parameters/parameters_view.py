@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TypeAlias
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -23,6 +24,7 @@ from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.flow import FlowLayout
+from insole_studio.widgets.fold import Fold
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.slider_field import SliderField
 
@@ -60,6 +62,8 @@ class ParametersView(QScrollArea):
         self._groups: Sequence[FieldGroup] = ()
         self._laid_out: list[_LaidOutGroup] = []
         self._fields: dict[str, ValueField] = {}
+        self._open: set[str] = set()
+        """Titles of the groups for experts that were opened."""
         self._rows = ROWS
         self._restyled = QTimer(self)
         self._restyled.setSingleShot(True)
@@ -141,8 +145,16 @@ class ParametersView(QScrollArea):
         column = QVBoxLayout(widget)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        column.addLayout(_heading(group))
         grid = QGridLayout()
+        grid.setContentsMargins(0, 0, 0, 0)
+        if group.folds:
+            cells = QWidget(widget)
+            cells.setLayout(grid)
+            column.addLayout(self._fold(group, cells))
+            column.addWidget(cells)
+        else:
+            column.addLayout(_heading(group))
+            column.addLayout(grid)
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(4)
         for row in range(self._rows):
@@ -153,9 +165,24 @@ class ParametersView(QScrollArea):
             for number, spec in enumerate(group.fields)
         }
         grid.setColumnStretch(grid.columnCount(), 1)
-        column.addLayout(grid)
         column.addStretch(1)
         return _LaidOutGroup(group.shape, widget, fields)
+
+    def _fold(self, group: FieldGroup, content: QWidget) -> QHBoxLayout:
+        """Return the heading of a group for experts, which stays open once it was opened."""
+        fold = Fold(group.title, (content,))
+        fold.setChecked(group.title in self._open)
+        fold.opened.connect(partial(self._note_fold, group.title))
+        row = QHBoxLayout()
+        row.addWidget(fold)
+        row.addStretch(1)
+        return row
+
+    def _note_fold(self, title: str, is_open: bool) -> None:
+        if is_open:
+            self._open.add(title)
+        else:
+            self._open.discard(title)
 
     @property
     def _rows_now(self) -> int:
