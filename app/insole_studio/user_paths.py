@@ -68,6 +68,11 @@ class UserPaths:
         return self.data_folder / "papers"
 
     @property
+    def erasures_folder(self) -> Path:
+        """The folder of notes on what erased patients have left on this computer."""
+        return self.data_folder / "erasures"
+
+    @property
     def crashes_folder(self) -> Path:
         """The folder of reports of errors in the program itself."""
         return self.data_folder / "crashes"

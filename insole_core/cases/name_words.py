@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Set
+from typing import Final
+
+WORD: Final = re.compile(r"[^\W\d_]+")
+"""Letters alone."""
 
 
 def identifying_words(name: str) -> Set[str]:
@@ -20,8 +24,8 @@ def identifying_words(name: str) -> Set[str]:
 
 
 def words_in(text: str) -> list[str]:
-    """Return the words of a text, folded: letters alone."""
-    return re.findall(r"[^\W\d_]+", text.casefold())
+    """Return the words of a text, folded."""
+    return WORD.findall(text.casefold())
 
 
 def holds_any(text: str, words: Set[str]) -> bool:

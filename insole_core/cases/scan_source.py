@@ -36,6 +36,13 @@ class ScanSource:
     choice: ImportChoice = NOTHING_SAID
     mirrored: bool = False
 
+    def with_needed_place(self) -> ScanSource:
+        """Return the source as the record keeps it, which holds the scan itself as a capture.
+
+        Only a session keeps its place: there the window corrects its markers.
+        """
+        return self if self.kind == "session" else self.without_place()
+
     def without_place(self) -> ScanSource:
         """Return the source without where its file lay: folders and files are named after patients.
 

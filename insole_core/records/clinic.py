@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, Final
 
 from sqlalchemy import Connection, select
 
@@ -11,6 +11,9 @@ from insole_core.records.context import RecordsContext
 from insole_core.records.rights import Right
 from insole_core.records.schema import clinic
 from insole_core.records.upsert import upsert
+
+ERASING: Final = "erasing "
+"""How the key of a setting begins that says who was erased while their text is still in files."""
 
 
 class ClinicSettings:

@@ -1,4 +1,4 @@
-"""Text that was deleted in a database and is still in its files."""
+"""What the files of a database still hold of somebody who was erased from its tables."""
 
 from __future__ import annotations
 
@@ -6,22 +6,54 @@ import logging
 import sqlite3
 from contextlib import closing
 
-from sqlalchemy import Engine, text
+from sqlalchemy import Connection, Engine, delete, select, text
 from sqlalchemy.exc import DBAPIError
 
+from insole_core.records.clinic import ERASING, write_setting
 from insole_core.records.database import Database
 from insole_core.records.rows_of_person import tables_of_persons
-from insole_core.records.schema import persons
+from insole_core.records.schema import clinic, persons
+from insole_core.records.upgrade_copy import forget_copies
 
 log = logging.getLogger(__name__)
 
 
-def forget_deleted(database: Database) -> None:
+def note_erasing(connection: Connection, person_id: str) -> None:
+    """Note, in the transaction that erases a person, that the files are still to follow."""
+    write_setting(connection, f"{ERASING}{person_id}", True)
+
+
+def finish_erasing(database: Database) -> None:
+    """Let the files follow of all who are noted, also after a crash; nobody may be noted.
+
+    Raises
+    ------
+    RecordsError, OutputError
+        When that is impossible now; the notes stay.
+    """
+    with database.reading() as connection:
+        query = select(clinic.c.key).where(clinic.c.key.startswith(ERASING))
+        noted = connection.execute(query).scalars().all()
+    if not noted:
+        return
+    forget_copies(database)
+    if not _forget_deleted(database):
+        return
+    with database.writing() as connection:
+        connection.execute(delete(clinic).where(clinic.c.key.in_(noted)))
+
+
+def _forget_deleted(database: Database) -> bool:
     """Write the database anew without what was deleted, as far as it lets this program do that.
 
     A local file is written anew as a whole, with its journal: what somebody has changed long ago
     is still in free pages. A server writes the tables of persons anew; its journal is its own. What
     another program keeps from that is told in the log, and the erasure holds all the same.
+
+    Returns
+    -------
+    bool
+        False where another program has kept it from that; the next opening tries again.
     """
     try:
         if database.is_sqlite:
@@ -30,6 +62,8 @@ def forget_deleted(database: Database) -> None:
             _rewrite_tables(database.engine)
     except (DBAPIError, sqlite3.Error) as error:
         log.warning("deleted text may still be in files of the database: %s", error)
+        return False
+    return True
 
 
 def _rewrite_file(engine: Engine) -> None:

@@ -137,9 +137,7 @@ class Eraser:
     def traces(self) -> Traces:
         """Return by what leftovers of the person are known outside the record."""
         rows = self.sealed_rows()
-        return Traces(
-            self._names, self._words, frozenset(rows["visit"]), frozenset(rows["capture"])
-        )
+        return Traces.of(self._names, rows["visit"], rows["capture"])
 
     def sealed_rows(self) -> dict[str, list[str]]:
         """Return the ids of all rows of which the audit log keeps digests."""

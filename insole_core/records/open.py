@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Final
 
 from sqlalchemy import Connection, Table, func, or_, select
 
-from insole_core.errors import RecordsError
+from insole_core.errors import InsoleError, RecordsError
 from insole_core.export.atomic import make_output_folder
 from insole_core.export.file_mode import PRIVATE_FILE
 from insole_core.export.temporary import remove
@@ -20,6 +21,7 @@ from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.content_store import IDENTITY_FILE, IDENTITY_VALUE, ContentStore
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase
+from insole_core.records.deleted_text import finish_erasing
 from insole_core.records.migrate import SCHEMA, check_schema, migrate, schema_of
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
@@ -32,6 +34,8 @@ from insole_core.records.schema import (
     visits,
 )
 from insole_core.records.upgrade_copy import keep_copy
+
+log = logging.getLogger(__name__)
 
 _NEEDED: Final = (persons, visits, prescription_versions, clinic)
 """Without these there is nothing to read."""
@@ -73,10 +77,20 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
             database = Database(place, problem=error.message)
             _check_tables(database, _NEEDED)
         database.schema = SCHEMA
+        if not database.is_read_only:
+            _finish_erasing(database)
         return Records(database, _content_store(database), who)
     except BaseException:
         database.close()
         raise
+
+
+def _finish_erasing(database: Database) -> None:
+    """Go on where a program was stopped after it had erased somebody; the record opens anyway."""
+    try:
+        finish_erasing(database)
+    except InsoleError as error:
+        log.warning("an erasure is not finished: %s", error)
 
 
 def _migrate(database: Database) -> None:

@@ -7,7 +7,7 @@ it, an order, a signature, or a version after it. A closed version never changes
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from threading import Lock
 from typing import Any, Final
 from uuid import UUID, uuid5
@@ -282,7 +282,8 @@ class Prescriptions:
         return list({row.side: row for row in rows}.values())
 
     def _content(self, foot: FootRecord) -> _Content:
-        document = json.dumps(foot_to_json(foot), ensure_ascii=False)
+        kept = replace(foot, source=foot.source.with_needed_place())
+        document = json.dumps(foot_to_json(kept), ensure_ascii=False)
         sha256, size = self._meshes.put(foot.foot.mesh)
         return _Content(document, sha256, size, foot.side, foot.source.sha256)
 

@@ -9,8 +9,8 @@ everything goes but the pseudonym's row, so that the audit log still tells that 
 
 from __future__ import annotations
 
-from collections.abc import Collection
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
 from datetime import UTC, date, datetime
 from enum import StrEnum
 from typing import Any, Final
@@ -35,7 +35,7 @@ from insole_core.records.checked_values import highest
 from insole_core.records.clinic import setting_of
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
-from insole_core.records.deleted_text import forget_deleted
+from insole_core.records.deleted_text import finish_erasing, note_erasing
 from insole_core.records.erasure import Eraser, is_unused
 from insole_core.records.person import new_pseudonym
 from insole_core.records.person_rows import ids_of_joined
@@ -53,7 +53,6 @@ from insole_core.records.schema import (
 )
 from insole_core.records.signing import ERASED, PRESCRIPTION
 from insole_core.records.traces import Traces
-from insole_core.records.upgrade_copy import forget_copies
 
 YEARS_VALUE: Final = "retention_years"
 """Key of the clinic's settings."""
@@ -80,8 +79,6 @@ class Erasure:
         Until when the law keeps the devices, now under the pseudonym; None when nothing is left.
     visits, prescriptions, captures, orders
         Numbers of rows that were removed.
-    traces
-        By what leftovers on this computer are known, to be removed next.
     """
 
     person_id: str
@@ -90,7 +87,6 @@ class Erasure:
     prescriptions: int = 0
     captures: int = 0
     orders: int = 0
-    traces: Traces = field(default_factory=Traces, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -225,14 +221,40 @@ def over_retention(context: RecordsContext, today: date, limit: int = 100) -> li
         return found
 
 
+def are_erased(context: RecordsContext, person_ids: Sequence[str]) -> dict[str, bool]:
+    """Return of those whom the record knows whether they are erased.
+
+    Raises
+    ------
+    NotAllowed
+        When nobody has signed in.
+    """
+    with context.database.reading() as connection:
+        require_signed_in(connection, context.author)
+        query = select(persons.c.id, persons.c.is_erased).where(persons.c.id.in_(person_ids))
+        return {row.id: row.is_erased for row in connection.execute(query)}
+
+
 def erase_person(
-    context: RecordsContext, person_id: str, reason: ErasureReason, today: date
+    context: RecordsContext,
+    person_id: str,
+    reason: ErasureReason,
+    today: date,
+    *,
+    note: Callable[[Traces], object] | None = None,
 ) -> Erasure:
     """Erase a person, on request or after the time of keeping.
 
     The audit log keeps that it was done, when and by whom. Large files that nothing refers to any
     more leave the disk with the next sweeps. Backups of before hold the person until they are
     removed; restoring one of them erases the person again. Copies from before an upgrade go.
+    Where the program is stopped once the person is erased, the next opening goes on.
+
+    Parameters
+    ----------
+    note
+        Called before anything is erased, with by what leftovers on this computer are known: these
+        are to be removed next.
 
     Raises
     ------
@@ -244,15 +266,17 @@ def erase_person(
         require(connection, context.author, Right.ERASE)
         eraser = Eraser(connection, context.contents, person_id)
         bare, files, traces = eraser.prepared(), eraser.files(), eraser.traces()
+    if note is not None:
+        note(traces)
     with context.database.writing() as connection:
         require(connection, context.author, Right.ERASE)
         erasure = erase_in(connection, context, person_id, reason, today, bare=bare)
+        note_erasing(connection, person_id)
     with context.database.reading() as connection:
         files.difference_update(connection.execute(select(contents.c.sha256)).scalars())
     context.contents.discard(files)
-    forget_deleted(context.database)
-    forget_copies(context.database)
-    return replace(erasure, traces=traces)
+    finish_erasing(context.database)
+    return erasure
 
 
 def erase_in(

@@ -12,14 +12,16 @@ from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import SEALED_ROWS, AuditLog
 from insole_core.records.author import Author
+from insole_core.records.clinic import ERASING
 from insole_core.records.content_store import IDENTITY_VALUE
 from insole_core.records.rights import ACCOUNTS_ON, accounts_are_on
 from insole_core.records.row_seals import ROW, SEALED, all_digests
 from insole_core.records.schema import audit
 
 SWITCHED_ON, SWITCHED_OFF = "switched on", "switched off"
-_PROVEN_OTHERWISE = (ACCOUNTS_ON, IDENTITY_VALUE)
-"""Settings without a digest: the log tells the one, the folder of the files the other."""
+_PROVEN_OTHERWISE = (ACCOUNTS_ON, IDENTITY_VALUE, ERASING)
+"""How the keys of settings without a digest begin: the log tells of the first and the last, the
+folder of the files of the other."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,7 @@ def verify_rows(connection: Connection, progress: Progress = SILENT) -> RowRepor
         for id_, digest in all_digests(connection, table):
             checked += 1
             logged = known[kind].pop(id_, None)
-            if logged is None and id_ not in _PROVEN_OTHERWISE:
+            if logged is None and not id_.startswith(_PROVEN_OTHERWISE):
                 unlogged.setdefault(kind, []).append(id_)
             elif logged not in (None, digest):
                 changed.setdefault(kind, []).append(id_)

@@ -39,6 +39,7 @@ from insole_studio.app.window_feature import WindowFeature
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.document.erased_leftovers import ErasedLeftovers
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import RecordKeeper
@@ -162,6 +163,7 @@ def build_application(
     )
     clinic = ClinicRecord(location, Jobs(window), window, had_accounts=settings.record_had_accounts)
     autosave = Autosave(case, Jobs(window), paths.autosave_folder)
+    recent = RecentFiles(settings, window)
     services = AppServices(
         case=case,
         clinic=clinic,
@@ -170,9 +172,10 @@ def build_application(
         window=window,
         messages=UserMessages(window, LastFolders(settings)),
         notices=Notices(stage.notices, window),
-        recent=RecentFiles(settings, window),
+        recent=recent,
         settings=settings,
         paths=paths,
+        leftovers=ErasedLeftovers(paths, settings, recent.changed.emit),
     )
     # The end of the session, of which systems without signals tell in this way.
     application.commitDataRequest.connect(autosave.keep_now, Qt.ConnectionType.DirectConnection)
@@ -194,7 +197,7 @@ def build_application(
         )
     hand_over = HandOver(clinic, paths.autosave_folder, window)
     controller.connect_hand_over(hand_over)
-    maintenance = RecordMaintenance(clinic, window)
+    maintenance = RecordMaintenance(clinic, services.leftovers, window)
     events = ApplicationEvents(application)  # last: making a window sends thousands of events
     events.help_requested.connect(main.help.show_manual_about)
     events.gesture_began.connect(case.end_merging)

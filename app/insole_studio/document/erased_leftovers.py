@@ -1,26 +1,141 @@
-"""What this computer still holds of somebody whom the record has erased."""
+"""What this computer still holds of somebody whom the record has erased.
+
+Before anybody is erased, a note says by what their leftovers are known. It stays until these are
+gone: whoever starts next goes on where a program was stopped in between.
+"""
 
 from __future__ import annotations
 
+import json
 import logging
-import shutil
+import time
+import uuid
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from datetime import date
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from insole_studio.document.journal import Recovered, find_recovered
-from insole_studio.settings import Settings, folder_names, save_settings
+from insole_core.errors import InputError
+from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.export.temporary import is_temporary
+from insole_core.export.write_errors import output_errors
+from insole_core.forgiving_json import rename_unreadable
+from insole_core.json_object import JsonObject
+from insole_studio.document.journal import Recovered, find_recovered, remove_files
+from insole_studio.settings import Settings, folder_names
 from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
+    from insole_core.records.records import Records
+    from insole_core.records.retention import Erasure, ErasureReason
     from insole_core.records.traces import Traces
 
 log = logging.getLogger(__name__)
 
+_UNUSED_S = 86_400.0
+"""Age from which a note of somebody who is not erased is of an erasure that was refused."""
 
-def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings) -> None:
-    """Remove unsaved work, copies of captures and papers, and names of the person's files.
+
+@dataclass(frozen=True)
+class _Note:
+    path: Path
+    person_id: str
+    traces: Traces
+
+
+class ErasedLeftovers:
+    """Erases persons, and removes what this computer holds of them, also after a crash.
+
+    Parameters
+    ----------
+    settings
+        Of the window; None for a command.
+    forgotten
+        Called when names of files were taken out of the settings.
+    """
+
+    def __init__(
+        self,
+        paths: UserPaths,
+        settings: Settings | None = None,
+        forgotten: Callable[[], object] = bool,
+    ) -> None:
+        self._paths = paths
+        self._settings = settings
+        self._forgotten = forgotten
+
+    @property
+    def are_noted(self) -> bool:
+        """Whether there may be something to remove."""
+        return next(self._paths.erasures_folder.glob("*.json"), None) is not None
+
+    def erase(
+        self, records: Records, person_id: str, reason: ErasureReason, today: date
+    ) -> Erasure:
+        """Erase a person from the record, as `erase_person`, with a note of what is to follow.
+
+        Raises
+        ------
+        NotAllowed, RecordsError, OutputError
+        """
+        from insole_core.records.retention import erase_person
+
+        def note(traces: Traces) -> None:
+            folder = self._paths.erasures_folder
+            make_output_folder(folder)
+            with replacing_file(folder / f"{uuid.uuid4().hex}.json") as beside:
+                content = {"person": person_id, **traces.to_json()}
+                beside.write_text(json.dumps(content), encoding="utf-8")
+
+        return erase_person(records.context, person_id, reason, today, note=note)
+
+    def erased(self, records: Records) -> dict[str, bool]:
+        """Return of those who are noted, and whom the record knows, whether they are erased.
+
+        Raises
+        ------
+        RecordsError
+        """
+        from insole_core.records.retention import are_erased
+
+        noted = [note.person_id for note in self._notes()]
+        return are_erased(records.context, noted) if noted else {}
+
+    def forget(self, erased: dict[str, bool]) -> None:
+        """Remove what is left of them, and then the notes; those of other records stay.
+
+        Raises
+        ------
+        OutputError
+            When the settings cannot be written; the notes stay.
+        """
+        for note in self._notes():
+            if erased.get(note.person_id):
+                forget_leftovers(note.traces, self._paths, self._settings)
+                remove_files(note.path)
+                self._forgotten()
+            elif note.person_id in erased and _is_old(note.path):
+                remove_files(note.path)
+
+    def _notes(self) -> Iterator[_Note]:
+        for path in sorted(self._paths.erasures_folder.glob("*.json")):
+            try:
+                yield _read(path)
+            except InputError as error:
+                log.warning("a note of an erasure cannot be read: %s", error)
+                rename_unreadable(path)
+
+
+def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings | None = None) -> None:
+    """Remove unsaved work, copies of captures, and names of files and folders of the person.
 
     What another window is writing is its own: it is dropped when that hands it over to the record.
+
+    Parameters
+    ----------
+    settings
+        Of this window, which writes them again; None for a command.
 
     Raises
     ------
@@ -34,13 +149,56 @@ def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings) -> No
             journal.release()
     for copy in paths.fetched_folder.glob("*-????????.*"):
         if any(capture.startswith(copy.stem[-8:]) for capture in traces.capture_ids):
-            _remove(copy)
-    shutil.rmtree(paths.papers_folder, ignore_errors=True)
-    settings.recent = [name for name in settings.recent if not traces.are_in(name)]
-    for name in folder_names():
-        if traces.are_in(getattr(settings, name)):
-            setattr(settings, name, "")
-    save_settings(settings, paths.settings_file)
+            remove_files(copy)
+    if settings is not None:
+        for name, value in _nameless(vars(settings), traces).items():
+            setattr(settings, name, value)
+    stored = paths.settings_file
+    for path in sorted(stored.parent.glob(f"{stored.name}*")):  # also what was set aside as damaged
+        if path.is_file() and not is_temporary(path.name):
+            _forget_in(path, traces)
+
+
+def _forget_in(path: Path, traces: Traces) -> None:
+    """Take the name out of a file of settings; all else in it stays, also what is wrong with it."""
+    with output_errors(path):
+        text = path.read_text("utf-8", "surrogateescape")
+    try:
+        stored = json.loads(text)
+    except (ValueError, RecursionError):  # damaged: it may hold the name anywhere
+        written = traces.without(text)
+    else:
+        values = stored if isinstance(stored, dict) else {}
+        nameless = _nameless(values, traces)
+        written = json.dumps({**values, **nameless}, indent=1) if nameless else text
+    if written != text:
+        with replacing_file(path.resolve()) as beside:
+            beside.write_text(written, "utf-8", "surrogateescape")
+
+
+def _nameless(settings: Mapping[str, Any], traces: Traces) -> dict[str, Any]:
+    """Return those settings anew that hold the name: recent files, and folders of dialogs."""
+    nameless: dict[str, Any] = {
+        name: ""
+        for name in folder_names()
+        if isinstance(settings.get(name), str) and traces.are_in(settings[name])
+    }
+    recent = settings.get("recent")
+    if isinstance(recent, list):
+        kept = [name for name in recent if not traces.are_in(str(name))]
+        nameless |= {"recent": kept} if kept != recent else {}
+    return nameless
+
+
+def _read(path: Path) -> _Note:
+    from insole_core.records.traces import Traces
+
+    stored = JsonObject.read(path)
+    return _Note(path, stored.text("person"), Traces.from_json(stored))
+
+
+def _is_old(path: Path) -> bool:
+    return time.time() - path.stat().st_mtime > _UNUSED_S
 
 
 def _is_about(journal: Recovered, traces: Traces) -> bool:
@@ -48,10 +206,3 @@ def _is_about(journal: Recovered, traces: Traces) -> bool:
     if visit is not None:
         return visit.visit_id in traces.visit_ids
     return traces.are_of(journal.record.patient)
-
-
-def _remove(path: Path) -> None:
-    try:
-        path.unlink(missing_ok=True)
-    except OSError as error:
-        log.warning("%s cannot be removed: %s", path, error)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMainWindow
 from insole_core.errors import OutputError
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.document.erased_leftovers import ErasedLeftovers
 from insole_studio.document.record_keeper import RecordKeeper
 from insole_studio.jobs import Jobs, Result, Task
 from insole_studio.services.color_scheme import is_dark
@@ -37,6 +38,7 @@ class AppServices:
     recent: RecentFiles
     settings: Settings
     paths: UserPaths
+    leftovers: ErasedLeftovers
 
     @property
     def dark(self) -> bool:

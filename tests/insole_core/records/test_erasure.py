@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import zipfile
+from contextlib import closing
 from dataclasses import fields, replace
 from datetime import date
 from pathlib import Path
@@ -30,17 +31,21 @@ from insole_core.recording.session import (
     View,
 )
 from insole_core.recording.writer import write_session
-from insole_core.records import schema
+from insole_core.records import retention, schema
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH, SESSION
+from insole_core.records.database import Database
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import Erased, Merged, mark_of
+from insole_core.records.open import open_records
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.signing import SignatureReport, verify_signatures
 from insole_core.records.statement import statement_of
+from insole_core.records.upgrade_copy import copies_of, keep_copy
+from insole_core.records.verify import verify_record
 from insole_core.records.visit import Visit
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.sensing.disparity import LinearInverseDisparity
@@ -269,3 +274,25 @@ def test_a_merge_drops_nothing_that_a_person_has(records: Records) -> None:
             value = getattr(full, column.name)
             assert value, f"fill {column.name} here, too"
             assert getattr(joined, column.name) == value
+
+
+def test_an_erasure_that_was_stopped_is_finished_by_the_next_opening(
+    records: Records, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person = records.persons.add(Person(NAME))
+    with records.context.database.writing() as connection:
+        keep_copy(records.context.database, connection, "0005")
+
+    def stop(_database: Database) -> None:
+        raise SystemExit
+
+    monkeypatch.setattr(retention, "finish_erasing", stop)
+    with pytest.raises(SystemExit):
+        erase_person(records.context, person.id, ErasureReason.REQUEST, TODAY)
+    assert records.persons.get(person.id).is_erased
+    assert verify_record(records.context).is_sound
+    for _ in range(2):  # the second one finds nothing to do
+        with closing(open_records(records.place, records.who)) as again:
+            assert copies_of(again.context.database) == []
+            assert verify_record(again.context).is_sound
+    assert left_of(records) == []

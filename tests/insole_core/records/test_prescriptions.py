@@ -20,6 +20,7 @@ from insole_core.cases.case_record import (
     ReferencePlane,
     Variant,
 )
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import HeelLift, InsoleDesign
@@ -53,7 +54,10 @@ def test_a_visit_opens_as_the_case_that_was_saved(
     records: Records, visit: Visit, foot_record: FootRecord, right_record: FootRecord
 ) -> None:
     marks = Annotations((KeyPoint("heel", (1, 2, 3)),), ReferencePlane((0, 0, 5), 3, -2))
-    left = replace(foot_record, annotations=marks)
+    left, right_record = (
+        replace(foot, source=foot.source.without_place()) for foot in (foot_record, right_record)
+    )
+    left = replace(left, annotations=marks)
     left = left.with_variant(Variant("B", InsoleDesign(side=Side.LEFT, thickness_mm=4.5)))
     for foot in (right_record, left):
         records.prescriptions.save(visit.id, foot, None)
@@ -70,6 +74,23 @@ def test_a_visit_opens_as_the_case_that_was_saved(
         assert np.array_equal(read.foot.mesh.triangles, foot.foot.mesh.triangles)
     assert opened.bases.keys() == {Side.LEFT, Side.RIGHT}
     assert opened.visit == visit
+
+
+@pytest.mark.parametrize(
+    ("kind", "path", "kept"),
+    [
+        ("mesh", "/scans/Anna Berg 1970 left.stl", "mesh"),
+        ("session", "/captures/2026-11-20", "/captures/2026-11-20"),  # its markers are corrected
+    ],
+)
+def test_where_a_scan_lay_is_kept_only_as_long_as_it_is_needed(
+    records: Records, visit: Visit, foot_record: FootRecord, kind: str, path: str, kept: str
+) -> None:
+    foot = replace(foot_record, source=ScanSource(kind, path, "0" * 64))
+    base = records.prescriptions.save(visit.id, foot, None)
+    (read,) = records.visits.open_case(visit.id).record.feet
+    assert (read.source.path, read.source.sha256) == (kept, "0" * 64)
+    assert records.prescriptions.save(visit.id, read, base) == base  # nothing has changed
 
 
 def test_opening_a_visit_is_in_the_log(records: Records, visit: Visit) -> None:

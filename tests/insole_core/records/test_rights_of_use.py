@@ -116,6 +116,7 @@ UNCHECKED = {
     "records/backup/restore.py _check_empty",
     "records/upgrade_copy.py copies_of",
     "records/upgrade_copy.py forget_copies",
+    "records/deleted_text.py finish_erasing",
 }
 """Functions that open a transaction of the database without a check of their own, and why."""
 

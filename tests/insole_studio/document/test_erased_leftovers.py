@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -11,12 +12,12 @@ from insole_core.records.traces import Traces
 from insole_studio.document.erased_leftovers import forget_leftovers
 from insole_studio.document.journal import Origin, find_recovered, new_journal, write_journal
 from insole_studio.document.unkept_visit import UnkeptVisit
-from insole_studio.settings import Settings, folder_names, load_settings
+from insole_studio.settings import Settings, folder_names, load_settings, save_settings
 from insole_studio.user_paths import UserPaths
 
 NAME = "Zaphodina Uniqname"
 CAPTURE = "0a1b2c3d-0000-4000-8000-000000000000"
-TRACES = Traces((NAME,), {"uniqname"}, {"visit-1"}, {CAPTURE})
+TRACES = Traces.of((NAME,), {"visit-1"}, {CAPTURE})
 
 
 @pytest.fixture
@@ -51,6 +52,7 @@ def test_the_leftovers_of_one_person_go_and_those_of_others_stay(paths: UserPath
     for name in folder_names():
         setattr(settings, name, f"/home/{NAME}/{name}")
     settings.scans_folder = "/home/Eva"
+    save_settings(settings, paths.settings_file)
     forget_leftovers(TRACES, paths, settings)
     left = find_recovered(paths.autosave_folder)
     assert [journal.record.patient.name for journal in left] == ["Eva Berg", "Eva Berg"]
@@ -59,3 +61,17 @@ def test_the_leftovers_of_one_person_go_and_those_of_others_stay(paths: UserPath
     assert NAME.encode() not in bytes_of(paths.autosave_folder)
     stored = load_settings(paths.settings_file)
     assert (stored.recent, stored.scans_folder) == (["/home/eva.insole"], "/home/Eva")
+
+
+def test_settings_that_are_damaged_lose_the_name_and_nothing_else(paths: UserPaths) -> None:
+    """Also those of a clinician with the same name, and what was set aside as damaged."""
+    damaged = f'{{"author": "Dr Ek", "recent": ["/home/{NAME} 1.insole", "/home/eva.insole"'
+    broken = paths.settings_file.with_name("settings.json.broken-1")
+    for path in (paths.settings_file, broken):
+        path.write_text(damaged)
+        forget_leftovers(TRACES, paths)
+        assert path.read_text() == damaged.replace("Uniqname", "–")
+    wrong = {"theme": 7, "author": NAME, "recent": [f"/{NAME}.insole", 3], "later": [NAME]}
+    paths.settings_file.write_text(json.dumps(wrong))
+    forget_leftovers(TRACES, paths)
+    assert json.loads(paths.settings_file.read_text()) == {**wrong, "recent": [3]}

@@ -31,13 +31,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Say what erasing means, and erase."""
-    from insole_core.records.retention import ErasureReason, erase_person, find_erasable
+    from insole_core.records.retention import ErasureReason, find_erasable
     from insole_core.records.rights import Right
-    from insole_studio.document.erased_leftovers import forget_leftovers
-    from insole_studio.settings import peek_settings
+    from insole_studio.document.erased_leftovers import ErasedLeftovers
     from insole_studio.user_paths import UserPaths
 
-    today = date.today()
+    today, leftovers = date.today(), ErasedLeftovers(UserPaths.of_user())
     with opened(arguments, Right.ERASE) as records:
         found = find_erasable(records.context, arguments.pseudonym)
         print(f"{found.pseudonym}: {found.visits} visits, {found.orders} orders")
@@ -52,7 +51,6 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             raise UsageError("Nothing was erased; give --yes, and it cannot be taken back.")
         is_over = arguments.reason == "retention"
         reason = ErasureReason.RETENTION_OVER if is_over else ErasureReason.REQUEST
-        erasure = erase_person(records.context, found.person_id, reason, today)
-    paths = UserPaths.of_user()
-    forget_leftovers(erasure.traces, paths, peek_settings(paths.settings_file))
+        leftovers.erase(records, found.person_id, reason, today)
+        leftovers.forget(leftovers.erased(records))
     progress.step(1.0, "Done: {pseudonym} is erased", pseudonym=found.pseudonym)

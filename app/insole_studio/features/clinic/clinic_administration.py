@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
-from insole_studio.document.erased_leftovers import forget_leftovers
 from insole_studio.document.record_location import RecordLocation
 from insole_studio.features.clinic.backups import Backups
 from insole_studio.features.clinic.session_lock import SessionLock
@@ -20,7 +19,6 @@ if TYPE_CHECKING:
     from insole_core.messages import Message
     from insole_core.records.backup.restore import RestoreReport
     from insole_core.records.records import Records
-    from insole_core.records.traces import Traces
 
 UPGRADED = "record-upgraded"
 Then = Callable[[], None]
@@ -129,12 +127,7 @@ class ClinicAdministration(QObject):
         kept = self._services.case.kept
         shown = pseudonym or ("" if kept is None else kept.person.pseudonym)
         services = self._services
-
-        def forget(traces: Traces) -> None:
-            forget_leftovers(traces, services.paths, services.settings)
-            services.recent.changed.emit()
-
-        EraseDialog(self._clinic, shown, forget, services.window).open()
+        EraseDialog(self._clinic, shown, services.leftovers, services.window).open()
 
     def open_audit(self) -> None:
         """Show the audit log."""

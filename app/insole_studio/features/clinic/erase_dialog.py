@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
@@ -11,6 +10,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton, 
 
 from insole_core.records.retention import LEAST_YEARS, YEARS_VALUE, ErasureReason
 from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.document.erased_leftovers import ErasedLeftovers
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import fill, tr
 from insole_studio.widgets.combo_box import ComboBox
@@ -21,7 +21,6 @@ from insole_studio.widgets.row_table import RowTable, TableRow
 if TYPE_CHECKING:
     from insole_core.records.records import Records
     from insole_core.records.retention import Erasable, Erasure
-    from insole_core.records.traces import Traces
 
 _SIZE = (680, 520)
 _MOST_LETTERS = 60
@@ -51,20 +50,20 @@ class EraseDialog(RecordDialog):
     ----------
     pseudonym
         Of the patient whose page is shown; empty for none.
-    forget
-        Removes what this computer holds of somebody erased.
+    leftovers
+        What this computer holds of them, which is removed once they are erased.
     """
 
     def __init__(
         self,
         clinic: ClinicRecord,
         pseudonym: str,
-        forget: Callable[[Traces], None],
+        leftovers: ErasedLeftovers,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(tr("Erase a patient"), clinic, parent)
         self.resize(*_SIZE)
-        self._forget_leftovers = forget
+        self._leftovers = leftovers
         self._found: Erasable | None = None
         self._over: list[Erasable] = []
         self._is_asked = False
@@ -173,16 +172,19 @@ class EraseDialog(RecordDialog):
                 warns=True,
             )
             return
-        listed, today = self._over, self._today
+        listed, today, leftovers = self._over, self._today, self._leftovers
+        reason = ErasureReason.RETENTION_OVER
 
-        def done(answer: tuple[list[Erasure], _Shown]) -> None:
-            erasures, shown = answer
-            for erasure in erasures:
-                self._forget_leftovers(erasure.traces)
+        def erase(records: Records) -> _Shown:
+            for one in listed:
+                leftovers.erase(records, one.person_id, reason, today)
+            return _read(records)
+
+        def done(shown: _Shown) -> None:
             self._show_over(shown)
             self.say(tr("Patients erased: {count}.").format(count=len(listed)))
 
-        self.change(lambda records: _erase_listed(records, listed, today), done)
+        self.change(erase, done)
 
     def _take(self, pseudonym: str) -> None:
         self.pseudonym.setText(pseudonym)
@@ -211,18 +213,15 @@ class EraseDialog(RecordDialog):
         self._forget()
 
     def _erase(self) -> None:
-        found, today = self._found, self._today
+        found, today, leftovers = self._found, self._today, self._leftovers
         assert found is not None
         reason = ErasureReason(self.reason.currentData())
 
         def erase(records: Records) -> tuple[Erasure, _Shown]:
-            from insole_core.records.retention import erase_person
-
-            return erase_person(records.context, found.person_id, reason, today), _read(records)
+            return leftovers.erase(records, found.person_id, reason, today), _read(records)
 
         def done(answer: tuple[Erasure, _Shown]) -> None:
             erasure, shown = answer
-            self._forget_leftovers(erasure.traces)
             self._forget()
             self.pseudonym.clear()
             self._show_over(shown)
@@ -242,16 +241,6 @@ def _read(records: Records) -> _Shown:
 
     years = records.clinic.get(YEARS_VALUE, LEAST_YEARS)
     return _Shown(years, over_retention_named(records.context, date.today(), _MOST_LISTED))
-
-
-def _erase_listed(
-    records: Records, listed: Sequence[Erasable], today: date
-) -> tuple[list[Erasure], _Shown]:
-    from insole_core.records.retention import erase_person
-
-    reason = ErasureReason.RETENTION_OVER
-    erased = [erase_person(records.context, one.person_id, reason, today) for one in listed]
-    return erased, _read(records)
 
 
 def _over_text(count: int) -> str:
