@@ -6,7 +6,7 @@ import secrets
 import uuid
 from dataclasses import dataclass, field, replace
 from datetime import date
-from typing import Final
+from typing import Final, Literal, TypeAlias
 
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.records.field_checks import (
@@ -107,3 +107,7 @@ class PersonSummary:
     personal_number: str
     pseudonym: str
     last_visit: date | None = None
+
+
+PersonKey: TypeAlias = Literal["name", "birth_date", "personal_number", "last_visit"]
+"""What a list of persons can be sorted by."""

@@ -35,7 +35,7 @@ from insole_core.records.merging import (
     preview_merge,
     undo_merge,
 )
-from insole_core.records.person import Person, PersonSummary, new_pseudonym
+from insole_core.records.person import Person, PersonKey, PersonSummary, new_pseudonym
 from insole_core.records.person_rows import (
     PERSON_FIELDS,
     found_by,
@@ -111,6 +111,30 @@ class Persons:
             elif len(found) < limit:
                 found += _found(connection, _by_rest(words).limit(limit - len(found)))
         return found
+
+    def listed(
+        self, typed: str, sorted_by: PersonKey, limit: int, *, is_descending: bool = False
+    ) -> list[PersonSummary]:
+        """Return everybody, or whom `search` finds, in the order of one of their fields.
+
+        Parameters
+        ----------
+        typed
+            As for `search`; empty for everybody.
+        sorted_by
+            Whose field is empty comes last.
+        """
+        columns: dict[PersonKey, ColumnElement[Any]] = {
+            "name": persons.c.sort_key,
+            "birth_date": persons.c.birth_date,
+            "personal_number": func.nullif(persons.c.personal_number, ""),
+            "last_visit": _last_visit(persons.c.id),
+        }
+        column = columns[sorted_by]
+        column = column.desc() if is_descending else column.asc()
+        query = _listed().where(*(_holds(word) for word in search_words(typed)))
+        query = query.order_by(column.nulls_last(), persons.c.sort_key, persons.c.id)
+        return self._summaries(query.limit(limit))
 
     def recent(self, limit: int = 20) -> list[PersonSummary]:
         """Return those who were seen or changed last, the latest first."""

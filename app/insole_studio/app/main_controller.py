@@ -102,7 +102,6 @@ class MainController(QObject):
         window.pad_chosen.connect(design.prescription.take_pad)
         window.layout_changed.connect(self._main.appearance.note_layout)
         self._services.recent.changed.connect(self._show_recent)
-        self._stage.recent_chosen.connect(self._open_recent)
         self._stage.action_requested.connect(self._run_requested)
         self._stage.plantar.changed.connect(self._show_choices)
         self._stage.steps.chosen.connect(self._go_to_step)
@@ -303,7 +302,6 @@ class MainController(QObject):
     def _show_recent(self) -> None:
         names = [] if self._services.clinic.hides_patients else self._services.recent.names
         self._window.show_recent(names)
-        self._stage.show_recent(names)
 
     def _show_state(self) -> None:
         case, window = self._case, self._window

@@ -27,7 +27,7 @@ from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.empty_page import EmptyPage, ListedRow
+from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.scale_bar import ScaleBar
 from insole_studio.widgets.side_badge import SideBadge
@@ -38,7 +38,6 @@ class ModelView(QWidget):
 
     preset_requested = Signal(object)
     action_requested = Signal(str)
-    listed_chosen = Signal(str)
 
     def __init__(
         self, subject: Subject, title: str, dark: bool, parent: QWidget | None = None
@@ -60,7 +59,6 @@ class ModelView(QWidget):
         self._legend = Legend()
         self._empty = EmptyPage()
         self._empty.chosen.connect(self.action_requested)
-        self._empty.listed_chosen.connect(self.listed_chosen)
         self._pages = QStackedLayout()
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self.scene)
@@ -105,10 +103,6 @@ class ModelView(QWidget):
         self._empty.show_offers(sentence, offers)
         self._pages.setCurrentWidget(self._empty)
         self._scale.show_scale(0)
-
-    def show_list(self, title: str, rows: Sequence[ListedRow]) -> None:
-        """Show a list on the page that stands instead of the scene."""
-        self._empty.show_list(title, rows)
 
     def clear(self) -> None:
         """Let go of what the scene has shown."""

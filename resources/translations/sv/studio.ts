@@ -848,10 +848,6 @@
             <translation>Fyllighet längs</translation>
         </message>
         <message>
-            <source>Go on with</source>
-            <translation>Fortsätt med</translation>
-        </message>
-        <message>
             <source>Go on working</source>
             <translation>Fortsätt arbeta</translation>
         </message>

@@ -88,10 +88,10 @@ def told(app: Application) -> list[str]:
 
 
 def offered(app: Application) -> list[str]:
-    """The files in the list of the empty window."""
+    """The files that the window offers."""
     QTest.qWait(20)
-    rows = app.stage.insole.findChildren(QPushButton, "row")
-    return [row.text() for row in rows if row.isVisible()]
+    rows = app.window.findChildren(QPushButton, "row")
+    return [row.text() for row in rows if row.isVisible() and row.property("path")]
 
 
 def press(app: Application, text: str) -> None:
@@ -224,23 +224,25 @@ def test_copies_that_another_program_removed_meanwhile_open_all_the_same(
     assert app.services.messages.dialogs == []
 
 
-def test_an_empty_start_offers_recent_files(
+def test_the_first_page_offers_recent_files_and_a_new_case_none(
     app: Application, saved: Path, settle: Callable[[], None], qtbot: QtBot
 ) -> None:
     other = saved.with_name("M & S.insole")
     other.write_bytes(saved.read_bytes())
     for path in (other, saved):
         app.services.recent.remember(path)
-    assert offered(app) == ["anna", "M && S"]
+    app.controller.run_action("patients", False)
+    assert offered(app) == ["anna.insole", "M && S.insole"]
     visible = {b.text() for b in app.window.findChildren(QPushButton) if b.isVisible()}
     assert {"Open case…", "Capture…", "Open session…", "Open the example"} <= visible
-    press(app, "M && S")
+    press(app, "M && S.insole")
     settle()
     assert app.case.path == other
     assert offered(app) == []
     app.controller.run_action("new_case", False)
     settle()
-    assert offered(app) == ["M && S", "anna"]
+    assert app.case.is_empty
+    assert offered(app) == []
 
 
 def test_the_example_is_opened_in_any_number_of_windows_and_never_saved_over(

@@ -52,7 +52,6 @@ class DesignStage(QObject):
     """The panels of the design stage; the window only arranges them."""
 
     action_requested = Signal(str)
-    recent_chosen = Signal(str)
     pointed = Signal(str)
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
@@ -126,7 +125,6 @@ class DesignStage(QObject):
         self.rim = RimChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
-        self.insole.listed_chosen.connect(self.recent_chosen)
 
     def _present_panels(self, shown: ShownModels) -> None:
         """Construct the presenters of the panels beside the views."""
@@ -195,10 +193,6 @@ class DesignStage(QObject):
             self.rim,
             self.section,
         )
-
-    def show_recent(self, names: Sequence[str]) -> None:
-        """Offer the recently opened files while there is no foot."""
-        self.insole_presenter.show_recent(names)
 
     def focus_view(self) -> None:
         """Give the keys to the foot; to the insole while the foot is hidden."""

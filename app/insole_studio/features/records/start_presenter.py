@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from insole_core.errors import NotAllowed
-from insole_core.records.order import OPEN_STATES, OrderSearch
-from insole_core.records.person import PersonSummary
+from insole_core.records.order import OPEN_STATES, OrderKey, OrderSearch
+from insole_core.records.person import PersonKey, PersonSummary
 from insole_core.records.visit import VisitSummary
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.features.records.order_rows import order_rows
 from insole_studio.features.records.record_texts import person_rows, visit_rows
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.texts import tr
+from insole_studio.widgets.row_table import Sorting
 
 if TYPE_CHECKING:
     from insole_core.records.order import OrderSummary
@@ -22,6 +23,11 @@ if TYPE_CHECKING:
 
 SEARCH, LISTS = "records-search", "records-lists"
 MOST_FOUND, MOST_RECENT, MOST_ORDERS = 50, 20, 100
+_PERSON_KEYS: Final[tuple[PersonKey, ...]] = (
+    "name", "birth_date", "personal_number", "last_visit",
+)  # fmt: skip
+_ORDER_KEYS: Final[tuple[OrderKey, ...]] = ("person_name", "number", "state", "due_on")
+"""What the columns of the lists are sorted by."""
 
 
 @dataclass(frozen=True)
@@ -37,9 +43,17 @@ class StartPresenter:
         self._page = page
         self._clinic = clinic
         self._typed = ""
+        self._sorting: Sorting | None = None
+        """How patients are sorted; None for the best found, or the latest, on top."""
         self._pages = 1
+        self._has_more = False
+        self._orders = OrderSearch(OPEN_STATES)
+        self._wanted_orders = MOST_ORDERS
         page.more_requested.connect(self.show_more)
         page.search_edited.connect(self.search)
+        page.found.sort_chosen.connect(self._sort_persons)
+        page.orders.sort_chosen.connect(self._sort_orders)
+        page.orders.end_reached.connect(self._show_more_orders)
         clinic.state_changed.connect(self.show_state)
         clinic.changed.connect(self.refresh)
         self.show_state()
@@ -51,16 +65,18 @@ class StartPresenter:
         self._search()
 
     def show_more(self) -> None:
-        """Show as many patients again as are shown at first."""
-        self._pages += 1
-        self._search()
+        """Show twice as many patients, where there are more."""
+        if self._has_more:
+            self._has_more = False  # until it is known what comes after these
+            self._pages *= 2
+            self._search()
 
     def refresh(self) -> None:
         """Show what has changed in the record."""
         is_shown = self._clinic.is_open and self._page.isVisible()
         if is_shown and self._clinic.may_show_patients:
             self._search()
-            self._clinic.ask(LISTS, _lists, self._show_lists, self._show_failure)
+            self._ask_lists()
 
     def show_state(self) -> None:
         """Show whether the record can be asked."""
@@ -101,12 +117,42 @@ class StartPresenter:
             )
         return sentences
 
+    def _sort_persons(self, sorting: Sorting | None) -> None:
+        self._sorting, self._pages = sorting, 1
+        self._search()
+
+    def _sort_orders(self, sorting: Sorting | None) -> None:
+        sorting = sorting or Sorting(_ORDER_KEYS.index("due_on"))
+        key = _ORDER_KEYS[sorting.column]
+        self._orders = replace(self._orders, sorted_by=key, is_descending=sorting.is_descending)
+        self._wanted_orders = MOST_ORDERS
+        self._ask_lists()
+
+    def _show_more_orders(self) -> None:
+        if len(self._page.orders.rows) == self._wanted_orders:
+            self._wanted_orders *= 2
+            self._ask_lists()
+
+    def _ask_lists(self) -> None:
+        search, wanted = self._orders, self._wanted_orders
+
+        def lists(records: Records) -> _Lists:
+            return _Lists(records.visits.on(date.today()), records.orders.find(search, wanted))
+
+        if self._clinic.is_open:
+            self._clinic.ask(LISTS, lists, self._show_lists, self._show_failure)
+
     def _search(self) -> None:
-        typed = self._typed
-        most = self._pages * (MOST_FOUND if typed else MOST_RECENT)
+        typed, sorting = self._typed, self._sorting
+        most = self._pages * (MOST_FOUND if typed or sorting else MOST_RECENT)
 
         def find(records: Records) -> list[PersonSummary]:
             # one more than are shown tells whether there are more
+            if sorting is not None:
+                key = _PERSON_KEYS[sorting.column]
+                return records.persons.listed(
+                    typed, key, most + 1, is_descending=sorting.is_descending
+                )
             if typed:
                 return records.persons.search(typed, most + 1)
             return records.persons.recent(most + 1)
@@ -119,14 +165,16 @@ class StartPresenter:
     def _show_found(self, found: list[PersonSummary], most: int) -> None:
         if not self._clinic.may_show_patients:  # what somebody asked who has left meanwhile
             return
-        title = tr("Found patients") if self._typed else tr("Recent patients")
+        everybody = tr("Recent patients") if self._sorting is None else tr("Patients")
+        title = tr("Found patients") if self._typed else everybody
         nothing = (
             tr("Nobody is found. Check the spelling, or add a new patient.")
             if self._typed
             else tr("No patient yet. Begin with “New patient”, or open a file.")
         )
         self._page.show_found(title, person_rows(found[:most]), nothing)
-        self._page.show_more(len(found) > most)
+        self._has_more = len(found) > most
+        self._page.show_more(self._has_more)
 
     def _show_lists(self, lists: _Lists) -> None:
         if not self._clinic.may_show_patients:
@@ -153,9 +201,3 @@ def _remedies(clinic: ClinicRecord) -> tuple[str, ...]:
     restore = ("restore_record",) if clinic.is_read_only else ()
     administer = () if clinic.may_show_patients else ("accounts", "audit_log")
     return (*sign_in, *administer, *restore)
-
-
-def _lists(records: Records) -> _Lists:
-    return _Lists(
-        records.visits.on(date.today()), records.orders.find(OrderSearch(OPEN_STATES), MOST_ORDERS)
-    )

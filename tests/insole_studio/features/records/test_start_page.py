@@ -6,7 +6,7 @@ from collections.abc import Callable
 from datetime import date, timedelta
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
@@ -215,3 +215,42 @@ def test_further_patients_are_a_click_away(
     QTest.mouseClick(page.more, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: len(page.found.rows) == MOST_FOUND + 10)
     assert not page.more.isVisible()
+
+
+def test_ten_thousand_patients_are_sorted_where_they_are_and_loaded_as_one_scrolls(
+    clinic: Application, records: Records, rest: Callable[[], None], qtbot: QtBot
+) -> None:
+    born = date(1950, 1, 1)
+    many = [Person(f"P{n:05}", born + timedelta(days=7 * n % 9999)) for n in range(10_000)]
+    with records.context.writing(Right.WRITE) as connection:
+        add_persons(records.context, connection, many)
+    oldest = records.visits.add(Visit(many[4321].id, date.today() - timedelta(days=400)))
+    records.visits.add(Visit(many[17].id, date.today()))
+    page = page_of(clinic)
+    rest()
+
+    def click(column: int) -> None:
+        header = page.found.horizontalHeader()
+        place = QPoint(header.sectionViewportPosition(column) + 8, 8)
+        QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        rest()
+
+    click(3)
+    assert [row.cells[0] for row in page.found.rows[:3]] == ["P04321", "P00017", "P00000"]
+    assert page.found.rows[0].cells[3] == oldest.visited_on.isoformat()
+    click(1)
+    days = [row.cells[1] for row in page.found.rows]
+    assert len(days) == MOST_FOUND
+    assert days == sorted(days)
+    assert days[0] == "1950-01-01"
+    bar = page.found.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    rest()
+    assert len(page.found.rows) == 2 * MOST_FOUND
+    click(1)
+    assert (
+        page.found.rows[0].cells[1] == max(p.birth_date for p in many if p.birth_date).isoformat()
+    )
+    QTest.keyClicks(page.search, "p0004")
+    rest()
+    assert [row.cells[0][:5] for row in page.found.rows] == ["P0004"] * 10

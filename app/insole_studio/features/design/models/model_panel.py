@@ -14,7 +14,6 @@ from insole_studio.scene.contour_lines import ContourLines
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
-from insole_studio.widgets.empty_page import ListedRow
 
 
 class ModelPanel(Protocol):
@@ -22,7 +21,6 @@ class ModelPanel(Protocol):
 
     def show_side(self, side: Side | None, *, mirrored: bool = False) -> None: ...  # noqa: D102
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
-    def show_list(self, title: str, rows: Sequence[ListedRow]) -> None: ...  # noqa: D102
     def clear(self) -> None: ...  # noqa: D102
     def show_mesh(  # noqa: D102
         self,

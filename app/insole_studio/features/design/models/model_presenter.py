@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 
@@ -20,8 +19,6 @@ from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
 from insole_core.insole.surface.rocker import rocker_line
 from insole_core.pressure.laid_map import PlantarLayers
-from insole_core.visible_text import visible_value
-from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
@@ -59,7 +56,6 @@ from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import localised, tr
-from insole_studio.widgets.empty_page import ListedRow
 
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
@@ -527,7 +523,6 @@ class InsolePresenter(ModelPresenter):
         self._shoe_lines: GuideLines | None = None
         self._shoe_of: tuple[object, ...] | None = None
         """What the shown outline of a shoe was made of."""
-        self._recent: list[ListedRow] = []
         self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
         shown.surface.failed.connect(self.panel.show_warning)
 
@@ -581,12 +576,6 @@ class InsolePresenter(ModelPresenter):
     def rest(self) -> None:
         """Redraw the contour lines."""
         self._show_contours()
-
-    def show_recent(self, names: Sequence[str]) -> None:
-        """Offer the recently opened files while there is no foot."""
-        self._recent = [_listed(Path(name)) for name in names]
-        if self._surface.mesh is None:
-            self._show_why_empty()
 
     def show_contours(self, shown: bool) -> None:
         """Show or hide contour lines of height, one per millimetre."""
@@ -698,19 +687,8 @@ class InsolePresenter(ModelPresenter):
             self.panel.show_empty(sentence, {"open": tr("Open case…")})
         else:
             self.panel.show_empty(tr("The insole is being built…"), {})
-        is_nobodys = self._case.is_empty and self._case.kept is None
-        # A scan or a case of somebody else, one click from a patient's visit, is never meant.
-        self.panel.show_list(tr("Go on with"), self._recent if is_start and is_nobodys else ())
 
 
 def _between(start: FloatArray, end: FloatArray) -> FloatArray:
     """Return points (n, 2) on the way from one to the other."""
     return np.asarray(np.linspace(start, end, OUTLINE_POINTS // OUTLINE_STRIDE))
-
-
-def _listed(path: Path) -> ListedRow:
-    """Return the row of a recently opened file: its icon tells a case, a mesh and a session."""
-    kinds = {CASE_SUFFIX: "open", **dict.fromkeys(MESH_SUFFIXES, "mesh")}
-    name = path.stem if path.suffix == CASE_SUFFIX else path.name
-    kind = kinds.get(path.suffix.lower(), "session")
-    return ListedRow(str(path), kind, visible_value(name), visible_value(str(path.parent)))
