@@ -99,8 +99,8 @@ class _TourOfWork:
             Stop(
                 tr("The numbers"),
                 tr(
-                    "What is selected, in mm and degrees. Give the pelott another height: type it, "
-                    "or turn the wheel over the field."
+                    "What is selected, in mm and degrees. Give the pelott another height: click "
+                    "into its field and type it, or turn the wheel there."
                 ),
                 lambda: self._stage.parameters,
                 self._until_changed,
@@ -148,7 +148,7 @@ class _TourOfWork:
                 tr("Done"),
                 tr(
                     "The file is written: that was a whole insole. For a patient, begin with “New "
-                    "patient” on the first page (F3); F1 explains what is in front of you."
+                    "patient…” on the first page (F3); F1 explains what is in front of you."
                 ),
                 lambda: self._stage.steps,
             ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from PySide6.QtCore import Qt
@@ -71,6 +72,9 @@ class KeyHelp(QDialog):
 
 
 def _native(keys: str) -> str:
-    """Return a shortcut in the platform's notation."""
-    native = QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
-    return native or keys
+    """Return the keys of a line in the platform's notation and the language of the window."""
+    return re.sub(r"[^\s,]+", lambda found: _native_key(found[0]), keys)
+
+
+def _native_key(key: str) -> str:
+    return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) or key

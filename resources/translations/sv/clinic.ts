@@ -732,20 +732,268 @@
             <translation>Ditt eget lösenord</translation>
         </message>
         <message>
+            <source>adjusted</source>
+            <translation>justerad</translation>
+        </message>
+        <message>
+            <source>administrator</source>
+            <translation>administratör</translation>
+        </message>
+        <message>
+            <source>backup service</source>
+            <translation>säkerhetskopiering</translation>
+        </message>
+        <message>
+            <source>birth date</source>
+            <translation>födelsedatum</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>makulerad</translation>
+        </message>
+        <message>
+            <source>captures</source>
+            <translation>avbildningar</translation>
+        </message>
+        <message>
+            <source>checked</source>
+            <translation>kontrollerad</translation>
+        </message>
+        <message>
+            <source>consent</source>
+            <translation>samtycke</translation>
+        </message>
+        <message>
+            <source>contact</source>
+            <translation>kontakt</translation>
+        </message>
+        <message>
+            <source>damaged</source>
+            <translation>skadade</translation>
+        </message>
+        <message>
+            <source>day of the visit</source>
+            <translation>besöksdag</translation>
+        </message>
+        <message>
+            <source>delivered</source>
+            <translation>levererad</translation>
+        </message>
+        <message>
+            <source>designed</source>
+            <translation>utformad</translation>
+        </message>
+        <message>
+            <source>digest</source>
+            <translation>kontrollsumma</translation>
+        </message>
+        <message>
             <source>disabled</source>
             <translation>spärrat</translation>
+        </message>
+        <message>
+            <source>failed attempts</source>
+            <translation>misslyckade försök</translation>
+        </message>
+        <message>
+            <source>fields</source>
+            <translation>fält</translation>
+        </message>
+        <message>
+            <source>files</source>
+            <translation>filer</translation>
         </message>
         <message>
             <source>first password</source>
             <translation>första lösenordet</translation>
         </message>
         <message>
+            <source>has a user of the system</source>
+            <translation>har en systemanvändare</translation>
+        </message>
+        <message>
+            <source>in production</source>
+            <translation>i produktion</translation>
+        </message>
+        <message>
+            <source>kept until</source>
+            <translation>sparas till</translation>
+        </message>
+        <message>
+            <source>kind of number</source>
+            <translation>slag av nummer</translation>
+        </message>
+        <message>
+            <source>last line</source>
+            <translation>sista raden</translation>
+        </message>
+        <message>
+            <source>measures</source>
+            <translation>mått</translation>
+        </message>
+        <message>
+            <source>merge</source>
+            <translation>sammanslagning</translation>
+        </message>
+        <message>
+            <source>merged</source>
+            <translation>sammanslagen</translation>
+        </message>
+        <message>
+            <source>name</source>
+            <translation>namn</translation>
+        </message>
+        <message>
             <source>never</source>
             <translation>aldrig</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>nej</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>inget</translation>
+        </message>
+        <message>
+            <source>notes</source>
+            <translation>anteckningar</translation>
+        </message>
+        <message>
+            <source>number</source>
+            <translation>antal</translation>
+        </message>
+        <message>
+            <source>on request</source>
+            <translation>på begäran</translation>
+        </message>
+        <message>
+            <source>orders</source>
+            <translation>beställningar</translation>
+        </message>
+        <message>
+            <source>orthopedist</source>
+            <translation>ortopedingenjör</translation>
+        </message>
+        <message>
+            <source>password</source>
+            <translation>lösenord</translation>
+        </message>
+        <message>
+            <source>person</source>
+            <translation>person</translation>
+        </message>
+        <message>
+            <source>personal number</source>
+            <translation>personnummer</translation>
+        </message>
+        <message>
+            <source>prescriptions</source>
+            <translation>ordinationer</translation>
+        </message>
+        <message>
+            <source>pseudonym</source>
+            <translation>pseudonym</translation>
+        </message>
+        <message>
+            <source>reason</source>
+            <translation>orsak</translation>
+        </message>
+        <message>
+            <source>release</source>
+            <translation>frisläppning</translation>
+        </message>
+        <message>
+            <source>removed</source>
+            <translation>borttagna</translation>
+        </message>
+        <message>
+            <source>returned</source>
+            <translation>returnerad</translation>
+        </message>
+        <message>
+            <source>revision</source>
+            <translation>revision</translation>
+        </message>
+        <message>
+            <source>role</source>
+            <translation>roll</translation>
+        </message>
+        <message>
+            <source>rows</source>
+            <translation>rader</translation>
+        </message>
+        <message>
+            <source>sample patient</source>
+            <translation>provpatient</translation>
+        </message>
+        <message>
+            <source>sent</source>
+            <translation>skickad</translation>
+        </message>
+        <message>
+            <source>shoe size</source>
+            <translation>skostorlek</translation>
+        </message>
+        <message>
+            <source>side</source>
+            <translation>sida</translation>
+        </message>
+        <message>
+            <source>signature</source>
+            <translation>signatur</translation>
+        </message>
+        <message>
+            <source>signed in by</source>
+            <translation>inloggad med</translation>
+        </message>
+        <message>
+            <source>state</source>
+            <translation>läge</translation>
+        </message>
+        <message>
+            <source>state of the capture</source>
+            <translation>avbildningens läge</translation>
+        </message>
+        <message>
+            <source>technician</source>
+            <translation>tekniker</translation>
+        </message>
+        <message>
+            <source>terms of the order</source>
+            <translation>beställningens villkor</translation>
+        </message>
+        <message>
+            <source>time of keeping over</source>
+            <translation>gallringstiden slut</translation>
+        </message>
+        <message>
+            <source>under a pseudonym</source>
+            <translation>under pseudonym</translation>
+        </message>
+        <message>
+            <source>user of the system</source>
+            <translation>systemanvändare</translation>
+        </message>
+        <message>
+            <source>visit</source>
+            <translation>besök</translation>
+        </message>
+        <message>
+            <source>visits</source>
+            <translation>besök</translation>
+        </message>
+        <message>
+            <source>weight</source>
+            <translation>vikt</translation>
+        </message>
+        <message>
             <source>wrong passwords: {count}</source>
             <translation>fel lösenord: {count}</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>ja</translation>
         </message>
         <message>
             <source>{count} files are missing or damaged in the record and are not in the backup; verify the record, and restore them from an earlier backup.</source>

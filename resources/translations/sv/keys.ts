@@ -149,7 +149,7 @@
         </message>
         <message>
             <source>Raise or lower it by 0.5 mm; Shift 5 mm, Ctrl 0.05 mm</source>
-            <translation>Höj eller sänk den 0,5 mm; Shift 5 mm, Ctrl 0,05 mm</translation>
+            <translation>Höj eller sänk den 0,5 mm; Skift 5 mm, Ctrl 0,05 mm</translation>
         </message>
         <message>
             <source>Raise or lower what is selected; with Ctrl finely. Else zoom</source>

@@ -1960,8 +1960,8 @@
             <translation>Filen</translation>
         </message>
         <message>
-            <source>The file is written: that was a whole insole. For a patient, begin with “New patient” on the first page (F3); F1 explains what is in front of you.</source>
-            <translation>Filen är skriven: det var ett helt inlägg. För en patient, börja med ”Ny patient” på första sidan (F3); F1 förklarar det du har framför dig.</translation>
+            <source>The file is written: that was a whole insole. For a patient, begin with “New patient…” on the first page (F3); F1 explains what is in front of you.</source>
+            <translation>Filen är skriven: det var ett helt inlägg. För en patient, börja med ”Ny patient…” på första sidan (F3); F1 förklarar det du har framför dig.</translation>
         </message>
         <message>
             <source>The foot</source>
@@ -2208,8 +2208,8 @@
             <translation>Nyheter</translation>
         </message>
         <message>
-            <source>What is selected, in mm and degrees. Give the pelott another height: type it, or turn the wheel over the field.</source>
-            <translation>Det valda, i mm och grader. Ge pelotten en annan höjd: skriv den, eller rulla med hjulet över fältet.</translation>
+            <source>What is selected, in mm and degrees. Give the pelott another height: click into its field and type it, or turn the wheel there.</source>
+            <translation>Det valda, i mm och grader. Ge pelotten en annan höjd: klicka i fältet och skriv den, eller rulla med hjulet där.</translation>
         </message>
         <message>
             <source>What the edge of the insole follows</source>

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -86,6 +87,21 @@ def test_the_help_shows_every_key_and_finds_it(app: Application) -> None:
     assert _visible_lines(tree) == count
     search.setText("pelott")
     assert 0 < _visible_lines(tree) < count
+    shown.close()
+
+
+def test_the_help_names_keys_in_the_language_of_the_window(
+    app: Application, qapp: QApplication
+) -> None:
+    load_language(qapp, "sv")
+    shown = KeyHelp(key_sections(), app.window)
+    load_language(qapp, "en")
+    tree = shown.findChild(QTreeWidget)
+    assert isinstance(tree, QTreeWidget)
+    sections = [tree.invisibleRootItem().child(i) for i in range(tree.topLevelItemCount())]
+    keys = [s.child(i).text(1) for s in sections for i in range(s.childCount())]
+    assert "Tab  Skift+Tab" in keys
+    assert [key for key in keys if re.search(r"Shift|\bDown|Space|Home", key)] == []
     shown.close()
 
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidg
 from insole_core.cases.days import read_day
 from insole_core.errors import InputError
 from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.clinic.audit_texts import details_text
 from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.verifying_dialog import VerifyingDialog
 from insole_studio.jobs import Jobs
@@ -151,7 +152,6 @@ def _search(records: Records, wanted: AuditFilter, before: int | None) -> list[S
 def _row(shown: ShownLine) -> TableRow:
     line = shown.line
     subject = f"{translate_core_message(line.subject_kind)} {shown.subject}"
-    details = ", ".join(f"{key.replace('_', ' ')}: {text}" for key, text in shown.details.items())
     cells = (
         str(line.seq),
         moment_text(line.at),
@@ -159,6 +159,6 @@ def _row(shown: ShownLine) -> TableRow:
         line.station,
         translate_core_message(line.action),
         subject,
-        details,
+        details_text(shown.details),
     )
     return TableRow(str(line.seq), cells, tip=line.details)

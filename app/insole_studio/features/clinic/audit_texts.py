@@ -1,0 +1,101 @@
+"""The details of the audit log in words; the log itself keeps the names that the program has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+from insole_studio.texts import tr
+
+NAMES: Final[Mapping[str, Callable[[], str]]] = {
+    "audit_seq": lambda: tr("last line"),
+    "captures": lambda: tr("captures"),
+    "count": lambda: tr("number"),
+    "damaged": lambda: tr("damaged"),
+    "digest": lambda: tr("digest"),
+    "failures": lambda: tr("failed attempts"),
+    "fields": lambda: tr("fields"),
+    "files": lambda: tr("files"),
+    "has_system_user": lambda: tr("has a user of the system"),
+    "is_disabled": lambda: tr("disabled"),
+    "is_pseudonymous": lambda: tr("under a pseudonym"),
+    "kept_until": lambda: tr("kept until"),
+    "merge": lambda: tr("merge"),
+    "merged": lambda: tr("merged"),
+    "orders": lambda: tr("orders"),
+    "person": lambda: tr("person"),
+    "prescriptions": lambda: tr("prescriptions"),
+    "reason": lambda: tr("reason"),
+    "release": lambda: tr("release"),
+    "removed": lambda: tr("removed"),
+    "revision": lambda: tr("revision"),
+    "role": lambda: tr("role"),
+    "rows": lambda: tr("rows"),
+    "sha256": lambda: "SHA-256",
+    "side": lambda: tr("side"),
+    "signature": lambda: tr("signature"),
+    "signed_in_by": lambda: tr("signed in by"),
+    "state": lambda: tr("state"),
+    "visit": lambda: tr("visit"),
+    "visits": lambda: tr("visits"),
+}
+"""Names of details."""
+WORDS: Final[Mapping[str, Callable[[], str]]] = {
+    "True": lambda: tr("yes"),
+    "False": lambda: tr("no"),
+    "None": lambda: tr("none"),
+    "left": lambda: tr("left"),
+    "right": lambda: tr("right"),
+    "request": lambda: tr("on request"),
+    "retention over": lambda: tr("time of keeping over"),
+    "sample": lambda: tr("sample patient"),
+    "password": lambda: tr("password"),
+    "system user": lambda: tr("user of the system"),
+    "orthopedist": lambda: tr("orthopedist"),
+    "technician": lambda: tr("technician"),
+    "administrator": lambda: tr("administrator"),
+    "backup service": lambda: tr("backup service"),
+    "designed": lambda: tr("designed"),
+    "checked": lambda: tr("checked"),
+    "sent": lambda: tr("sent"),
+    "in production": lambda: tr("in production"),
+    "delivered": lambda: tr("delivered"),
+    "adjusted": lambda: tr("adjusted"),
+    "returned": lambda: tr("returned"),
+    "cancelled": lambda: tr("cancelled"),
+}
+"""Values that are words."""
+FIELDS: Final[Mapping[str, Callable[[], str]]] = {
+    "name": lambda: tr("name"),
+    "birth_date": lambda: tr("birth date"),
+    "personal_number": lambda: tr("personal number"),
+    "number_kind": lambda: tr("kind of number"),
+    "contact": lambda: tr("contact"),
+    "notes": lambda: tr("notes"),
+    "consent_on": lambda: tr("consent"),
+    "pseudonym": lambda: tr("pseudonym"),
+    "visited_on": lambda: tr("day of the visit"),
+    "reason": lambda: tr("reason"),
+    "findings": lambda: tr("findings"),
+    "weight_kg": lambda: tr("weight"),
+    "shoe_size_eu": lambda: tr("shoe size"),
+    "measures": lambda: tr("measures"),
+    "capture_state": lambda: tr("state of the capture"),
+    "terms": lambda: tr("terms of the order"),
+}
+"""Fields of a person and of a visit, whose names a line lists when they were changed."""
+
+
+def details_text(details: Mapping[str, str]) -> str:
+    """Say the details of a line in the language of the window; what is no word stays as it is."""
+    return ", ".join(f"{_word(NAMES, key)}: {_value(key, text)}" for key, text in details.items())
+
+
+def _value(key: str, text: str) -> str:
+    if key == "fields":
+        return " · ".join(_word(FIELDS, name) for name in text.split())
+    return WORDS.get(text, lambda: text)()
+
+
+def _word(words: Mapping[str, Callable[[], str]], key: str) -> str:
+    return words.get(key, lambda: key.replace("_", " "))()

@@ -1,0 +1,72 @@
+"""The audit log speaks the language of the window, down to its details."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+import insole_core.records
+from insole_core.geometry.side import Side
+from insole_core.records.author import Proof, Role
+from insole_core.records.order import OrderState
+from insole_core.records.retention import ErasureReason
+from insole_studio.features.clinic.audit_texts import FIELDS, NAMES, WORDS, details_text
+from insole_studio.texts import load_language
+
+CORE = Path(insole_core.records.__file__).parents[1]
+WRITES = ("log", "log_each", "_log", "append", "append_each")
+
+
+def trees() -> Iterator[ast.Module]:
+    for folder in ("records", "workflows/records"):
+        for path in (CORE / folder).rglob("*.py"):
+            yield ast.parse(path.read_text("utf-8"))
+
+
+def test_every_detail_that_is_written_has_a_name() -> None:
+    calls = (node for tree in trees() for node in ast.walk(tree) if isinstance(node, ast.Call))
+    written = {
+        keyword.arg
+        for call in calls
+        if getattr(call.func, "attr", "") in WRITES
+        for keyword in call.keywords
+        if keyword.arg is not None
+    }
+    assert len(written) > 15
+    assert written - NAMES.keys() == set()
+
+
+def test_every_field_that_a_line_can_list_has_a_name() -> None:
+    listed = {
+        name
+        for tree in trees()
+        for node in tree.body
+        if isinstance(node, ast.AnnAssign)
+        and getattr(node.target, "id", "") == "_EDITED"
+        and node.value is not None
+        for name in ast.literal_eval(node.value)
+    }
+    assert len(listed) > 10
+    assert listed - FIELDS.keys() == set()
+
+
+@pytest.mark.parametrize("words", [OrderState, ErasureReason, Side, Role, Proof])
+def test_every_word_of_a_detail_has_a_name(words: type) -> None:
+    assert {str(word) for word in words} - {"none"} - WORDS.keys() == set()
+
+
+def test_the_details_are_swedish_in_swedish(qapp: QApplication) -> None:
+    load_language(qapp, "sv")
+    try:
+        said = details_text({"fields": "name birth_date", "signed_in_by": "password", "x_y": "P-1"})
+        swedish = [t() for texts in (NAMES, WORDS, FIELDS) for t in texts.values()]
+    finally:
+        load_language(qapp, "en")
+    assert said == "fält: namn · födelsedatum, inloggad med: lösenord, x y: P-1"
+    plain = [t() for texts in (NAMES, WORDS, FIELDS) for t in texts.values()]
+    alike = {a for a, b in zip(swedish, plain, strict=True) if a == b}
+    assert alike == {"SHA-256", "person", "revision", "pseudonym"}
