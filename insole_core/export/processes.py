@@ -12,18 +12,25 @@ import os
 import platform
 import sys
 import uuid
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
+_DRAWN = 1 << 40
+"""Bit of a number that was drawn where no network card was found; each process draws another."""
 _BOOT, _NUMBERS = Path("/proc/sys/kernel/random/boot_id"), "/proc/self/ns/pid"
 
 
 @cache
 def this_computer() -> str:
     """Return eight hexadecimal digits: of two processes that see each other's numbers, the same."""
-    known = [platform.node(), str(uuid.getnode())]
+    known = [platform.node()]
+    card = uuid.getnode()
+    if not card & _DRAWN:
+        known.append(str(card))
     if sys.platform == "linux":
-        known += [_BOOT.read_text("ascii"), os.readlink(_NUMBERS)]  # noqa: PTH115 - no path
+        with suppress(OSError):  # a container that shows nothing of its system
+            known += [_BOOT.read_text("ascii"), os.readlink(_NUMBERS)]  # noqa: PTH115 - no path
     return hashlib.sha256("\n".join(known).encode()).hexdigest()[:8]
 
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 import sqlite3
-from contextlib import closing
+from contextlib import closing, suppress
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -23,6 +24,7 @@ from insole_core.export.temporary import make_file, release, remove
 from insole_core.export.write_errors import output_errors
 from insole_core.records.backup.portable_rows import tables_of
 from insole_core.records.database import MIGRATION_LOCK, Database
+from insole_core.records.database_errors import busy
 from insole_core.records.migrate import upgrade
 from insole_core.records.rights import Right, require
 
@@ -31,11 +33,16 @@ if TYPE_CHECKING:
 
 _OF_FILE: Final = re.compile(r".* until .* \(tables \d{4}\)")
 _OF_SERVER: Final = re.compile(r"insole_studio_until_\d+_tables_(\d{4})")
+_TRIES: Final = 10
 _FUNCTIONS: Final = text(
     "SELECT DISTINCT p.proname FROM pg_trigger t JOIN pg_proc p ON p.oid = t.tgfoid "
     "JOIN pg_class c ON c.oid = t.tgrelid "
     "WHERE NOT t.tgisinternal AND c.relnamespace = to_regnamespace('public')"
 )
+
+
+class _Changed(Exception):  # noqa: N818 - nobody is told
+    """Another station has changed the record since it was copied."""
 
 
 def keep_copy(database: Database, connection: Connection, found: str) -> str:
@@ -122,16 +129,41 @@ def put_back(context: RecordsContext, name: str) -> str:
 
 def _put_back_file(database: Database, name: str) -> str:
     path = database.place.database_file
-    with database.writing() as connection:  # nobody else writes meanwhile
-        found = str(connection.execute(text("SELECT version_num FROM alembic_version")).scalar())
-        kept = keep_copy(database, connection, found)
-    database.close()
+    with closing(sqlite3.connect(path)) as watch:
+        for _ in range(_TRIES):
+            before = _version(watch)
+            with database.writing() as connection:
+                found = connection.execute(text("SELECT version_num FROM alembic_version")).scalar()
+                kept = keep_copy(database, connection, str(found))
+            with suppress(_Changed):
+                _overwrite(path, name, watch, before)
+                database.close()
+                return kept
+            remove(path.with_name(kept))
+    raise busy(database.place)
+
+
+def _overwrite(path: Path, name: str, watch: sqlite3.Connection, version: int) -> None:
+    """Put a copy in the place of a database, in one transaction.
+
+    Raises
+    ------
+    _Changed
+        When the database has another version; then nothing is changed.
+    OutputError
+    """
+    checks = [partial(_check_unchanged, watch, version)]
+
+    def look(*_pages: int) -> None:
+        if checks:  # after the first page: from now on nobody else can write
+            checks.pop()()
+
     try:
         with (
             closing(sqlite3.connect(path.with_name(name))) as source,
             closing(sqlite3.connect(path)) as target,
         ):
-            source.backup(target)
+            source.backup(target, pages=1, progress=look)
     except sqlite3.Error as error:
         raise OutputError(
             "The copy {copy} could not be put back ({reason}), so the record stays as it was; free "
@@ -139,7 +171,16 @@ def _put_back_file(database: Database, name: str) -> str:
             copy=name,
             reason=str(error),
         ) from error
-    return kept
+
+
+def _version(watch: sqlite3.Connection) -> int:
+    """Return a number that changes with every change of the database by others."""
+    return int(watch.execute("PRAGMA data_version").fetchone()[0])
+
+
+def _check_unchanged(watch: sqlite3.Connection, before: int) -> None:
+    if _version(watch) != before:
+        raise _Changed
 
 
 def _copy_file(path: Path, copy: Path) -> None:

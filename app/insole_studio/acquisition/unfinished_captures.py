@@ -128,11 +128,22 @@ class Drafts:
         """
         ended = 0
         for folder in self._folder.glob("*/"):
-            is_empty = is_abandoned(folder)
-            if (is_empty or _has_ended(folder)) and not _is_held(folder):
-                shutil.rmtree(folder, ignore_errors=True)
-                ended += not is_empty
+            with suppress(OSError):  # another window sweeps as well
+                ended += _sweep(folder)
         return ended
+
+
+def _sweep(folder: Path) -> bool:
+    """Remove a draft whose time is over; return whether it had finished views."""
+    if not (is_abandoned(folder) or _has_ended(folder)):
+        return False
+    with _lock(folder) as lock:
+        is_free = lock.acquire()
+        is_empty = is_abandoned(folder)  # as it is now that nobody else works on it
+        if not is_free or not (is_empty or _has_ended(folder)):
+            return False
+        shutil.rmtree(folder, ignore_errors=True)
+    return not is_empty
 
 
 def _has_ended(folder: Path) -> bool:
@@ -141,9 +152,17 @@ def _has_ended(folder: Path) -> bool:
 
 
 def _ends_at(folder: Path) -> float:
+    """Return when the time of a draft is over; that of one that is gone begins now."""
     parts = (folder, folder / "views", folder / "manifest.json")
-    changed = max(path.stat().st_mtime for path in parts if path.exists())
+    changed = max((at for at in map(_changed_at, parts) if at is not None), default=time.time())
     return changed + KEPT_DAYS * _DAY_S
+
+
+def _changed_at(path: Path) -> float | None:
+    try:
+        return path.stat().st_mtime
+    except OSError:  # another window has used or discarded it
+        return None
 
 
 def hold_draft(folder: Path) -> HeldDraft:

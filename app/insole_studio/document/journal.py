@@ -13,7 +13,6 @@ import time
 import uuid
 import zipfile
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -266,13 +265,19 @@ def _settle_damaged(folder: Path, complain: Complain) -> None:
     Programs of before 2026-11-26 set aside what another window was writing.
     """
     for left in folder.glob(f"*{CASE_SUFFIX}.broken-*"):
-        with suppress(FileNotFoundError):  # another window settles it as well
-            try:
-                read_case(left)
-            except InsoleError:
-                _end(left, complain)
-            else:
-                left.rename(new_journal(folder))
+        try:
+            _settle(left, complain)
+        except OSError as error:  # another window settles it as well, or nobody may
+            log.warning("%s stays as it is: %s", left, error)
+
+
+def _settle(left: Path, complain: Complain) -> None:
+    try:
+        read_case(left)
+    except InsoleError:
+        _end(left, complain)
+    else:
+        left.rename(new_journal(left.parent))
 
 
 def _end(left: Path, complain: Complain) -> None:

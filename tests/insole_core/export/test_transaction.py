@@ -20,7 +20,7 @@ import killed_transaction
 import pytest
 
 from insole_core.errors import InputError, OutputError, UsageError
-from insole_core.export import journal, temporary
+from insole_core.export import journal, processes, temporary
 from insole_core.export.atomic import copy_into, replacing_file, replacing_folder, write_text
 from insole_core.export.journal import settle_interrupted
 from insole_core.export.processes import started, this_computer
@@ -633,6 +633,19 @@ def test_what_killed_programs_left_is_swept_where_one_writes(
     left = left_file(tmp_path, process, age_s)
     write_text("new", tmp_path / "insole.stl")
     assert left.exists() == stays
+
+
+def test_a_computer_is_the_same_for_all_processes_whatever_it_shows(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """A container without a network card, and without the files of its system."""
+    drawn = iter(range(1 << 40, (1 << 40) + 9))
+    monkeypatch.setattr("uuid.getnode", lambda: next(drawn))
+    monkeypatch.setattr(processes, "_BOOT", tmp_path / "nothing")
+    of_each_process = {this_computer.__wrapped__() for _ in range(2)}
+    assert len(of_each_process) == 1
+    monkeypatch.setattr("uuid.getnode", lambda: 0x001122334455)
+    assert this_computer.__wrapped__() not in of_each_process
 
 
 @pytest.mark.parametrize("kind", ["file", "folder"])

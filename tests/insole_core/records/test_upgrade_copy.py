@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sqlite3
 from contextlib import closing
 from datetime import date
+from typing import Any
 
 import pytest
 from record_samples import place_of_sample
@@ -98,6 +100,30 @@ def test_a_copy_that_cannot_be_put_back_leaves_the_record_as_it_is(older: Record
     with closing(open_records(older, ANNA)) as records:
         assert sorted(names(records)) == ["Anna Berg", "Ben Ek"]
         assert records.audit.head()[0] in records.context.database.witness.read()
+
+
+def test_what_another_station_changes_meanwhile_is_in_what_is_kept(
+    older: RecordsPlace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It writes in the moment between the copy of the record and the exchange."""
+    if not older.is_local:
+        pytest.skip("a server does both in one transaction")
+    with closing(open_records(older, ANNA)) as records, closing(open_records(older, ANNA)) as other:
+        (copy,) = copies_of(records.context.database)
+        overwrite, coming = upgrade_copy._overwrite, [Person("Ben Ek")]
+
+        def after_the_other_station(*arguments: Any) -> None:
+            for person in coming:
+                other.persons.add(person)
+            coming.clear()
+            overwrite(*arguments)
+
+        monkeypatch.setattr(upgrade_copy, "_overwrite", after_the_other_station)
+        kept = put_back(records.context, copy)
+        assert sorted(copies_of(records.context.database)) == sorted([copy, kept])
+    with closing(sqlite3.connect(older.database_file.with_name(kept))) as database:
+        found = database.execute("SELECT name FROM persons ORDER BY name").fetchall()
+    assert found == [("Anna Berg",), ("Ben Ek",)]
 
 
 def test_somebody_who_is_erased_is_in_no_copy(older: RecordsPlace) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from datetime import date
 from pathlib import Path
 
 import pytest
@@ -17,8 +19,11 @@ from insole_core.errors import InputError
 from insole_core.export.file_lock import FileLock
 from insole_core.export.temporary import GRACE_S
 from insole_core.recording.reader import read_session
+from insole_studio.acquisition.draft import is_abandoned
+from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.acquisition.unfinished_captures import (
     Drafts,
+    UnfinishedCapture,
     hold_draft,
     hold_unfinished,
     holding_target,
@@ -205,6 +210,42 @@ def test_a_draft_is_held_by_one(tmp_path: Path) -> None:
         hold_draft(tmp_path / "gone")
     assert drafts.begin("today-left").folder.name == "today-left-3"
     second.release()
+
+
+def test_what_is_swept_is_held_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A window that is about to go on with a draft gets it, or is told that it is gone."""
+    held = Drafts(tmp_path).begin("today-left")
+    (held.folder / "views").mkdir(parents=True)
+    held.release()
+
+    def remove(folder: Path, **options: bool) -> None:
+        with pytest.raises(InputError, match="in use by another window"):
+            hold_draft(folder)
+        rmtree(folder, **options)
+
+    rmtree = shutil.rmtree
+    monkeypatch.setattr("insole_studio.acquisition.unfinished_captures.shutil.rmtree", remove)
+    Drafts(tmp_path).sweep()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_draft_that_goes_while_it_is_looked_at_is_none(
+    tmp_path: Path, small_session: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another window discards or sweeps it at the same moment."""
+    (tmp_path / "today-left" / "views").mkdir(parents=True)
+    manifest = read_session(small_session).manifest
+    offered = UnfinishedCapture(tmp_path / "gone", manifest, PlanRequest(()))
+    assert offered.kept_until > date.today()
+
+    def removed_before(folder: Path) -> bool:
+        shutil.rmtree(folder)
+        return is_abandoned(folder)
+
+    monkeypatch.setattr(
+        "insole_studio.acquisition.unfinished_captures.is_abandoned", removed_before
+    )
+    assert Drafts(tmp_path).sweep() == 0
 
 
 @pytest.mark.parametrize("error", [OSError(5, "Input/output error"), KeyboardInterrupt()], ids=repr)

@@ -264,6 +264,23 @@ def test_a_copy_that_was_taken_for_damaged_but_is_whole_is_offered(tmp_path: Pat
     recovered.release()
 
 
+def test_a_copy_that_may_not_be_taken_back_keeps_nobody_from_the_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("a.insole", "b.insole"):
+        write_case(CaseRecord(Patient("Anna")), tmp_path / name)
+    taken = (tmp_path / "a.insole").rename(tmp_path / "a.insole.broken-1")
+
+    def refuse(path: Path, _target: Path) -> None:
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "rename", refuse)
+    (recovered,) = find_recovered(tmp_path, pytest.fail)
+    assert recovered.copies[0] == tmp_path / "b.insole"
+    assert taken.exists()
+    recovered.release()
+
+
 @pytest.mark.slow
 def test_the_next_start_opens_the_recovered_case(
     app: Application, make_foot: Any, paths: UserPaths, qapp: QApplication
