@@ -11,23 +11,29 @@ import numpy as np
 from insole_core.compare.comparison_report import draw_picture
 from insole_core.compare.difference import ComparedMeasure, Difference, foot_rows, part_rows
 from insole_core.export import paper
+from insole_core.messages import Message, Translate
 
 _FIGURES = {
-    "mean_abs": "mean of the absolute difference",
-    "median_abs": "median",
-    "p95": "95 % are below",
-    "max": "largest",
-    "signed_mean": "mean of first minus second",
+    "mean_abs": Message("mean of the absolute difference"),
+    "median_abs": Message("median"),
+    "p95": Message("95 % are below"),
+    "max": Message("largest"),
+    "signed_mean": Message("mean of first minus second"),
 }
+_MM = "{value:.2f} mm"
 
 
-def write_report(difference: Difference, names: tuple[str, str], path: Path) -> None:
+def write_report(
+    difference: Difference, names: tuple[str, str], path: Path, translate: Translate = str
+) -> None:
     """Write a comparison as PDF.
 
     Parameters
     ----------
     names
         Of the first and the second surface.
+    translate
+        Into the language of the paper.
 
     Raises
     ------
@@ -35,29 +41,47 @@ def write_report(difference: Difference, names: tuple[str, str], path: Path) -> 
         If the path cannot be written.
     """
     picture = io.BytesIO()
-    draw_picture(difference, picture, names)
+    draw_picture(difference, picture, names, translate)
     statistics = difference.statistics
-    figures = {text: f"{statistics[key]:.2f} mm" for key, text in _FIGURES.items()}
-    figures["compared area"] = f"{statistics['compared_area_mm2'] / 100:.0f} cm²"
-    what = {
-        "first": names[0],
-        "second": names[1],
-        "laid on the first": _fit_text(difference),
-        "date": datetime.now(UTC).date().isoformat(),
+    area = Message("{value:.0f} cm²", value=statistics["compared_area_mm2"] / 100)
+    figures: dict[str, str] = {
+        text: Message(_MM, value=statistics[key]) for key, text in _FIGURES.items()
     }
-    sections = [("What", what), ("Difference", figures)]
-    for title, rows in (("Feet", foot_rows(difference)), ("Compared part", part_rows(difference))):
+    figures[Message("compared area")] = area
+    what: dict[str, str] = {
+        Message("first"): names[0],
+        Message("second"): names[1],
+        Message("laid on the first"): _fit_text(difference),
+        Message("date"): datetime.now(UTC).date().isoformat(),
+    }
+    sections: list[tuple[str, dict[str, str]]] = [
+        (Message("What"), what),
+        (Message("Difference"), figures),
+    ]
+    for title, rows in (
+        (Message("Feet"), foot_rows(difference)),
+        (Message("Compared part"), part_rows(difference)),
+    ):
         if rows:
             sections.append((title, {r.key.replace("_", " "): _both(r) for r in rows}))
-    paper.write_report("Comparison of two surfaces", sections, picture.getvalue(), path)
+    said = [
+        (translate(title), {translate(key): translate(text) for key, text in facts.items()})
+        for title, facts in sections
+    ]
+    heading = translate(Message("Comparison of two surfaces"))
+    paper.write_report(heading, said, picture.getvalue(), path)
 
 
 def _fit_text(difference: Difference) -> str:
     residual = difference.fit.residual_mm
-    how = "as both lie" if np.isnan(residual) else f"with a residual of {residual:.2f} mm"
-    return f"mirrored, {how}" if difference.b_is_mirrored else how
+    how = Message("as both lie")
+    if not np.isnan(residual):
+        how = Message("with a residual of {residual:.2f} mm", residual=residual)
+    return Message("mirrored, {how}", how=how) if difference.b_is_mirrored else how
 
 
 def _both(row: ComparedMeasure) -> str:
-    first, second = ("–" if value is None else f"{value:.1f} mm" for value in (row.a, row.b))
-    return f"{first} and {second}"
+    first, second = (
+        "–" if value is None else Message("{value:.1f} mm", value=value) for value in (row.a, row.b)
+    )
+    return Message("{first} and {second}", first=first, second=second)

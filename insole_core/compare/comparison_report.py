@@ -16,6 +16,7 @@ from insole_core.compare.difference import Difference, table_3
 from insole_core.export.lettering import with_known_letters
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.messages import Message, Translate
 
 _COLOR_MAP = "RdBu_r"
 _LEAST_RANGE_MM = 0.1
@@ -37,7 +38,12 @@ def report_json(difference: Difference) -> dict[str, Any]:
     }
 
 
-def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[str, str]) -> None:
+def draw_picture(
+    difference: Difference,
+    path: Path | io.BytesIO,
+    names: tuple[str, str],
+    translate: Translate = str,
+) -> None:
     """Draw the signed and the absolute difference side by side as PNG, to scale.
 
     Parameters
@@ -46,6 +52,8 @@ def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[s
         A file, or a buffer in memory.
     names
         Of the first and the second surface.
+    translate
+        Into the language of the picture.
     """
     signed = difference.signed_mm
     limit = _limit_mm(signed)
@@ -54,19 +62,19 @@ def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[s
     grid = difference.grid
     (x, y), (rows, columns), pitch = grid.first_mm, grid.shape, grid.pitch_mm
     extent = (x - pitch / 2, x + (columns - 0.5) * pitch, y - pitch / 2, y + (rows - 0.5) * pitch)
-    figure.suptitle(_caption(difference, names), parse_math=False)  # names of files
+    figure.suptitle(_caption(difference, names, translate), parse_math=False)  # names of files
     for axes, values, low, colors, title in zip(
         figure.subplots(1, 2),
         (signed, np.abs(signed)),
         (-limit, 0.0),
         (_COLOR_MAP, "viridis"),
-        ("first minus second", "absolute difference"),
+        (Message("first minus second"), Message("absolute difference")),
         strict=True,
     ):
         image = axes.imshow(
             values, origin="lower", extent=extent, vmin=low, vmax=limit, cmap=colors
         )
-        axes.set(title=title, xlabel="x in mm", ylabel="y in mm", aspect="equal")
+        axes.set(title=translate(title), xlabel="x, mm", ylabel="y, mm", aspect="equal")
         figure.colorbar(image, ax=axes, label="mm", shrink=0.8, extend="both")
     figure.savefig(path, format="png", dpi=120)
 
@@ -110,10 +118,14 @@ def _limit_mm(signed: FloatArray) -> float:
     return max(float(np.percentile(size, 99)), _LEAST_RANGE_MM)
 
 
-def _caption(difference: Difference, names: tuple[str, str]) -> str:
+def _caption(difference: Difference, names: tuple[str, str], translate: Translate) -> str:
     s = difference.statistics
-    first, second = (with_known_letters(name) for name in names)
-    return (
-        f"{first} – {second}\nmean {s['mean_abs']:.2f} mm, 95 % {s['p95']:.2f} mm,"
-        f" largest {s['max']:.2f} mm, signed mean {s['signed_mean']:+.2f} mm"
+    first, second = (with_known_letters(translate(name)) for name in names)
+    figures = Message(
+        "mean {mean:.2f} mm, 95 % {p95:.2f} mm, largest {max:.2f} mm, signed mean {signed:+.2f} mm",
+        mean=s["mean_abs"],
+        p95=s["p95"],
+        max=s["max"],
+        signed=s["signed_mean"],
     )
+    return f"{first} – {second}\n{translate(figures)}"

@@ -56,7 +56,9 @@ class HeightPicture(Flowable):  # type: ignore[misc, unused-ignore]
     frame_mm
         Least x and y, greatest x and y.
     height_pt
-        Of the whole picture on the paper.
+        Of the whole picture on the paper, at most.
+    least_pt
+        Height to which it shrinks so that it fits what is left of a page; by default not at all.
     most_mm
         Greatest height of the key; None for that of the solids.
     block_mm
@@ -69,6 +71,7 @@ class HeightPicture(Flowable):  # type: ignore[misc, unused-ignore]
         frame_mm: tuple[float, float, float, float],
         height_pt: float,
         *,
+        least_pt: float | None = None,
         most_mm: float | None = None,
         block_mm: tuple[float, float] | None = None,
     ) -> None:
@@ -76,18 +79,18 @@ class HeightPicture(Flowable):  # type: ignore[misc, unused-ignore]
         self._mapped, self._frame_mm, self._block_mm = mapped, frame_mm, block_mm
         tops = [float(np.nanmax(each.heights.top_mm)) for each in mapped]
         self._most_mm = max(most_mm or max(tops), 1e-9)
-        left, low, right, high = frame_mm
-        self._scale = (height_pt - _MARGIN_PT) / (high - low)
-        self.width = _MARGIN_PT + (right - left) * self._scale + _KEY_PT
-        self.height = height_pt
+        self._least_pt, self._most_pt = height_pt if least_pt is None else least_pt, height_pt
+        self.wrap(np.inf, height_pt)
 
-    def wrap(self, width: float, _height: float) -> tuple[float, float]:
-        """Return the size, made smaller if it is too wide for the page."""
-        if self.width > width:
-            left, _, right, _ = self._frame_mm
-            self._scale = (width - _MARGIN_PT - _KEY_PT) / (right - left)
-            self.width = width
-            self.height = _MARGIN_PT + (self._frame_mm[3] - self._frame_mm[1]) * self._scale
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Return the size: as high as it may be and as the page lets it, and no wider."""
+        left, low, right, high = self._frame_mm
+        tall = min(max(height, self._least_pt), self._most_pt)
+        self._scale = min(
+            (tall - _MARGIN_PT) / (high - low), (width - _MARGIN_PT - _KEY_PT) / (right - left)
+        )
+        self.width = _MARGIN_PT + (right - left) * self._scale + _KEY_PT
+        self.height = _MARGIN_PT + (high - low) * self._scale
         return self.width, self.height
 
     def draw(self) -> None:

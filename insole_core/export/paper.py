@@ -24,6 +24,7 @@ from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import (
+    CondPageBreak,
     Flowable,
     Image,
     PageBreak,
@@ -57,9 +58,13 @@ _DRAWING_MM = (173.0, 259.0)
 """Of a page of the drawing, within the frame."""
 BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
 HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=15, spaceBefore=5, keepWithNext=1)
+_HEAD_ALONE = ParagraphStyle("head alone", parent=HEAD, keepWithNext=0)
+"""Of what takes as much of the page as is left, which together with a heading it could not."""
 NOTE = ParagraphStyle("note", parent=BODY, fontSize=8, leading=10, spaceBefore=4)
 TITLE = ParagraphStyle("title", parent=BODY, fontSize=16, leading=22)
 QUIET = colors.HexColor("#595959")
+_LEAST_PICTURE_MM, _MOST_PICTURE_MM = 50.0, 160.0
+"""Height of the picture of a job sheet."""
 _OF_THE_WHOLE_ORDER = ("pseudonym", "kind", "date")
 
 
@@ -215,7 +220,7 @@ def _sheet(sheet: JobSheet, texts: dict[str, str], translate: Translate) -> list
     story += _list(texts["checks"], sheet.checks)
     story += _warnings(texts, sheet.warnings)
     story += [paragraph(f"{frame} {texts['footer']}", NOTE)]
-    return [*story, paragraph(texts["heights"], HEAD), *_picture(sheet)]
+    return [*story, *_picture(sheet, texts["heights"])]
 
 
 def _nesting_page(
@@ -451,13 +456,21 @@ def _warnings(texts: Facts, sentences: Sequence[str]) -> list[Flowable]:
     )
 
 
-def _picture(sheet: JobSheet) -> list[Flowable]:
-    """Draw the height map of the file, if there is one."""
+def _picture(sheet: JobSheet, title: str) -> list[Flowable]:
+    """Draw the height map of the file, if there is one, as large as what is left of the page.
+
+    Only where too little is left does it go to a page of its own, and fills that.
+    """
     if sheet.height_map is None:
         return []
     left, right, low, high = sheet.height_map.extent_mm
     mapped = MappedHeights(sheet.height_map, sheet.failed_mm)
-    return [HeightPicture([mapped], (left, low, right, high), 75 * mm)]
+    frame = (left, low, right, high)
+    return [
+        CondPageBreak(_LEAST_PICTURE_MM * mm + HEAD.leading + HEAD.spaceBefore),
+        paragraph(title, _HEAD_ALONE),
+        HeightPicture([mapped], frame, _MOST_PICTURE_MM * mm, least_pt=_LEAST_PICTURE_MM * mm),
+    ]
 
 
 def _nesting_picture(nesting: Nesting, words: Facts) -> Flowable:

@@ -29,7 +29,7 @@ from insole_core.foot.measures import measure
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.messages import Message, joined
+from insole_core.messages import Message, Translate, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.workflows.calibration.correction_choice import is_corrected
 from insole_core.workflows.foot_landmarks import landmarks_of
@@ -117,6 +117,8 @@ def compare_sources(
     alignment: Alignment,
     median_pixels: int,
     progress: Progress = SILENT,
+    *,
+    translate: Translate = str,
 ) -> Compared:
     """Align surface b with surface a and measure their difference.
 
@@ -128,6 +130,8 @@ def compare_sources(
         How b is brought into the frame of a.
     median_pixels
         Kernel size of the spatial median filter, px; 1 for none.
+    translate
+        Into the language of the picture.
 
     Raises
     ------
@@ -142,7 +146,7 @@ def compare_sources(
     progress.step(0.8, "Drawing the difference")
     surface, signed = difference_surface(difference)
     drawn = io.BytesIO()
-    draw_picture(difference, drawn, (a.name, b.name))
+    draw_picture(difference, drawn, (a.name, b.name), translate)
     picture = cv2.imdecode(np.frombuffer(drawn.getvalue(), np.uint8), cv2.IMREAD_COLOR_RGB)
     assert picture is not None
     return Compared(
@@ -154,7 +158,9 @@ def compare_sources(
     )
 
 
-def write_comparison(compared: Compared, names: tuple[str, str], path: Path) -> None:
+def write_comparison(
+    compared: Compared, names: tuple[str, str], path: Path, translate: Translate = str
+) -> None:
     """Write a comparison in the form that the suffix selects: report, figures, picture, or mesh.
 
     Parameters
@@ -163,6 +169,8 @@ def write_comparison(compared: Compared, names: tuple[str, str], path: Path) -> 
         Of the two surfaces.
     path
         With one of `REPORT_SUFFIXES`.
+    translate
+        Into the language of paper and picture.
 
     Raises
     ------
@@ -183,9 +191,9 @@ def write_comparison(compared: Compared, names: tuple[str, str], path: Path) -> 
         return
     with replacing_file(path) as beside:
         if suffix == ".pdf":
-            write_report(compared.difference, names, beside)
+            write_report(compared.difference, names, beside, translate)
         elif suffix == ".png":
-            draw_picture(compared.difference, beside, names)
+            draw_picture(compared.difference, beside, names, translate)
         else:
             text = json.dumps(report_json(compared.difference), indent=1, allow_nan=False)
             beside.write_text(text + "\n", encoding="utf-8")

@@ -80,6 +80,10 @@
             <translation>urtag femte strålen</translation>
         </message>
         <message>
+            <source>95 % are below</source>
+            <translation>95 % ligger under</translation>
+        </message>
+        <message>
             <source>A ChArUco marker of {marker_mm:g} mm does not fit a square of {square_mm:g} mm; give the marker's own size in mm.</source>
             <translation>En ChArUco-markör på {marker_mm:g} mm ryms inte i en ruta på {square_mm:g} mm; ange markörens egen storlek i mm.</translation>
         </message>
@@ -596,6 +600,10 @@
             <translation>Elementets vanliga användning, utan studie som källa</translation>
         </message>
         <message>
+            <source>Compared part</source>
+            <translation>Jämförd del</translation>
+        </message>
+        <message>
             <source>Compared: {lines} lines of the audit log with each other and with the last one noted beside the files; {rows} rows (persons, visits, captures, prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with what the log says of their last change; whether accounts are on; {signatures} signatures; {files} files with their SHA-256. Not compared: who works where just now, failed sign-ins, and what is drawn from other rows, such as the words of the search.</source>
             <translation>Jämfört: {lines} rader i loggen med varandra och med den sista som noterats bredvid filerna; {rows} rader (personer, besök, skanningar, ordinationer, beställningar, uppföljningar, konton med roller och lösenord, inställningar) med vad loggen säger om deras senaste ändring; om konton är påslagna; {signatures} signaturer; {files} filer med deras SHA-256. Inte jämfört: vem som arbetar var just nu, misslyckade inloggningar, och det som härleds ur andra rader, såsom sökorden.</translation>
         </message>
@@ -610,6 +618,10 @@
         <message>
             <source>Comparing with the truth</source>
             <translation>Jämför med det sanna</translation>
+        </message>
+        <message>
+            <source>Comparison of two surfaces</source>
+            <translation>Jämförelse av två ytor</translation>
         </message>
         <message>
             <source>Computed every</source>
@@ -748,6 +760,10 @@
             <translation>Diabetes, hel längd</translation>
         </message>
         <message>
+            <source>Difference</source>
+            <translation>Skillnad</translation>
+        </message>
+        <message>
             <source>Disk</source>
             <translation>Disk</translation>
         </message>
@@ -850,6 +866,10 @@
         <message>
             <source>Face {face}: {across} to the right, {along} downwards</source>
             <translation>Sida {face}: {across} åt höger, {along} nedåt</translation>
+        </message>
+        <message>
+            <source>Feet</source>
+            <translation>Fötter</translation>
         </message>
         <message>
             <source>Fewer than two points of the object were measured; mark them again.</source>
@@ -3912,6 +3932,10 @@
             <translation>Västeuropeisk, Macintosh</translation>
         </message>
         <message>
+            <source>What</source>
+            <translation>Vad</translation>
+        </message>
+        <message>
             <source>What cannot be read gets its default at the next start; the file is kept beside.</source>
             <translation>Det som inte kan läsas får sitt standardvärde vid nästa start; filen behålls bredvid.</translation>
         </message>
@@ -4112,6 +4136,10 @@
             <translation>{side}, {length}</translation>
         </message>
         <message>
+            <source>absolute difference</source>
+            <translation>skillnadens belopp</translation>
+        </message>
+        <message>
             <source>account</source>
             <translation>konto</translation>
         </message>
@@ -4222,6 +4250,10 @@
         <message>
             <source>as EVA</source>
             <translation>som EVA</translation>
+        </message>
+        <message>
+            <source>as both lie</source>
+            <translation>som båda ligger</translation>
         </message>
         <message>
             <source>as scanned</source>
@@ -4448,6 +4480,10 @@
             <translation>färgbilder av brädet</translation>
         </message>
         <message>
+            <source>compared area</source>
+            <translation>jämförd yta</translation>
+        </message>
+        <message>
             <source>contact</source>
             <translation>kontakt</translation>
         </message>
@@ -4526,6 +4562,10 @@
         <message>
             <source>dark</source>
             <translation>mörk</translation>
+        </message>
+        <message>
+            <source>date</source>
+            <translation>datum</translation>
         </message>
         <message>
             <source>date of consent</source>
@@ -4728,8 +4768,16 @@
             <translation>utformning av kanten</translation>
         </message>
         <message>
+            <source>first</source>
+            <translation>första</translation>
+        </message>
+        <message>
             <source>first head</source>
             <translation>första metatarsalhuvudet</translation>
+        </message>
+        <message>
+            <source>first minus second</source>
+            <translation>första minus andra</translation>
         </message>
         <message>
             <source>first ray</source>
@@ -5412,8 +5460,16 @@
             <translation>känt på bara omkring {deviation_mm:.1f} mm</translation>
         </message>
         <message>
+            <source>laid on the first</source>
+            <translation>lagd på den första</translation>
+        </message>
+        <message>
             <source>larger</source>
             <translation>större</translation>
+        </message>
+        <message>
+            <source>largest</source>
+            <translation>störst</translation>
         </message>
         <message>
             <source>last good backup {days:.1f} days old</source>
@@ -5540,6 +5596,18 @@
             <translation>hantera konton</translation>
         </message>
         <message>
+            <source>mean of first minus second</source>
+            <translation>medelvärde av första minus andra</translation>
+        </message>
+        <message>
+            <source>mean of the absolute difference</source>
+            <translation>medelvärde av skillnadens belopp</translation>
+        </message>
+        <message>
+            <source>mean {mean:.2f} mm, 95 % {p95:.2f} mm, largest {max:.2f} mm, signed mean {signed:+.2f} mm</source>
+            <translation>medel {mean:.2f} mm, 95 % {p95:.2f} mm, störst {max:.2f} mm, medel med tecken {signed:+.2f} mm</translation>
+        </message>
+        <message>
             <source>medial</source>
             <translation>medial</translation>
         </message>
@@ -5554,6 +5622,10 @@
         <message>
             <source>medially</source>
             <translation>medialt</translation>
+        </message>
+        <message>
+            <source>median</source>
+            <translation>median</translation>
         </message>
         <message>
             <source>men's: the English size and one</source>
@@ -5610,6 +5682,10 @@
         <message>
             <source>millimetres</source>
             <translation>millimeter</translation>
+        </message>
+        <message>
+            <source>mirrored, {how}</source>
+            <translation>speglad, {how}</translation>
         </message>
         <message>
             <source>mm high</source>
@@ -6336,6 +6412,10 @@
             <translation>förseglad</translation>
         </message>
         <message>
+            <source>second</source>
+            <translation>andra</translation>
+        </message>
+        <message>
             <source>see patients</source>
             <translation>se patienter</translation>
         </message>
@@ -6968,6 +7048,10 @@
             <translation>bredd</translation>
         </message>
         <message>
+            <source>with a residual of {residual:.2f} mm</source>
+            <translation>med en restavvikelse på {residual:.2f} mm</translation>
+        </message>
+        <message>
             <source>worst: {markers}</source>
             <translation>sämst: {markers}</translation>
         </message>
@@ -7358,6 +7442,10 @@
         <message>
             <source>{finding} Change the design, or override the rule with a reason.</source>
             <translation>{finding} Ändra designen, eller gå förbi regeln med ett skäl.</translation>
+        </message>
+        <message>
+            <source>{first} and {second}</source>
+            <translation>{first} och {second}</translation>
         </message>
         <message>
             <source>{first} was captured with the sensors {serials}, but {other} with {others}; prove each set of sensors on its own.</source>
@@ -8446,6 +8534,18 @@
         <message>
             <source>{used} of {taken} walls were used; they cover {share:.0%} of the image.</source>
             <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
+        </message>
+        <message>
+            <source>{value:.0f} cm²</source>
+            <translation>{value:.0f} cm²</translation>
+        </message>
+        <message>
+            <source>{value:.1f} mm</source>
+            <translation>{value:.1f} mm</translation>
+        </message>
+        <message>
+            <source>{value:.2f} mm</source>
+            <translation>{value:.2f} mm</translation>
         </message>
         <message>
             <source>{value:g}</source>

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from insole_core.errors import InputError, OutputError
 from insole_core.export import paper
+from insole_core.export.height_picture import HeightPicture, MappedHeights
 from insole_core.export.paper import (
     JobSheet,
     paragraph,
@@ -24,6 +25,7 @@ from insole_core.resources import resource_path
 
 TOP = np.full((40, 20), np.nan)
 TOP[5:35, 4:16] = 8.0 + np.arange(12)
+MM_PER_PT = 25.4 / 72
 BOTTOM = np.where(np.isfinite(TOP), 0.0, np.nan)
 
 
@@ -54,6 +56,30 @@ def test_papers_are_pdf(tmp_path: Path):
         content = (tmp_path / name).read_bytes()
         assert content.startswith(b"%PDF")
         assert content.rstrip().endswith(b"%%EOF")
+
+
+def pages(path: Path) -> int:
+    return path.read_bytes().count(b"/Type /Page\n")
+
+
+def test_the_picture_of_a_job_sheet_takes_what_is_left_of_the_page(tmp_path: Path):
+    """It goes on to a page of its own only where too little is left to see it."""
+    file = tmp_path / "solid.stl"
+    file.write_bytes(b"solid")
+    alone = 0
+    for count in range(1, 41):
+        made = replace(sheet(file), make={f"value {number}": "1 mm" for number in range(count)})
+        write_job_sheet([made], tmp_path / "sheet.pdf")
+        write_job_sheet([replace(made, height_map=None)], tmp_path / "bare.pdf")
+        alone += pages(tmp_path / "sheet.pdf") > pages(tmp_path / "bare.pdf")
+    row_mm = 15 * MM_PER_PT
+    assert 0 < alone * row_mm < 70
+    picture = HeightPicture(
+        [MappedHeights(HeightMap(TOP, BOTTOM))], (0, 0, 20, 40), 400, least_pt=90
+    )
+    assert picture.wrap(500, 1000)[1] == pytest.approx(400)
+    assert picture.wrap(500, 200)[1] == pytest.approx(200)
+    assert picture.wrap(500, 20)[1] == pytest.approx(90)
 
 
 def test_words_of_the_facts_can_be_edited(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

@@ -32,7 +32,7 @@ from insole_studio.features.compare.rows import FILE, FOLDER, Buttons, figure_ro
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
     from insole_studio.features.compare.view import CompareView
@@ -171,7 +171,7 @@ class ComparePresenter:
         def write(progress: Progress) -> None:
             progress.step(0.1, tr("Writing the report"))
             check_overwriting([path], read)
-            write_comparison(compared, names, path)
+            write_comparison(compared, names, path, translate_core_message)
 
         self._panel.show_error("")
         self._jobs.start(
@@ -260,7 +260,9 @@ class ComparePresenter:
         a, b = laid["a"], laid["b"]
 
         def compare(progress: Progress) -> Compared:
-            return compare_sources(a, b, alignment, median, progress)
+            return compare_sources(
+                a, b, alignment, median, progress, translate=translate_core_message
+            )
 
         self._panel.show_error("")
         self._jobs.start(COMPARING, compare, self._take, self._show_failure)

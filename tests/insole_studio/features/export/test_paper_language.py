@@ -12,6 +12,7 @@ from read_pdf import text_of_pdf
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
+from insole_core.compare.comparison_source import ComparisonSource
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -29,10 +30,12 @@ from insole_core.insole.prescription.design import (
     Rocker,
 )
 from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.messages import Message
 from insole_core.resources import resource_path
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import read_shop
+from insole_core.workflows.compare_case import compare_sources, write_comparison
 from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
 from insole_studio.texts import translation_into
 
@@ -98,3 +101,22 @@ def test_papers_in_swedish_hold_no_word_of_the_english_ones(
         english, swedish = words_of(tmp_path / "en" / paper), words_of(tmp_path / "sv" / paper)
         assert len(english - swedish) > count
         assert english & swedish - ALIKE == set()
+
+
+def test_a_comparison_in_swedish_holds_no_word_of_the_english_one(
+    qapp: QApplication, make_foot: Callable[[Side], Foot], tmp_path: Path
+) -> None:
+    one, other = make_foot(Side.LEFT).mesh, make_foot(Side.RIGHT).mesh
+    for language in ("en", "sv"):
+        translate = translation_into(language)
+        sources = (
+            ComparisonSource(Message("left foot"), one, side=Side.LEFT),
+            ComparisonSource(Message("right foot"), other, side=Side.RIGHT),
+        )
+        a, b = sources[0], sources[1].like(sources[0])
+        compared = compare_sources(a, b, "none", 1, translate=translate)
+        paper = tmp_path / f"{language}.pdf"
+        write_comparison(compared, (a.name, b.name), paper, translate)
+    english, swedish = words_of(tmp_path / "en.pdf"), words_of(tmp_path / "sv.pdf")
+    assert len(english - swedish) > 15
+    assert english & swedish - ALIKE - {"median", "minus"} == set()
