@@ -160,6 +160,7 @@ def _foot(
         notes=tuple(foot.texts("notes")),
         form=source.form,
         mirrored=source.mirrored,
+        scanned_on=source.scanned_on,
     )
 
 
@@ -226,6 +227,7 @@ def _source(source: JsonObject) -> ScanSource:
         source.choice("form", list(Form)) if source.has("form") else Form.FOOT,
         choice_from_json(source.object("choice")) if source.has("choice") else NOTHING_SAID,
         source.flag("mirrored") if source.has("mirrored") else False,
+        source.date("scanned_on")[:10] if source.has("scanned_on") else "",
     )
 
 
@@ -236,6 +238,7 @@ def _source_to_json(source: ScanSource) -> dict[str, Any]:
     content["choice"] = choice_to_json(source.choice)
     if not content["choice"]:
         del content["choice"]
-    if not source.mirrored:
-        del content["mirrored"]
+    for key in ("mirrored", "scanned_on"):
+        if not content[key]:
+            del content[key]
     return content

@@ -26,6 +26,8 @@ class ScanSource:
         With which a mesh is read as the same foot once more.
     mirrored
         Whether the foot is the mirror image of what this scan shows: of the other foot.
+    scanned_on
+        Day (ISO 8601) of the earlier visit that the scan is of; empty for one of its own visit.
     """
 
     kind: str
@@ -35,6 +37,7 @@ class ScanSource:
     form: Form = Form.FOOT
     choice: ImportChoice = NOTHING_SAID
     mirrored: bool = False
+    scanned_on: str = ""
 
     def with_needed_place(self) -> ScanSource:
         """Return the source as the record keeps it, which holds the scan itself as a capture.

@@ -42,6 +42,8 @@ class Foot:
         What was scanned: the foot itself, or what was pressed by it or cast of it under load.
     mirrored
         Whether it is the mirror image of the other foot, because this one was not scanned.
+    scanned_on
+        Day (ISO 8601) of the earlier visit that the scan is of; empty for one of its own visit.
     derived
         Cache of recent results for this foot: landmarks, border, outline, sole, display.
     """
@@ -53,6 +55,7 @@ class Foot:
     notes: tuple[str, ...] = ()
     form: Form = Form.FOOT
     mirrored: bool = False
+    scanned_on: str = ""
     derived: Memo = field(default_factory=_cache, init=False, repr=False)
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from datetime import date
 
 from insole_core.geometry.side import Side
 
@@ -53,3 +54,18 @@ class VersionSummary:
     signed_at: str | None = None
     signature: str | None = None
     capture_id: str | None = None
+
+
+@dataclass(frozen=True)
+class ScannedFoot:
+    """A version of a prescription that holds the last scan of a foot.
+
+    Parameters
+    ----------
+    scanned_on
+        Day of the visit that it was scanned on.
+    """
+
+    side: Side
+    version_id: str
+    scanned_on: date

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, replace
+from datetime import date
 from threading import Lock
 from typing import Any, Final
 from uuid import UUID, uuid5
@@ -30,7 +31,7 @@ from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import check_text
 from insole_core.records.person import new_id
-from insole_core.records.prescription import Base, VersionSummary
+from insole_core.records.prescription import Base, ScannedFoot, VersionSummary
 from insole_core.records.program_version import program_version
 from insole_core.records.rights import Right
 from insole_core.records.schema import captures, prescription_versions, visits
@@ -202,22 +203,29 @@ class Prescriptions:
         RecordsError
             When a surface is missing or was changed on the disk.
         """
-        query = (
-            select(prescription_versions)
-            .join(visits, visits.c.id == _VERSIONS.visit_id)
-            .where(visits.c.person_id == person_id)
-            .order_by(visits.c.visited_on.desc(), visits.c.created_at.desc())
-            .order_by(_VERSIONS.number.desc())
-        )
-        newest: dict[tuple[str, str], Row[Any]] = {}
-        with self._context.reading() as connection:
-            for row in connection.execute(query):
-                newest.setdefault((row.visit_id, row.side), row)
         last: dict[str, Row[Any]] = {}
-        for row in newest.values():
+        for row in self._newest_of_person(person_id):
             if row.side not in last and _prescribes(row):
                 last[row.side] = row
         return [self.foot_of(row) for row in last.values()]
+
+    def last_scanned(self, person_id: str) -> list[ScannedFoot]:
+        """Return the versions that hold the last scan of each foot of a person, the left one first.
+
+        No surface is read.
+        """
+        last: dict[Side, ScannedFoot] = {}
+        for row in self._newest_of_person(person_id):
+            side, day = word_of(Side, row.side), _scan_day(row) or row.visited_on
+            last.setdefault(side, ScannedFoot(side, row.id, day))
+        return [last[side] for side in Side if side in last]
+
+    def reused_scans(self, visit_id: str) -> dict[Side, date]:
+        """Return of which day the scans of a visit are that an earlier one had already."""
+        with self._context.reading() as connection:
+            rows = self.newest_of(connection, visit_id)
+        days = {word_of(Side, row.side): _scan_day(row) for row in rows}
+        return {side: day for side, day in days.items() if day is not None}
 
     def packed_surface(self, version_id: str) -> bytes:
         """Return the surface of a version's foot as it is stored: an ``.npz`` of a case file.
@@ -280,6 +288,21 @@ class Prescriptions:
         query = select(prescription_versions).where(_VERSIONS.visit_id == visit_id)
         rows = connection.execute(query.order_by(_VERSIONS.side, _VERSIONS.number)).all()
         return list({row.side: row for row in rows}.values())
+
+    def _newest_of_person(self, person_id: str) -> list[Row[Any]]:
+        """Return the newest version of each foot of each visit, those of the latest visit first."""
+        query = (
+            select(prescription_versions, visits.c.visited_on)
+            .join(visits, visits.c.id == _VERSIONS.visit_id)
+            .where(visits.c.person_id == person_id)
+            .order_by(visits.c.visited_on.desc(), visits.c.created_at.desc())
+            .order_by(_VERSIONS.number.desc())
+        )
+        newest: dict[tuple[str, str], Row[Any]] = {}
+        with self._context.reading() as connection:
+            for row in connection.execute(query):
+                newest.setdefault((row.visit_id, row.side), row)
+        return list(newest.values())
 
     def _content(self, foot: FootRecord) -> _Content:
         kept = replace(foot, source=foot.source.with_needed_place())
@@ -395,6 +418,12 @@ def _document_of(row: Row[Any]) -> JsonObject:
     return JsonObject.parse(f"{row.side}, version {row.number}", row.document.encode())
 
 
+def _scan_day(row: Row[Any]) -> date | None:
+    """Return of which day the scan of a version is, where an earlier visit had it already."""
+    source = _document_of(row).object("source")
+    return date.fromisoformat(source.date("scanned_on")) if source.has("scanned_on") else None
+
+
 def _chosen_design(document: JsonObject) -> InsoleDesign:
     chosen = document.text("chosen")
     variants = document.objects("variants")
@@ -466,11 +495,14 @@ def _close(connection: Connection, version_id: str, reason: str) -> None:
 
 
 def _capture_of(connection: Connection, visit_id: str, source_sha256: str) -> str | None:
-    """Return the capture of a visit that a foot was made from."""
+    """Return the capture that a foot of a visit was made from: of it, or of an earlier one."""
     is_source = or_(
         captures.c.source_sha256 == source_sha256, captures.c.content_sha256 == source_sha256
     )
-    query = select(captures.c.id).where(captures.c.visit_id == visit_id, is_source)
+    person_id = select(visits.c.person_id).where(visits.c.id == visit_id).scalar_subquery()
+    query = select(captures.c.id).join(visits, visits.c.id == captures.c.visit_id)
+    query = query.where(visits.c.person_id == person_id, is_source)
+    query = query.order_by(captures.c.visit_id != visit_id, captures.c.created_at)
     found: str | None = connection.execute(query.limit(1)).scalar()
     return found
 

@@ -53,6 +53,8 @@ class FootStatement:
         Of the foot's surface that the device was made from.
     signature
         Of the version, see `signing`.
+    scanned_on
+        Day of the earlier visit that the scan is of; empty for one of the order's own visit.
     capture
         What is known about the scan; its calibration is empty where a session does not tell it.
     """
@@ -68,6 +70,7 @@ class FootStatement:
     program_version: str
     scan: str = ""
     scan_sha256: str = ""
+    scanned_on: str = ""
     capture: CaptureFacts = field(default_factory=CaptureFacts)
 
     def provenance(self) -> dict[str, str]:
@@ -86,6 +89,7 @@ class FootStatement:
             "SHA-256 of the scan": self.scan_sha256,
             "SHA-256 of the foot": self.mesh_sha256,
             "recorded": capture.recorded_at[:10],
+            "scan of the earlier visit": self.scanned_on,
             "sensors": ", ".join(capture.sensor_serials),
             "calibrated": capture.calibrated_on[:10] or unknown,
             "residuals of the calibration": joined(capture.residual_lines, "; ") or unknown,
@@ -246,6 +250,7 @@ def _foot(connection: Connection, context: RecordsContext, row: Row[Any]) -> Foo
         signature=row.signature,
         mesh_sha256=row.mesh_sha256,
         program_version=row.program_version,
+        scanned_on=foot.source.scanned_on,
     )
     query = select(captures).where(captures.c.id == row.capture_id)
     capture = connection.execute(query).one_or_none()

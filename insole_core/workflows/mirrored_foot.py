@@ -42,6 +42,7 @@ def mirrored_foot(record: FootRecord, stamp: Callable[[Correction], Correction])
         foot.length_mm,
         form=foot.form,
         mirrored=not foot.mirrored,
+        scanned_on=foot.scanned_on,
     )
     made = FootRecord.begun(
         mirror_image,

@@ -77,15 +77,17 @@ class ModelView(QWidget):
             whole.addWidget(_strip(title))
         whole.addLayout(layout)
 
-    def show_side(self, side: Side | None, *, mirrored: bool = False) -> None:
+    def show_side(self, side: Side | None, *, mirrored: bool = False, scanned_on: str = "") -> None:
         """Show the side on the badge, and orient the medial and lateral presets by it.
 
         Parameters
         ----------
         mirrored
             Whether the badge says that it is the mirror image of the other one.
+        scanned_on
+            Day of the earlier visit that the scan is of, for the badge; empty for none.
         """
-        self._badge.show_side(side, mirrored=mirrored)
+        self._badge.show_side(side, mirrored=mirrored, scanned_on=scanned_on)
         self._presets.setVisible(side is not None)
         if side is not None:
             self.scene.side = side

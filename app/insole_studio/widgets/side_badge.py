@@ -21,14 +21,24 @@ class SideBadge(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Maximum)
         self.show_side(None)
 
-    def show_side(self, side: Side | None, *, mirrored: bool = False) -> None:
-        """Show a side, and whether it is the other one's mirror image; None hides the badge."""
+    def show_side(self, side: Side | None, *, mirrored: bool = False, scanned_on: str = "") -> None:
+        """Show a side; None hides the badge.
+
+        Parameters
+        ----------
+        mirrored
+            Whether it is the other one's mirror image.
+        scanned_on
+            Day of the earlier visit that the scan is of; empty for one of this visit.
+        """
         self.setVisible(side is not None)
         if side is None:
             self.clear()
             return
         word = tr("LEFT") if side is Side.LEFT else tr("RIGHT")
-        self.setText(f"{word} · {_mirrored_from(side.other)}" if mirrored else word)
+        parts = [word, *([_mirrored_from(side.other)] if mirrored else [])]
+        parts += [tr("scan of {day}").format(day=scanned_on)] if scanned_on else []
+        self.setText(" · ".join(parts))
         self.setStyleSheet(
             f"background: {COLORS[side]}; color: white; border-radius: 4px;"
             " padding: 1px 8px; font-weight: 600;"

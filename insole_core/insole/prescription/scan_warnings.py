@@ -1,4 +1,4 @@
-"""Warnings about how the scanned foot lies, and of one that was not scanned."""
+"""Warnings about how the scanned foot lies, and of one that was not scanned, or long ago."""
 
 from __future__ import annotations
 
@@ -16,7 +16,16 @@ _SHOWN_DEG = 0.1
 
 
 def scan_warnings(insole: Insole) -> Iterator[DesignWarning]:
-    """Warn of a foot that is the other one's mirror image, or is not level."""
+    """Warn of a foot that is the other one's mirror image, of an older scan, or not level."""
+    if insole.foot.scanned_on:
+        yield DesignWarning(
+            Message(
+                "The scan of the {side} foot is that of the visit of {day}, used once more; scan "
+                "the foot again if it has changed.",
+                side=insole.foot.side,
+                day=insole.foot.scanned_on,
+            )
+        )
     if insole.foot.mirrored:
         yield DesignWarning(
             Message(

@@ -15,12 +15,12 @@ _UNIT = {"mm": "_mm", "degrees": "", "": ""}
 def visit_measures(feet: Iterable[FootRecord]) -> dict[str, float]:
     """Return the measures of feet by side, name and unit: ``left_foot_length_mm``.
 
-    Measures that a scan does not show are left out, and feet that were not scanned.
+    Measures that a scan does not show are left out, and feet that were not scanned on this visit.
     """
     return {
         f"{foot.side}_{key}{_UNIT[DEFINITIONS[key].unit]}": round(value, 3)
         for foot in feet
-        if not foot.foot.mirrored
+        if not foot.foot.mirrored and not foot.foot.scanned_on
         for key, value in measure(foot.foot, landmarks_of(foot)).items()
         if value is not None
     }

@@ -3116,6 +3116,10 @@
             <translation>Skanningen ligger så långt från origo att koordinaterna är avrundade till steg om {step_mm:.2f} mm; exportera den nära origo.</translation>
         </message>
         <message>
+            <source>The scan of the {side} foot is that of the visit of {day}, used once more; scan the foot again if it has changed.</source>
+            <translation>Skanningen av {side} fot är från besöket {day} och används en gång till; skanna foten igen om den har förändrats.</translation>
+        </message>
+        <message>
             <source>The scan shows no sole: the foot stood on something that was left out. A plane closes it, so the arch is not known; scan the foot from below as well, or design the arch by hand.</source>
             <translation>Skanningen visar ingen sula: foten stod på något som utelämnades. Ett plan sluter den, så valvet är inte känt; skanna foten även underifrån, eller forma valvet för hand.</translation>
         </message>
@@ -6402,6 +6406,10 @@
         <message>
             <source>running</source>
             <translation>löpning</translation>
+        </message>
+        <message>
+            <source>scan of the earlier visit</source>
+            <translation>skanning från det tidigare besöket</translation>
         </message>
         <message>
             <source>scar</source>

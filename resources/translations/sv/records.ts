@@ -532,6 +532,10 @@
             <translation>Sparar…</translation>
         </message>
         <message>
+            <source>Scan of the visit of {day}, used once more</source>
+            <translation>Skanning från besöket {day}, använd en gång till</translation>
+        </message>
+        <message>
             <source>Scan {name}, {time}</source>
             <translation>Skanning {name}, {time}</translation>
         </message>
@@ -656,6 +660,10 @@
             <translation>Den här beställningen skrevs utan papper.</translation>
         </message>
         <message>
+            <source>This visit has no scan yet; the last one is of {day}.</source>
+            <translation>Det här besöket har ingen skanning än; den senaste är från {day}.</translation>
+        </message>
+        <message>
             <source>This visit is open elsewhere too: {who}. Nothing gets lost.</source>
             <translation>Besöket är öppet även på annat håll: {who}. Inget går förlorat.</translation>
         </message>
@@ -674,6 +682,14 @@
         <message>
             <source>Two versions of this foot wait for a decision; yours is kept on this computer.</source>
             <translation>Två versioner av foten väntar på ett beslut; din finns kvar på den här datorn.</translation>
+        </message>
+        <message>
+            <source>Use the earlier scan</source>
+            <translation>Använd den tidigare skanningen</translation>
+        </message>
+        <message>
+            <source>Use the scan of {day}</source>
+            <translation>Använd skanningen från {day}</translation>
         </message>
         <message>
             <source>Version</source>

@@ -2328,6 +2328,10 @@
             <translation>höger</translation>
         </message>
         <message>
+            <source>scan of {day}</source>
+            <translation>skanning från {day}</translation>
+        </message>
+        <message>
             <source>to {height} mm</source>
             <translation>till {height} mm</translation>
         </message>

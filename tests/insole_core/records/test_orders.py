@@ -24,6 +24,7 @@ from insole_core.records.order import Order, OrderSearch, OrderState
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.workflows.earlier_scan import on_earlier_scan
 
 TODAY = date.today()
 TOMORROW = TODAY + timedelta(days=1)
@@ -248,6 +249,16 @@ def test_a_capture_is_kept_with_its_facts(
     records.prescriptions.save(visit.id, made, None)
     [version] = records.prescriptions.versions(visit.id, Side.LEFT)
     assert version.capture_id == capture.id
+    later = records.visits.add(Visit(visit.person_id, TOMORROW))
+    [scanned] = records.prescriptions.last_scanned(visit.person_id)
+    assert (scanned.side, scanned.scanned_on) == (Side.LEFT, TODAY)
+    again = on_earlier_scan(records.prescriptions.read(scanned.version_id), scanned.scanned_on)
+    base = records.prescriptions.save(later.id, again, None)
+    [version] = records.prescriptions.versions(later.id, Side.LEFT)
+    assert version.capture_id == capture.id
+    assert records.prescriptions.read(base.version_id).foot.scanned_on == TODAY.isoformat()
+    [scanned] = records.prescriptions.last_scanned(visit.person_id)
+    assert (scanned.version_id, scanned.scanned_on) == (base.version_id, TODAY)
 
 
 def test_the_name_of_a_patient_is_no_part_of_a_path(

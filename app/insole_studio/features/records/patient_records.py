@@ -33,6 +33,7 @@ from insole_studio.features.records.conflict_dialog import (
     ConflictDialog,
     chosen_foot,
 )
+from insole_studio.features.records.earlier_scan import EarlierScan
 from insole_studio.features.records.field_conflict_dialog import (
     VISIT_FIELDS,
     CollidedField,
@@ -103,6 +104,7 @@ class PatientRecords(QObject):
         self._start_presenter: StartPresenter | None = None
         self._orders_presenter: OrdersPresenter | None = None
         self._same_prescription = SamePrescription(services)
+        self._earlier_scan = EarlierScan(services, self._same_prescription)
         self.captures = VisitCaptures(services)
         self._presence = VisitPresence(services)
         self.order_actions = OrderActions(services)

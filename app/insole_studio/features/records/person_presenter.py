@@ -31,6 +31,7 @@ from insole_studio.features.records.record_texts import (
     day_text,
     measures_text,
     prescribed_text,
+    reused_scan_text,
     scan_text,
     version_text,
     visit_time_text,
@@ -61,6 +62,8 @@ class VisitView:
     visit: Visit
     newest: tuple[VersionSummary, ...]
     captures: tuple[Capture, ...]
+    reused_scans: Mapping[Side, date]
+    """Of which day those scans are that an earlier visit had already."""
     others: tuple[str, ...]
     designs: Mapping[str, InsoleDesign]
     """What versions prescribe, by their ids."""
@@ -250,6 +253,7 @@ def _visit_view(records: Records, visit: Visit, orders: Sequence[OrderSummary]) 
         visit,
         tuple(version for newest in versions for version in newest),
         tuple(records.captures.of_visit(visit.id)),
+        _reused_scans(records, visit),
         tuple(f"{present.author}, {present.station}" for present in others),
         _designs(records, visit),
         tuple(order for order in orders if order.visit_id == visit.id),
@@ -262,6 +266,15 @@ def _designs(records: Records, visit: Visit) -> Mapping[str, InsoleDesign]:
         return records.prescriptions.newest_designs(visit.id)
     except InsoleError as error:
         log.warning("a design of visit %s cannot be read: %s", visit.id, error)
+        return {}
+
+
+def _reused_scans(records: Records, visit: Visit) -> Mapping[Side, date]:
+    """Return what `Prescriptions.reused_scans` does; a damaged version costs these words only."""
+    try:
+        return records.prescriptions.reused_scans(visit.id)
+    except InsoleError as error:
+        log.warning("a version of visit %s cannot be read: %s", visit.id, error)
         return {}
 
 
@@ -336,7 +349,10 @@ def _row(shown: VisitView) -> VisitRow:
         visit.reason,
         feet,
         tuple(notes),
-        tuple(map(scan_text, shown.captures[:_MOST_SCANS])),
+        (
+            *map(scan_text, shown.captures[:_MOST_SCANS]),
+            *(reused_scan_text(day) for day in sorted(set(shown.reused_scans.values()))),
+        ),
         tuple(
             translate_core_message(line)
             for capture in shown.captures[:_MOST_SCANS]

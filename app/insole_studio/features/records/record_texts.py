@@ -50,6 +50,11 @@ def scan_text(capture: Capture) -> str:
     return tr("Captured {time}; sensors calibrated {day}").format(time=time, day=day)
 
 
+def reused_scan_text(day: date) -> str:
+    """Return that a visit has the scan of an earlier one."""
+    return tr("Scan of the visit of {day}, used once more").format(day=day.isoformat())
+
+
 def visit_time_text(visit: Visit) -> str:
     """Return the day of a visit, with the time at which it was begun if that was on this day."""
     begun, day = moment_text(visit.created_at), visit.visited_on.isoformat()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
@@ -55,6 +56,20 @@ class SamePrescription(QObject):
         """
         self._coming = _Coming(visit_id, templates, applied)
 
+    def prescribed(self, foot: FootRecord) -> FootRecord:
+        """Return a foot with the prescription that its visit expects, if it is to get one."""
+        coming = self._coming
+        if coming is None or self._services.keeper.visit_id != coming.visit_id:
+            return foot
+        template = coming.templates.get(foot.side)
+        if template is None or not coming.applied:
+            return foot
+        try:
+            return foot.with_design(fitted(template, foot, self._case.stamped))
+        except InsoleError as error:
+            self._services.messages.show_error(error)
+            return foot
+
     def _tell(self) -> None:
         """Say what the scans of the visit will be prescribed, while it has none."""
         coming = self._coming
@@ -87,11 +102,7 @@ class SamePrescription(QObject):
         if not coming.applied:
             self._case.apply(foot, tr("Remember the last prescription"))
             return
-        try:
-            foot = foot.with_design(fitted(template, foot, self._case.stamped))
-        except InsoleError as error:
-            self._services.messages.show_error(error)
-        self._case.apply(foot, tr("Prescribe as on the last visit"))
+        self._case.apply(self.prescribed(foot), tr("Prescribe as on the last visit"))
 
 
 def last_prescriptions(records: Records, person_id: str) -> dict[Side, Template]:

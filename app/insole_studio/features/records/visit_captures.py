@@ -112,7 +112,8 @@ class VisitCaptures(QObject):
             return
         for foot in self._case.record.feet:
             source = foot.source
-            if source.sha256 not in self._stored and _is_there(source):
+            is_own = not source.scanned_on  # else an earlier visit has it
+            if is_own and source.sha256 not in self._stored and _is_there(source):
                 self._stored.add(source.sha256)
                 self.store(self._visit_id, Path(source.path), source.kind)
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -34,6 +35,7 @@ from insole_studio.features.records.person_export_dialog import PersonExportDial
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.record_texts import moment_text
 from insole_studio.features.records.visit_dialog import VisitDialog
+from insole_studio.widgets.side_badge import SideBadge
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -313,7 +315,8 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     clinic.controller.run_action("new_visit_same", False)
     qtbot.waitUntil(lambda: clinic.case.kept is not None)
     assert clinic.services.keeper.visit_id != visit.id
-    (notice,) = clinic.services.notices.notices
+    notices = clinic.services.notices.notices
+    notice = next(shown for shown in notices if shown.key == "same-prescription")
     assert "as last time: left:" in notice.text
     assert "heel lift, 6 mm" in notice.text
     source = ScanSource("mesh", "/nowhere/new.ply", "1" * 64)
@@ -327,6 +330,53 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     qtbot.waitUntil(
         lambda: bool(records.prescriptions.versions(clinic.services.keeper.visit_id, Side.LEFT))
     )
+
+
+@pytest.mark.parametrize("action", ["new_visit", "new_visit_same"])
+def test_a_visit_without_a_scan_takes_the_last_one_and_says_its_day(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+    action: str,
+) -> None:
+    opened = records.visits.open_case(visit.id)
+    foot = opened.record.feet[0]
+    lifted = foot.with_design(foot.design.with_added(HeelLift(height_mm=6.0)))
+    records.prescriptions.save(visit.id, lifted, opened.bases[Side.LEFT])
+    before = date.today() - timedelta(days=200)
+    records.visits.change(replace(visit, visited_on=before), visit.revision)
+    rest()
+    clinic.controller.run_action(action, False)
+    notices = clinic.services.notices
+    qtbot.waitUntil(lambda: "earlier-scan" in [shown.key for shown in notices.notices])
+    (button,) = [
+        button
+        for button in clinic.window.findChildren(QPushButton)
+        if button.text() == f"Use the scan of {before.isoformat()}"
+    ]
+    QTest.mouseClick(button, LEFT)
+    qtbot.waitUntil(lambda: bool(clinic.case.record.feet))
+    (taken,) = clinic.case.record.feet
+    assert np.array_equal(taken.foot.mesh.vertices, foot.foot.mesh.vertices)
+    assert taken.source.scanned_on == taken.foot.scanned_on == before.isoformat()
+    assert bool(taken.design.corrections) == (action == "new_visit_same")
+    assert taken.earlier is not None
+    badges = [badge.text() for badge in clinic.window.findChildren(SideBadge)]
+    assert f"LEFT · scan of {before.isoformat()}" in badges
+    now = clinic.services.keeper.visit_id
+    qtbot.waitUntil(lambda: bool(records.prescriptions.versions(now, Side.LEFT)))
+    rest()
+    assert records.prescriptions.reused_scans(now) == {Side.LEFT: before}
+    assert records.visits.get(now).measures == {}
+    clinic.features.records.show_person(visit.person_id)
+    told = f"Scan of the visit of {before.isoformat()}, used once more"
+    qtbot.waitUntil(lambda: now in page.cards and told in page.cards[now].row.scan)
+    third = records.visits.add(Visit(visit.person_id, date.today()))
+    (again,) = records.prescriptions.last_scanned(third.person_id)
+    assert again.scanned_on == before
 
 
 def test_two_visits_are_compared(

@@ -19,7 +19,9 @@ from insole_studio.scene.pointer import Handle, MarkedPoint
 class ModelPanel(Protocol):
     """A panel that shows the foot or the insole in 3-D."""
 
-    def show_side(self, side: Side | None, *, mirrored: bool = False) -> None: ...  # noqa: D102
+    def show_side(  # noqa: D102
+        self, side: Side | None, *, mirrored: bool = False, scanned_on: str = ""
+    ) -> None: ...
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
     def clear(self) -> None: ...  # noqa: D102
     def show_mesh(  # noqa: D102

@@ -211,7 +211,10 @@ class ModelPresenter:
         foot = self._case.foot
         if foot is None:
             self.panel.clear()
-        self.panel.show_side(self._case.side, mirrored=foot is not None and foot.mirrored)
+            self.panel.show_side(self._case.side)
+        else:
+            day = foot.scanned_on
+            self.panel.show_side(self._case.side, mirrored=foot.mirrored, scanned_on=day)
         self.show_surface()
 
     def rest(self) -> None:
