@@ -20,6 +20,14 @@ _FIGURES = {
     "max": Message("largest"),
     "signed_mean": Message("mean of first minus second"),
 }
+_MEASURES = {
+    "foot_length": Message("foot length"),
+    "length": Message("length"),
+    "ball_width": Message("ball width"),
+    "heel_width": Message("heel width"),
+    "forefoot_width": Message("forefoot width"),
+    "arch_height": Message("arch height"),
+}
 _MM = "{value:.2f} mm"
 
 
@@ -63,7 +71,7 @@ def write_report(
         (Message("Compared part"), part_rows(difference)),
     ):
         if rows:
-            sections.append((title, {r.key.replace("_", " "): _both(r) for r in rows}))
+            sections.append((title, {_MEASURES[row.key]: _both(row) for row in rows}))
     said = [
         (translate(title), {translate(key): translate(text) for key, text in facts.items()})
         for title, facts in sections

@@ -4872,6 +4872,10 @@
             <translation>framfotsvarus</translation>
         </message>
         <message>
+            <source>forefoot width</source>
+            <translation>framfotsbredd</translation>
+        </message>
+        <message>
             <source>format must be "{format}"; this is no design of an insole.</source>
             <translation>format måste vara ”{format}”; detta är ingen design av ett inlägg.</translation>
         </message>
