@@ -142,6 +142,14 @@ class EditedInsole:
         return top, replace(bottom, vertices=self.mesh.vertices)
 
     @property
+    def closed_mesh(self) -> TriangleMesh:
+        """The mesh without the second copy of the walls' vertices: closed, and of its own."""
+        count, rim = 2 * self.bare.top_count, self.bare.rim
+        number = np.concatenate([np.arange(count), rim, rim + self.bare.top_count])
+        corners = number[self.mesh.triangles].astype(np.int32)
+        return TriangleMesh(self.mesh.vertices[:count].copy(), corners)
+
+    @property
     def bottom_heights_mm(self) -> FloatArray:
         """(n,) heights of the bottom below the top's vertices."""
         count = self.bare.top_count

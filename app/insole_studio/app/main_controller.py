@@ -249,6 +249,8 @@ class MainController(QObject):
         case.leaving.connect(commit_typed_text)
         case.closing.connect(self._clear_case)
         self._tool_controller.tool_changed.connect(self._show_tool)
+        for signal in (self._tool_controller.tool_changed, self._case.preview_changed):
+            signal.connect(self._show_undo)
         self._tool_controller.tool_changed.connect(self._services.messages.clear)
         self._autosave.failed.connect(self._services.messages.show_sentence)
         self._autosave.kept_changed.connect(self._show_kept)
@@ -339,7 +341,8 @@ class MainController(QObject):
     def _show_undo(self) -> None:
         """Offer to undo what is shown: the panels' case, or the fields of a person's page."""
         history, on_panels = self._case.history, self._window.page is None
-        for key, done in (("undo", history.undo_sentence), ("redo", history.redo_sentence)):
+        undone = self._tool_controller.tool.own_step(self._case) or history.undo_sentence
+        for key, done in (("undo", undone), ("redo", history.redo_sentence)):
             verb, sentence = self._records[key].text(), done if on_panels else ""
             text = f"{verb}: {sentence}" if sentence else verb
             self._window.show_action(key, bool(sentence) or self._is_on_person, text)

@@ -29,6 +29,7 @@ TOOL_KEYS = (
     "tool_brush",
     "tool_plane",
     "tool_section",
+    "tool_tape",
     "tool_plantar",
 )
 

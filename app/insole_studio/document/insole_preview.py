@@ -91,6 +91,11 @@ class InsolePreview(QObject):
         return None if self._insole is None else self._insole.mesh
 
     @property
+    def closed_mesh(self) -> TriangleMesh | None:
+        """Return the mesh as it is now, its walls joined to top and bottom."""
+        return None if self._insole is None else self._insole.closed_mesh
+
+    @property
     def normals(self) -> FloatArray | None:
         """Return the (n, 3) normals of the mesh's vertices."""
         return None if self._insole is None else self._insole.normals

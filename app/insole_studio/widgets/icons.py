@@ -31,6 +31,7 @@ _NAMES = {
     "posting": "mdi6.angle-acute",
     "plane": "mdi6.square-opacity",
     "section": "mdi6.box-cutter",
+    "tape": "mdi6.tape-measure",
     "plantar": "mdi6.foot-print",
     "eye": "mdi6.eye-outline",
     "eye-off": "mdi6.eye-off-outline",

@@ -176,26 +176,26 @@ class ModelView(QWidget):
         self.scene.request_render()
 
     def show_guide(
-        self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
+        self, lines: Sequence[FloatArray], text: str, place_mm: FloatArray | None = None
     ) -> None:
-        """Draw guide lines for the selected pad, and its measure.
+        """Draw lines along which something is measured, and the measure.
 
         Parameters
         ----------
         lines : (n, 3) each, mm, insole frame
-            What the pad is measured against.
         text
             The measure.
-        beside : (n, 3), mm, insole frame
-            Outline at whose right the text stands.
+        place_mm : (3,), mm, insole frame
+            Where the text stands.
         """
         self.scene.painter.show_lines("guide", lines, self.scene.painter.scheme.mark, 2.0)
-        place = None
-        if beside is not None:
-            right, front = self.scene.look.right, lines[-1][0]
-            place = front + max(float(((beside - front) @ right).max()), 0.0) * right
-        self.scene.painter.show_label(place, text)
+        self.scene.painter.show_label(place_mm, text)
         self.scene.request_render()
+
+    def right_of(self, outline: FloatArray, place_mm: FloatArray) -> FloatArray:
+        """Return the place beside a point (3,) that is right of a whole outline (n, 3)."""
+        right = self.scene.look.right
+        return np.asarray(place_mm + max(float(((outline - place_mm) @ right).max()), 0.0) * right)
 
     def show_turned(self, step: FloatArray | None) -> None:
         """Show the surface moved by a transform (4, 4) while it is being turned; None ends that."""

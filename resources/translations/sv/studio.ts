@@ -1180,8 +1180,16 @@
             <translation>Märk en punkt</translation>
         </message>
         <message>
+            <source>Measure along the surface and straight, on foot or insole</source>
+            <translation>Mät längs ytan och rakt, på fot eller inlägg</translation>
+        </message>
+        <message>
             <source>Measures</source>
             <translation>Mått</translation>
+        </message>
+        <message>
+            <source>Measuring tape</source>
+            <translation>Måttband</translation>
         </message>
         <message>
             <source>Medial</source>
@@ -1906,6 +1914,10 @@
         <message>
             <source>Take the tour</source>
             <translation>Ta rundturen</translation>
+        </message>
+        <message>
+            <source>Tape</source>
+            <translation>Måttband</translation>
         </message>
         <message>
             <source>Taper</source>

@@ -40,6 +40,14 @@
             <translation>Tillbaka till fotens kontur</translation>
         </message>
         <message>
+            <source>Click on foot or insole where the tape begins</source>
+            <translation>Klicka på foten eller inlägget där måttbandet börjar</translation>
+        </message>
+        <message>
+            <source>Click where it ends</source>
+            <translation>Klicka där det slutar</translation>
+        </message>
+        <message>
             <source>Copy</source>
             <translation>Kopiera</translation>
         </message>
@@ -96,6 +104,10 @@
             <translation>Lägg en fot som ligger ungefär rätt på fotsulan, med axeln längs inlägget</translation>
         </message>
         <message>
+            <source>Lay the tape</source>
+            <translation>Lägg måttbandet</translation>
+        </message>
+        <message>
             <source>Level the sole</source>
             <translation>Lägg fotsulan plant</translation>
         </message>
@@ -142,6 +154,10 @@
         <message>
             <source>Remove a point of the outline</source>
             <translation>Ta bort en punkt på konturen</translation>
+        </message>
+        <message>
+            <source>Remove the tape</source>
+            <translation>Ta bort måttbandet</translation>
         </message>
         <message>
             <source>Remove this point</source>
@@ -224,6 +240,10 @@
             <translation>Använd som {name}</translation>
         </message>
         <message>
+            <source>click to go on, double click to end, Ctrl+Z to take the last point back</source>
+            <translation>klicka för att fortsätta, dubbelklicka för att avsluta, Ctrl+Z tar tillbaka den sista punkten</translation>
+        </message>
+        <message>
             <source>lateral</source>
             <translation>lateralt</translation>
         </message>
@@ -238,6 +258,10 @@
         <message>
             <source>varus</source>
             <translation>varus</translation>
+        </message>
+        <message>
+            <source>{along} mm along the surface, {straight} mm straight</source>
+            <translation>{along} mm längs ytan, {straight} mm rakt</translation>
         </message>
         <message>
             <source>{angle}° {kind}</source>

@@ -16,8 +16,8 @@ class EditActions:
         self._tool_controller = tool_controller
 
     def undo(self) -> None:
-        """Cancel the running gesture, or undo the last step."""
-        if not self._tool_controller.cancel():
+        """Cancel the running gesture, or undo the last step of the tool or of the case."""
+        if not self._tool_controller.cancel() and not self._tool_controller.take_back():
             self._case.undo()
 
     def redo(self) -> None:

@@ -121,6 +121,13 @@ EDIT_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda: tr("Cut the insole and measure its thickness"),
         "S",
     ),
+    _tool(
+        "tape",
+        lambda: tr("Measuring tape"),
+        lambda: tr("Measure along the surface and straight, on foot or insole"),
+        "Shift+M",
+        lambda: tr("Tape"),
+    ),
     ActionRecord(
         "next_correction",
         lambda: tr("Select the next correction"),

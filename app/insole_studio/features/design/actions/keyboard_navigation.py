@@ -52,13 +52,13 @@ class KeyboardNavigation:
         self._case.select(ids[(start + step) % len(ids)])
 
     def go_back(self) -> None:
-        """On Escape, focus the view; then clear the selection; then choose the orbit tool."""
+        """On Escape, focus the view; then let go of what is measured or selected, then the tool."""
         views = (self._stage.foot.scene.surface, self._stage.insole.scene.surface)
         if QApplication.focusWidget() not in views:
             self._stage.focus_view()
         elif self._case.selection is not None:
             self._case.select(None)
-        else:
+        elif not self._tool_controller.take_back(everything=True):
             self._tool_controller.take("orbit")
 
 

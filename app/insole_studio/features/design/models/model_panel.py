@@ -42,8 +42,9 @@ class ModelPanel(Protocol):
     def show_ghost(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102
     def show_contours(self, lines: ContourLines | None) -> None: ...  # noqa: D102
     def show_guide(  # noqa: D102
-        self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
+        self, lines: Sequence[FloatArray], text: str, place_mm: FloatArray | None = None
     ) -> None: ...
+    def right_of(self, outline: FloatArray, place_mm: FloatArray) -> FloatArray: ...  # noqa: D102
     def show_turned(self, step: FloatArray | None) -> None: ...  # noqa: D102
     def show_axes(self, axes: GuideLines | None) -> None: ...  # noqa: D102
     def show_outlines(  # noqa: D102

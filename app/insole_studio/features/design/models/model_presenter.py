@@ -14,6 +14,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
+from insole_core.geometry.surface_path import shortest_path
 from insole_core.insole.outline.shoe_outline import heel_lift_mm, shoe_outline
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
@@ -192,6 +193,16 @@ class ModelPresenter:
         )
         return None if place is None else self.place(*place)
 
+    def way(self, start: FloatArray, end: FloatArray) -> FloatArray | None:
+        """Return the shortest way along the surface between two of its points (3,)."""
+        surface = self._closed
+        return None if surface is None else shortest_path(surface, start, end)
+
+    @property
+    def _closed(self) -> TriangleMesh | None:
+        """The mesh of the subject, in one piece."""
+        return self.mesh
+
     def covers(self, x_mm: float, y_mm: float) -> bool:
         """Return whether the insole covers a position of the insole frame."""
         return self._surface.covers(x_mm, y_mm)
@@ -318,7 +329,11 @@ class ModelPresenter:
         ]
 
     def _show_guide(self) -> None:
-        """Show how far the selected pad ends behind the metatarsal heads."""
+        """Show what the tool measures, or how far the selected pad ends behind the heads."""
+        measured = self._tool_controller.tool.measure(self._case, self)
+        if measured is not None:
+            self.panel.show_guide(measured.lines, measured.text, measured.place_mm)
+            return
         pad = selected_pelott(self._case)
         found = clearance(self._case.shown, pad) if pad is not None else None
         if pad is None or found is None or abs(found.distance_mm) > NEAR_MM:
@@ -326,7 +341,8 @@ class ModelPresenter:
             return
         way = self.places(np.stack([found.front, found.nearest]))
         lines = self.places(found.line), way
-        self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", self._outline(pad))
+        place = self.panel.right_of(self._outline(pad), way[0])
+        self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", place)
 
     def _show_section(self) -> None:
         """Show the section in its place; its handles come with the other marks."""
@@ -533,6 +549,10 @@ class InsolePresenter(ModelPresenter):
     def mesh(self) -> TriangleMesh | None:
         """The mesh of the insole."""
         return self._surface.mesh
+
+    @property
+    def _closed(self) -> TriangleMesh | None:
+        return self._surface.closed_mesh
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
         """Return the point of the contact surface at a position."""

@@ -20,6 +20,7 @@ from insole_studio.features.design.tools.plantar_tool import PlantarTool
 from insole_studio.features.design.tools.posting_tool import PostingTool
 from insole_studio.features.design.tools.rim_tool import RimTool
 from insole_studio.features.design.tools.section_tool import SectionTool
+from insole_studio.features.design.tools.tape_tool import TapeTool
 from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.turn_tool import TurnTool
 
@@ -60,4 +61,5 @@ def make_tools(
         PlaneTool(),
         SectionTool(section),
         PlantarTool(plantar),
+        TapeTool(),
     )

@@ -40,6 +40,15 @@ class ContextMenuItem:
     removes: bool = False
 
 
+@dataclass(frozen=True, eq=False)
+class Measure:
+    """What a tool measures: lines (n, 3), mm, insole frame, and what is written at a place (3,)."""
+
+    lines: tuple[FloatArray, ...]
+    text: str
+    place_mm: FloatArray
+
+
 class SurfaceContext(Protocol):
     """The surface on which marks are drawn in one view: the skin or the insole."""
 
@@ -74,6 +83,10 @@ class SurfaceContext(Protocol):
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
         """Return whether the surface covers a position of the insole frame."""
+        ...
+
+    def way(self, start: FloatArray, end: FloatArray) -> FloatArray | None:
+        """Return the shortest way (n, 3) along the surface; None if its parts do not meet."""
         ...
 
 
@@ -145,6 +158,17 @@ class Tool:
         Gesture or None
             None where there is nothing to drag.
         """
+        return None
+
+    def own_step(self, _case: Case) -> str:
+        """Return what Undo takes back before a step of the case; empty if there is nothing."""
+        return ""
+
+    def take_back(self) -> None:
+        """Take that back."""
+
+    def measure(self, _case: Case, _surface: SurfaceContext) -> Measure | None:
+        """Return what is measured on the surface of a view; None if nothing is."""
         return None
 
     def double_click(self, _case: Case, _event: PointerEvent, _surface: SurfaceContext) -> bool:
@@ -235,6 +259,12 @@ def with_number(value: Record, name: str, number: float) -> Record:
     """
     changes: dict[str, Any] = {name: number}
     return replace(value, **changes)
+
+
+def show_again(case: Case) -> None:
+    """Let the views show what a tool draws, though the case stays as it is."""
+    case.preview(case.record)
+    case.end_preview()
 
 
 def rise_mm(start: PointerEvent, now: PointerEvent) -> float:

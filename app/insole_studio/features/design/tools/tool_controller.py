@@ -8,7 +8,12 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from insole_studio.document.case import Case
-from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
+from insole_studio.features.design.tools.tool import (
+    ContextMenuItem,
+    SurfaceContext,
+    Tool,
+    show_again,
+)
 from insole_studio.scene.gesture import AnyGesture, RunningGesture
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.pointer_moves import keep_every_move
@@ -71,6 +76,17 @@ class ToolController(QObject):
             return False
         self._case.end_preview()
         self.gesture_ended.emit()
+        return True
+
+    def take_back(self, *, everything: bool = False) -> bool:
+        """Take back a step of the tool's own, or all of them; return False if there is none."""
+        if not self.tool.own_step(self._case):
+            return False
+        if everything:
+            self.tool.reset()
+        else:
+            self.tool.take_back()
+        show_again(self._case)
         return True
 
     def double_click(self, event: PointerEvent, surface: SurfaceContext) -> bool:

@@ -1,0 +1,142 @@
+"""The shortest way along a surface between two of its points, as a tape is laid on it."""
+
+from __future__ import annotations
+
+import numpy as np
+import scipy
+
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
+
+_PITCH_MM = 1.0
+"""Between points of a way at most: a chord of this length is as long as its arc on a foot."""
+_FIRST_POINTS = 9
+_STEPS, _PULL = 40, 8.0
+"""How often a way is pulled tight with each number of points, and how much at once."""
+_FACES = 12
+"""Nearest triangles, by their centres, among which is the one on which a point comes to lie."""
+_LIKELY = 1.6
+"""A way is rarely longer than this, relative to the straight one; others are looked for later."""
+
+
+def shortest_path(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> FloatArray | None:
+    """Return the shortest way along a surface, found from the shortest one along its edges.
+
+    Parameters
+    ----------
+    mesh : mm
+    start, end : (3,) float64, mm
+        On the surface.
+
+    Returns
+    -------
+    (n, 3) float64, mm, or None
+        Points of the way, at most 1 mm apart, from start to end; None if the two lie on parts that
+        do not hang together.
+    """
+    if np.array_equal(start, end):
+        return np.stack([start, end])
+    rough = _along_edges(mesh, start, end)
+    if rough is None:
+        return None
+    surface = _Surface(mesh)
+    count = _FIRST_POINTS
+    way = _resampled(rough, count)
+    while True:
+        way = _pulled_tight(surface, way)
+        if path_length_mm(way) <= _PITCH_MM * (count - 1):
+            return way
+        count = 2 * count - 1
+        way = surface.nearest(_resampled(way, count))
+
+
+def path_length_mm(path: FloatArray) -> float:
+    """Return the length of a polyline (n, 3), mm."""
+    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+
+
+class _Surface:
+    """Brings points to the nearest place of a surface."""
+
+    def __init__(self, mesh: TriangleMesh) -> None:
+        self._corners = mesh.vertices[mesh.triangles]
+        self._centres = scipy.spatial.KDTree(self._corners.mean(axis=1))
+
+    def nearest(self, points: FloatArray) -> FloatArray:
+        """Return the points of the surface (n, 3) nearest to given ones; both ends stay."""
+        inner = points[1:-1]
+        few = min(_FACES, self._centres.n)
+        number = np.asarray(self._centres.query(inner, k=few)[1]).reshape(len(inner), few)
+        found = _nearest_in(self._corners[number], inner[:, None])
+        best = ((found - inner[:, None]) ** 2).sum(axis=2).argmin(axis=1)
+        return np.concatenate([points[:1], found[np.arange(len(inner)), best], points[-1:]])
+
+
+def _nearest_in(triangles: FloatArray, points: FloatArray) -> FloatArray:
+    """Return the points (..., 3) of triangles (..., 3, 3) nearest to points (..., 3)."""
+    a, b, c = np.moveaxis(triangles, -2, 0)
+    u, v, w = b - a, c - a, points - a
+    uu, uv, vv = (u * u).sum(axis=-1), (u * v).sum(axis=-1), (v * v).sum(axis=-1)
+    wu, wv = (w * u).sum(axis=-1), (w * v).sum(axis=-1)
+    area = np.maximum(uu * vv - uv**2, 1e-12)
+    s, t = (vv * wu - uv * wv) / area, (uu * wv - uv * wu) / area
+    inside = (s >= 0) & (t >= 0) & (s + t <= 1)
+    best = a + s[..., None] * u + t[..., None] * v
+    off = np.where(inside, 0.0, np.inf)
+    for first, last in ((a, b), (b, c), (c, a)):
+        along = last - first
+        size = np.maximum((along * along).sum(axis=-1), 1e-12)
+        share = np.clip(((points - first) * along).sum(axis=-1) / size, 0, 1)
+        place = first + share[..., None] * along
+        away = np.where(inside, np.inf, ((points - place) ** 2).sum(axis=-1))
+        best = np.where((away < off)[..., None], place, best)
+        off = np.minimum(off, away)
+    return np.asarray(best)
+
+
+def _pulled_tight(surface: _Surface, way: FloatArray) -> FloatArray:
+    """Shorten a way whose ends stay: pull its points towards each other, and back to the surface.
+
+    An implicit step of the flow by which a curve on a surface becomes shortest.
+    """
+    bands = np.full((3, len(way)), -_PULL)
+    bands[1] = 1 + 2 * _PULL
+    bands[1, [0, -1]], bands[0, 1], bands[2, -2] = 1.0, 0.0, 0.0
+    for _ in range(_STEPS):
+        way = surface.nearest(scipy.linalg.solve_banded((1, 1), bands, way))
+    return way
+
+
+def _resampled(way: FloatArray, count: int) -> FloatArray:
+    """Return a number of points at equal distances along a polyline (n, 3)."""
+    steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
+    at = np.concatenate([[0.0], np.cumsum(steps)])
+    stops = np.linspace(0.0, at[-1], count)
+    return np.stack([np.interp(stops, at, way[:, i]) for i in range(3)], axis=1)
+
+
+def _along_edges(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> FloatArray | None:
+    """Return the shortest way along edges, between the corners nearest to start and end."""
+    first, last = (int(((mesh.vertices - p) ** 2).sum(axis=1).argmin()) for p in (start, end))
+    corners = mesh.triangles
+    a, b = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]).T
+    lengths = np.linalg.norm(mesh.vertices[a] - mesh.vertices[b], axis=1)
+    shape = (len(mesh.vertices),) * 2
+    graph = scipy.sparse.csr_array((lengths, (a, b)), shape=shape)
+    straight_mm = float(np.linalg.norm(mesh.vertices[first] - mesh.vertices[last]))
+    for limit in (_LIKELY * straight_mm, np.inf):
+        away, before = scipy.sparse.csgraph.dijkstra(
+            graph, directed=False, indices=[first], return_predecessors=True, limit=limit
+        )
+        if np.isfinite(away[0, last]):
+            between = mesh.vertices[_steps(before[0], first, last)]
+            return np.concatenate([start[None], between, end[None]])
+    return None
+
+
+def _steps(before: IntArray, first: int, last: int) -> list[int]:
+    """Return the numbers of the corners from the first to the last, given that before each."""
+    way = [last]
+    while way[-1] != first:
+        way.append(int(before[way[-1]]))
+    return way[::-1]
