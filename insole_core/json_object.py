@@ -175,12 +175,16 @@ class JsonObject:
 
     def text(self, key: str, *, empty: bool = False) -> str:
         """Return a string as it may be shown (`visible`); an empty one only with `empty`."""
+        return visible(self.path_text(key, empty=empty))
+
+    def path_text(self, key: str, *, empty: bool = False) -> str:
+        """Return the name of a file as it is, by which it is found; `Message` makes it visible."""
         value = self.value(key)
         if not isinstance(value, str):
             raise self.fail(key, "must be a text")
         if not (value or empty):
             raise self.fail(key, "must be a text that is not empty")
-        return visible(value)
+        return value
 
     def date(self, key: str) -> str:
         """Return a date, with or without a time, as ISO 8601."""

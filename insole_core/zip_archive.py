@@ -20,6 +20,8 @@ _UNREADABLE = (
     struct.error, OverflowError,
 )  # fmt: skip
 
+_ABSENT = (FileNotFoundError, NotADirectoryError, IsADirectoryError, PermissionError)
+
 
 class DamagedArchiveError(InputError):
     """The archive, or a file in it, is not what was packed."""
@@ -42,7 +44,8 @@ class ZipArchive:
     DamagedArchiveError
         When it is no readable archive.
     InputError
-        When it is encrypted, holds a name twice, or is packed in an unusual way.
+        When it is not there or may not be read, is encrypted, holds a name twice, or is packed in
+        an unusual way.
     """
 
     def __init__(self, name: str, source: Path | bytes) -> None:
@@ -51,6 +54,12 @@ class ZipArchive:
         try:
             with self._opened() as file, zipfile.ZipFile(file) as archive:
                 entries = [entry for entry in archive.infolist() if not entry.is_dir()]
+        except _ABSENT as error:
+            raise InputError(
+                "{path} cannot be read: {reason}; check the name of the file.",
+                path=name,
+                reason=str(error.strerror),
+            ) from error
         except _UNREADABLE as error:
             raise DamagedArchiveError(
                 "{archive} is not a readable zip archive; copy it again from its source.",

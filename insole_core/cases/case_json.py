@@ -221,7 +221,7 @@ def _annotations(annotations: JsonObject) -> Annotations:
 def _source(source: JsonObject) -> ScanSource:
     return ScanSource(
         source.choice("kind", ["session", "mesh"]),
-        source.text("path"),
+        source.path_text("path"),
         source.text("sha256"),
         source.text("recorded_at", empty=True),
         source.choice("form", list(Form)) if source.has("form") else Form.FOOT,

@@ -32,6 +32,7 @@ from insole_core.records.passwords import (
     is_password,
 )
 from insole_core.records.rights import ACCOUNTS_ON, Right, accounts_are_on, require
+from insole_core.records.row_report import SWITCHED_OFF, SWITCHED_ON
 from insole_core.records.times import utc_now
 
 LOCK_MINUTES: Final = "lock_minutes"
@@ -123,6 +124,30 @@ class Accounts:
             rows = connection.execute(select(schema.accounts).order_by(schema.accounts.c.name))
             return [_account(row) for row in rows]
 
+    def named(self, name: str) -> Account:
+        """Return the account of a name, however it is typed.
+
+        Raises
+        ------
+        InputError
+            When there is none.
+        NotAllowed
+        """
+        for account in self.all():
+            if account.name == _folded(name):
+                return account
+        raise InputError(
+            "There is no account {name}; look at the list: records accounts list.", name=name
+        )
+
+    def were_switched_off_unseen(self) -> bool:
+        """Return whether accounts are off although the audit log says that they are on."""
+        actions = (SWITCHED_ON, SWITCHED_OFF)
+        query = select(schema.audit.c.action).where(schema.audit.c.action.in_(actions))
+        with self._database.reading() as connection:
+            last = connection.execute(query.order_by(schema.audit.c.seq.desc()).limit(1)).scalar()
+            return last == SWITCHED_ON and not accounts_are_on(connection)
+
     def switch_on(self, name: str, full_name: str, password: str) -> Account:
         """Switch accounts on by making the first administrator.
 
@@ -145,7 +170,7 @@ class Accounts:
                 _change(connection, earlier.id, **values, locked_until=None)
             on = {"key": ACCOUNTS_ON, "value": json.dumps(True)}
             connection.execute(insert(schema.clinic).values(on))
-            self._log(connection, "switched on", values["id"])
+            self._log(connection, SWITCHED_ON, values["id"])
         return _account_of(values)
 
     def switch_off(self) -> None:
@@ -158,7 +183,7 @@ class Accounts:
         with self._database.writing() as connection:
             require(connection, self._who, Right.MANAGE_ACCOUNTS)
             connection.execute(delete(schema.clinic).where(schema.clinic.c.key == ACCOUNTS_ON))
-            self._log(connection, "switched off", "all")
+            self._log(connection, SWITCHED_OFF, "all")
 
     def add(self, name: str, full_name: str, role: Role, password: str) -> Account:
         """Add an account, whose owner has to change the password that they are told.

@@ -32,6 +32,10 @@ _FULL: Final = (
     "and try again."
 )
 _BUSY: Final = "{place} is held by another program; wait until that has finished, and try again."
+_CROWDED: Final = (
+    "{place} takes no more connections at the moment; close windows or programs that use it, or "
+    "let whoever looks after the server allow more (max_connections)."
+)
 _AWAY: Final = (
     "{place} does not answer ({reason}); check the network, the address and that the database is "
     "running."
@@ -89,7 +93,7 @@ _NOT_WRITTEN: Final = (sqlite3.SQLITE_IOERR_WRITE, sqlite3.SQLITE_IOERR_TRUNCATE
 _OF_POSTGRESQL: Final[dict[str, tuple[type[RecordsError], str]]] = {
     "53100": (FullDatabase, _FULL),
     "53200": (Unreachable, _AWAY),  # out of memory
-    "53300": (Unreachable, _BUSY),  # too many connections
+    "53300": (Unreachable, _CROWDED),  # too many connections
     "55P03": (Unreachable, _BUSY),  # a lock is not available
     "40001": (Unreachable, _BUSY),  # serialization failure
     "40P01": (Unreachable, _BUSY),  # deadlock
@@ -105,7 +109,7 @@ _OF_SERVER: Final = re.compile(r"^\S+:  ")
 """How what a server says begins, after its word for FATAL in any language: it is there."""
 _OF_CONNECTING: Final = (
     (re.compile(r"the database system is|terminating connection"), _AWAY),
-    (re.compile(r"too many (?:clients|connections)|remaining connection slots"), _BUSY),
+    (re.compile(r"too many (?:clients|connections)|remaining connection slots"), _CROWDED),
     (re.compile(r"no password supplied"), _NO_PASSWORD),
     (re.compile(r'^\S+:  database ".*" does not exist'), _NO_DATABASE),
     (re.compile(r'authentication failed|^\S+:  role ".*"'), _NO_LOGIN),

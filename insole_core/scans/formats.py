@@ -73,8 +73,8 @@ def read_raw(source: ScanContent) -> RawSurface:
     for signature, name, suffixes in _SIGNATURES:
         if source.content.startswith(signature) and source.suffix not in suffixes:
             raise InputError(
-                "{path} holds a {format}, although its name ends in {suffix}; choose another file, "
-                "or give it its right name.",
+                "{path} holds something else than its name says ({format}, not {suffix}); choose "
+                "another file, or give it its right name.",
                 path=source.path,
                 format=name,
                 suffix=source.suffix,
@@ -85,7 +85,7 @@ def read_raw(source: ScanContent) -> RawSurface:
         raw = _READERS[source.suffix](text)
     except DecimalCommaError as error:
         raise InputError(
-            "{path} is written with decimal commas, which a {format} file does not have; choose "
+            "{path} is written with decimal commas, which no {format} file has; choose "
             "decimal points in the program or the system that wrote it, and export it again.",
             path=source.path,
             format=source.suffix[1:].upper(),

@@ -117,7 +117,7 @@ def padding_note(count: int) -> Message:
 def unreadable(source: ScanContent, reason: Message) -> InputError:
     """Return the error of a file that is not what its name says, for the caller to raise."""
     return InputError(
-        "{path} cannot be read as a {format} file ({reason}); it may be damaged or cut off, so "
+        "{path} is no {format} file that can be read ({reason}); it may be damaged or cut off, so "
         "export it again.",
         path=source.path,
         format=source.suffix[1:].upper(),

@@ -98,3 +98,9 @@ def test_what_is_no_json_is_said(tmp_path: Path, text: bytes) -> None:
 def test_a_file_that_cannot_be_read_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"none\.json cannot be read: .*; check the name of the"):
         JsonObject.read(tmp_path / "none.json")
+
+
+def test_the_name_of_a_file_stays_as_it_is() -> None:
+    content = JsonObject("a.json", {"path": "/scans/Eva\u00a0Ek\u202e.stl"})
+    assert content.path_text("path") == "/scans/Eva\u00a0Ek\u202e.stl"
+    assert content.text("path") != content.path_text("path")

@@ -14,7 +14,6 @@ from pathlib import Path
 from insole_core.errors import InputError
 from insole_core.export.atomic import make_output_folder
 from insole_core.export.file_lock import FileLock
-from insole_core.export.temporary import GRACE_S
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_status import ViewStatus
@@ -230,12 +229,11 @@ def holding_target(path: Path) -> Iterator[None]:
 
 
 def _sweep_locks(folder: Path) -> None:
-    """Remove the locks of destinations that killed captures left some time ago."""
+    """Remove the locks of destinations that killed captures left: nobody holds them."""
     with suppress(OSError):  # another capture sweeps as well
         for left in folder.glob(f"{_TARGET_LOCK}*.lock"):
-            if time.time() - left.lstat().st_mtime > GRACE_S:
-                with FileLock(left) as lock:
-                    lock.acquire()
+            with FileLock(left) as lock:
+                lock.acquire()
 
 
 def read_unfinished(folder: Path) -> UnfinishedCapture | None:

@@ -73,7 +73,8 @@ class Origin:
         """
         if stored.has("visit"):
             return cls(visit=UnkeptVisit.from_json(stored.object("visit")))
-        path, digest = (stored.text(key, empty=True) for key in ("path", "digest"))
+        path = stored.path_text("path", empty=True)
+        digest = stored.text("digest", empty=True)
         return cls(path, digest) if _is_case_file(path) else cls()
 
 

@@ -217,7 +217,8 @@ class _Source:
         wrong = self._write_contents(progress.part(0.3, 0.98))
         files = tuple(self._write_settings(settings))
         seq, last_hash = head_of(self.connection)
-        total = self.connection.execute(select(func.count(), func.sum(contents.c.size))).one()
+        size = func.coalesce(func.sum(contents.c.size), 0)  # none where nothing was stored yet
+        total = self.connection.execute(select(func.count(), size)).one()
         erased = self.connection.execute(select(persons.c.id).where(persons.c.is_erased)).scalars()
         return Manifest(
             made_at=made_at.isoformat(),
@@ -228,7 +229,7 @@ class _Source:
             tables=tables,
             files=files,
             contents=total[0],
-            contents_bytes=int(total[1] or 0),
+            contents_bytes=int(total[1]),
             damaged=wrong,
             erased=tuple(sorted(erased)),
         )

@@ -376,6 +376,10 @@
             <translation>Ingens bevarandetid har gått ut.</translation>
         </message>
         <message>
+            <source>Nobody: commands ask for the password</source>
+            <translation>Ingen: kommandon frågar efter lösenordet</translation>
+        </message>
+        <message>
             <source>None yet</source>
             <translation>Ingen än</translation>
         </message>
@@ -548,6 +552,10 @@
             <translation>När de slås på skapas den första administratören, som sköter konton och säkerhetskopior och inte ser patienter. Lägg sedan till ett konto för alla som behandlar patienter, även för dig själv.</translation>
         </message>
         <message>
+            <source>System user</source>
+            <translation>Användare i systemet</translation>
+        </message>
+        <message>
             <source>Test the connection</source>
             <translation>Prova anslutningen</translation>
         </message>
@@ -682,6 +690,10 @@
         <message>
             <source>Use this record</source>
             <translation>Använd den här journalen</translation>
+        </message>
+        <message>
+            <source>User of the operating system who runs commands with this account, unasked</source>
+            <translation>Användare i operativsystemet som kör kommandon med kontot utan att tillfrågas</translation>
         </message>
         <message>
             <source>Verify again</source>

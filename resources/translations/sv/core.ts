@@ -7832,10 +7832,6 @@
             <translation>{path} kan inte läsas efter rad {line}: ett citattecken är inte avslutat eller en text är för lång; rätta det eller exportera filen igen.</translation>
         </message>
         <message>
-            <source>{path} cannot be read as a {format} file ({reason}); it may be damaged or cut off, so export it again.</source>
-            <translation>{path} kan inte läsas som en {format}-fil ({reason}); den kan vara skadad eller avklippt, så exportera den igen.</translation>
-        </message>
-        <message>
             <source>{path} cannot be read: {reason}; check the name of the file.</source>
             <translation>{path} kan inte läsas: {reason}; kontrollera filens namn.</translation>
         </message>
@@ -7936,10 +7932,6 @@
             <translation>{path} har trianglar på sammanlagt {area_m2:.0f} m², långt mer än ett ben och en fot; deras hörn är förväxlade, så exportera den på nytt.</translation>
         </message>
         <message>
-            <source>{path} holds a {format}, although its name ends in {suffix}; choose another file, or give it its right name.</source>
-            <translation>{path} innehåller {format}, fast namnet slutar på {suffix}; välj en annan fil eller ge den dess rätta namn.</translation>
-        </message>
-        <message>
             <source>{path} holds coordinates that are not numbers; it is damaged, so export it again.</source>
             <translation>{path} innehåller koordinater som inte är tal; den är skadad, så exportera den igen.</translation>
         </message>
@@ -8006,6 +7998,10 @@
         <message>
             <source>{path} holds pressures that no device measures; export it again.</source>
             <translation>{path} innehåller tryck som ingen utrustning mäter; exportera det igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds something else than its name says ({format}, not {suffix}); choose another file, or give it its right name.</source>
+            <translation>{path} innehåller något annat än namnet säger ({format}, inte {suffix}); välj en annan fil eller ge den dess rätta namn.</translation>
         </message>
         <message>
             <source>{path} holds something else than its name says: {kind}. Choose another file.</source>
@@ -8172,6 +8168,10 @@
             <translation>{path} är ingen giltig JSON; rätta texterna.</translation>
         </message>
         <message>
+            <source>{path} is no {format} file that can be read ({reason}); it may be damaged or cut off, so export it again.</source>
+            <translation>{path} kan inte läsas som en {format}-fil ({reason}); den kan vara skadad eller avklippt, så exportera den igen.</translation>
+        </message>
+        <message>
             <source>{path} is not replaced: it holds {name}, which is not part of an earlier result; choose a new or an empty folder.</source>
             <translation>{path} ersätts inte: den innehåller {name}, som inte hör till ett tidigare resultat; välj en ny eller en tom mapp.</translation>
         </message>
@@ -8204,8 +8204,8 @@
             <translation>{path} är för stor för en fot (mer än {most_mb} MB); minska den i programmet som gjorde den.</translation>
         </message>
         <message>
-            <source>{path} is written with decimal commas, which a {format} file does not have; choose decimal points in the program or the system that wrote it, and export it again.</source>
-            <translation>{path} är skriven med decimalkomma, vilket en {format}-fil inte har; välj decimalpunkt i programmet eller systemet som skrev den, och exportera den igen.</translation>
+            <source>{path} is written with decimal commas, which no {format} file has; choose decimal points in the program or the system that wrote it, and export it again.</source>
+            <translation>{path} är skriven med decimalkomma, vilket ingen {format}-fil har; välj decimalpunkt i programmet eller systemet som skrev den, och exportera den igen.</translation>
         </message>
         <message>
             <source>{path} is {length_mm:.0f} mm long by the size that is given, which is no foot; check the size.</source>
@@ -8430,6 +8430,10 @@
         <message>
             <source>{place} takes no changes, as a server that stands by for another one; check the address of the database, or ask whoever looks after it.</source>
             <translation>{place} tar inte emot några ändringar, som en server som står i beredskap för en annan; kontrollera databasens adress, eller fråga den som sköter den.</translation>
+        </message>
+        <message>
+            <source>{place} takes no more connections at the moment; close windows or programs that use it, or let whoever looks after the server allow more (max_connections).</source>
+            <translation>{place} tar inte emot fler anslutningar just nu; stäng fönster eller program som använder den, eller låt den som sköter servern tillåta fler (max_connections).</translation>
         </message>
         <message>
             <source>{place} was made by a newer Insole Studio (tables {found}; this program knows them up to {newest}); install the newest version.</source>

@@ -13,8 +13,10 @@ from pathlib import Path
 
 import pytest
 from postgres_server import PostgresServer, binaries, running_server
+from psycopg.errors import OperationalError, TooManyConnections
 from record_samples import SCHEMAS, place_of_sample
 from sqlalchemy import text
+from sqlalchemy.exc import DBAPIError
 from stations import ANNA, BEN, Stations
 
 from insole_core.errors import InputError, RecordsError, Unreachable
@@ -23,7 +25,7 @@ from insole_core.records import migrate as migrate_module
 from insole_core.records.author import Role
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.database import Database
-from insole_core.records.database_errors import DamagedDatabase, FullDatabase
+from insole_core.records.database_errors import DamagedDatabase, FullDatabase, described
 from insole_core.records.migrate import SCHEMA, schema_of
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
@@ -482,3 +484,17 @@ def test_the_sample_of_every_schema_is_migrated(
     assert (rows.changed, rows.unlogged) == ({}, {})
     records.persons.add(Person("Ben"))
     records.close()
+
+
+@pytest.mark.parametrize(
+    ("kind", "said"),
+    [
+        (TooManyConnections, "sorry, too many clients already"),
+        (OperationalError, "connection failed: FATAL:  remaining connection slots are reserved"),
+    ],
+)
+def test_a_server_with_too_many_connections_says_so(kind: type[Exception], said: str) -> None:
+    place = RecordsPlace.of_url("postgresql+psycopg://server/records", Path("contents"))
+    error = described(place, DBAPIError("SELECT 1", {}, kind(said)))
+    assert isinstance(error, Unreachable)
+    assert "takes no more connections" in str(error)

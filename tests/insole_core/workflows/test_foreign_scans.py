@@ -122,7 +122,7 @@ def test_zero_bytes_at_the_end_are_left_out_and_said(
 def test_decimal_commas_are_named(foot: TriangleMesh, tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"foot.{suffix[:3]}"
     written(suffix, foot, path, lambda data: data.replace(b".", b","))
-    with pytest.raises(InputError, match="is written with decimal commas"):
+    with pytest.raises(InputError, match=f"decimal commas, which no {suffix[:3].upper()} file has"):
         read_mesh(path)
 
 

@@ -385,3 +385,6 @@ def test_the_command_writes_and_verifies(
     told = capsys.readouterr()
     assert "P-17-left.stl has been changed" in told.out
     assert "1 problems" in told.err.splitlines()[-1]
+    for name in ("out.zip", "out"):
+        assert run(["order", "verify", str(tmp_path / "nothing" / name)]) == 1
+        assert "check the name" in capsys.readouterr().err

@@ -7,7 +7,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import date
@@ -17,7 +16,6 @@ import pytest
 
 from insole_core.errors import InputError
 from insole_core.export.file_lock import FileLock
-from insole_core.export.temporary import GRACE_S
 from insole_core.recording.reader import read_session
 from insole_studio.acquisition.draft import is_abandoned
 from insole_studio.acquisition.plan_request import PlanRequest
@@ -155,17 +153,13 @@ def test_of_two_captures_to_one_place_the_second_is_refused(
     assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "folder", name]
 
 
-def test_the_lock_of_a_killed_capture_is_swept_after_the_grace_time(tmp_path: Path) -> None:
-    old, young = (tmp_path / f".insole-studio-capture-{name}.lock" for name in ("old", "young"))
-    somebodys = tmp_path / ".insole-studio-capture.txt"
-    for path in (old, young, somebodys):
+def test_the_lock_of_a_killed_capture_is_swept_at_once(tmp_path: Path) -> None:
+    left, somebodys = tmp_path / ".insole-studio-capture-a.lock", tmp_path / "capture-a.lock"
+    for path in (left, somebodys):
         path.touch()
-    passed = time.time() - GRACE_S - 1
-    for path in (old, somebodys):
-        os.utime(path, (passed, passed))
     with holding_target(tmp_path / "session"):
         pass
-    assert sorted(tmp_path.iterdir()) == [young, somebodys]
+    assert list(tmp_path.iterdir()) == [somebodys]
 
 
 def test_a_lock_that_is_held_is_never_swept(tmp_path: Path) -> None:

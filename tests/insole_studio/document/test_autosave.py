@@ -28,7 +28,13 @@ from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.document import autosave as autosave_module
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
-from insole_studio.document.journal import DAMAGED_DAYS, find_recovered, write_journal
+from insole_studio.document.journal import (
+    DAMAGED_DAYS,
+    Origin,
+    find_recovered,
+    new_journal,
+    write_journal,
+)
 from insole_studio.jobs import Jobs
 from insole_studio.user_paths import UserPaths
 from tests.patience import PATIENCE_S
@@ -261,6 +267,14 @@ def test_a_copy_that_was_taken_for_damaged_but_is_whole_is_offered(tmp_path: Pat
     (recovered,) = find_recovered(tmp_path, pytest.fail)
     assert recovered.record.patient.name == "Anna"
     assert not taken.exists()
+    recovered.release()
+
+
+def test_the_file_of_a_recovered_case_is_found_whatever_it_is_called(tmp_path: Path) -> None:
+    path = tmp_path / "Eva\u00a0Ek \u202e2.insole"
+    write_journal(CaseRecord(Patient("Eva")), Origin(str(path)), new_journal(tmp_path))
+    (recovered,) = find_recovered(tmp_path, pytest.fail)
+    assert recovered.path == path
     recovered.release()
 
 

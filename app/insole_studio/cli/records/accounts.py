@@ -7,7 +7,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
-from insole_core.errors import InputError
 from insole_core.progress import Progress
 from insole_core.records.author import Role
 from insole_studio.cli.records.place import add_place, opened
@@ -114,7 +113,7 @@ def _add_one(records: Records, arguments: argparse.Namespace) -> None:
 
 
 def _change(records: Records, arguments: argparse.Namespace) -> None:
-    account = _named(records, arguments.name)
+    account = records.accounts.named(arguments.name)
     user = "" if arguments.no_system_user else arguments.system_user
     records.accounts.change(
         replace(
@@ -128,18 +127,9 @@ def _change(records: Records, arguments: argparse.Namespace) -> None:
 
 
 def _unlock(records: Records, arguments: argparse.Namespace) -> None:
-    records.accounts.unlock(_named(records, arguments.name).id)
+    records.accounts.unlock(records.accounts.named(arguments.name).id)
 
 
 def _reset(records: Records, arguments: argparse.Namespace) -> None:
-    account = _named(records, arguments.name)
+    account = records.accounts.named(arguments.name)
     records.accounts.reset_password(account.id, new_password(f"First password of {account.name}"))
-
-
-def _named(records: Records, name: str) -> Account:
-    found = [account for account in records.accounts.all() if account.name == name.casefold()]
-    if not found:
-        raise InputError(
-            "There is no account {name}; look at the list: records accounts list.", name=name
-        )
-    return found[0]

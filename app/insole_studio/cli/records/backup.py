@@ -6,11 +6,11 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import RecordsError, UsageError
+from insole_core.errors import NotAllowed, RecordsError
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.place import add_place, opened, place_of_window
-from insole_studio.cli.records.secrets import ask
+from insole_studio.cli.records.secrets import ask, ask_twice
 from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     with opened(arguments, Right.BACK_UP) as records:
         _refuse_wrong_record(records)
         if key_of_backups(records.context) is None:
+            _check_may_begin(records)
             set_up_backups(records.context, _new_key(arguments))
         saved = UserPaths.of_user().backed_up_folders
         report = back_up(records.context, arguments.folder, saved, progress)
@@ -82,12 +83,30 @@ def _refuse_wrong_record(records: Records) -> None:
         )
 
 
+def _check_may_begin(records: Records) -> None:
+    """Check that whoever backs up for the first time may also say what opens the backups.
+
+    Raises
+    ------
+    NotAllowed
+    """
+    from insole_core.records.rights import RIGHTS, Right
+
+    if records.accounts.are_on and Right.SET_UP not in RIGHTS[records.who.role]:
+        raise NotAllowed(
+            "Backups have no passphrase yet, and {account} ({role}) may not choose it; let an "
+            "administrator make the first backup, here or in the window.",
+            account=records.who.name,
+            role=str(records.who.role),
+        )
+
+
 def _new_key(arguments: argparse.Namespace) -> BackupKey:
     from insole_core.records.backup.backup_key import BackupKey
 
     if arguments.recipient:
         return BackupKey.for_recipients(arguments.recipient)
-    passphrase = ask("New passphrase for backups: ", arguments.passphrase_file)
-    if arguments.passphrase_file is None and ask("The same again: ", None) != passphrase:
-        raise UsageError("The two passphrases differ; begin again.")
-    return BackupKey.with_passphrase(passphrase)
+    prompt = "New passphrase for backups: "
+    if arguments.passphrase_file is not None:
+        return BackupKey.with_passphrase(ask(prompt, arguments.passphrase_file))
+    return BackupKey.with_passphrase(ask_twice(prompt, "The two passphrases differ; begin again."))

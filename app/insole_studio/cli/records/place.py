@@ -175,6 +175,12 @@ def sign_in(records: Records, arguments: argparse.Namespace) -> Author:
     """
     accounts, account = records.accounts, arguments.account
     if not accounts.are_on:
+        if account is not None and accounts.were_switched_off_unseen():
+            raise NotAllowed(
+                "Accounts are off, although nobody has switched them off: anybody may do anything. "
+                "Verify the record without --account, switch them on again, and compare the record "
+                "with a backup."
+            )
         if account is not None:
             raise NotAllowed("The record has no accounts; leave out --account.")
         return records.who

@@ -58,17 +58,28 @@ def password_of(arguments: argparse.Namespace) -> str:
 
 
 def new_password(what: str = "Your own password") -> str:
-    """Return a new password, which is asked for twice.
+    """Return a new password, which is asked for twice at a terminal, where nobody sees it.
 
     Raises
     ------
     UsageError
         When both differ, or nobody can be asked.
     """
-    password = ask(f"{what}: ", None)
-    if ask("The same again: ", None) != password:
-        raise UsageError("The two passwords differ; begin again.")
-    return password
+    return ask_twice(f"{what}: ", "The two passwords differ; begin again.")
+
+
+def ask_twice(prompt: str, differ: str) -> str:
+    """Return a new secret: what is typed blindly is typed again, what a script writes is not.
+
+    Raises
+    ------
+    UsageError
+        When both differ, with `differ`, or nobody can be asked.
+    """
+    secret = ask(prompt, None)
+    if sys.stdin.isatty() and ask("The same again: ", None) != secret:
+        raise UsageError(differ)
+    return secret
 
 
 def ask(prompt: str, file: Path | None) -> str:

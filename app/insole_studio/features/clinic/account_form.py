@@ -97,7 +97,7 @@ class NewAccount(AccountForm):
 
 
 class ChangedAccount(AccountForm):
-    """Changes full name and role of an account, or disables it."""
+    """Changes full name, role and system user of an account, or disables it."""
 
     def __init__(self, account: Account, clinic: ClinicRecord, parent: QWidget | None) -> None:
         title = tr("Account {name}").format(name=account.name)
@@ -107,10 +107,17 @@ class ChangedAccount(AccountForm):
         self.full_name.setMaxLength(_MOST_FULL_NAME)
         self.role = ComboBox(roles())
         self.role.show_value(str(account.role))
+        self.system_user = QLineEdit(account.system_user)
+        self.system_user.setMaxLength(_MOST_FULL_NAME)
+        self.system_user.setPlaceholderText(tr("Nobody: commands ask for the password"))
+        self.system_user.setToolTip(
+            tr("User of the operating system who runs commands with this account, unasked")
+        )
         self.disabled = QCheckBox(tr("Disabled: nobody can sign in with it"))
         self.disabled.setChecked(account.is_disabled)
         self.form.addRow(tr("Full name"), self.full_name)
         self.form.addRow(tr("Role"), self.role)
+        self.form.addRow(tr("System user"), self.system_user)
         self.form.addRow("", self.disabled)
         mark_labels(self.form)
         self.full_name.setFocus()
@@ -122,6 +129,7 @@ class ChangedAccount(AccountForm):
             full_name=self.full_name.text(),
             role=Role(self.role.currentData()),
             is_disabled=self.disabled.isChecked(),
+            system_user=self.system_user.text().strip(),
         )
         return lambda records: records.accounts.change(changed)
 
