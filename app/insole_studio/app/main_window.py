@@ -173,8 +173,13 @@ class MainWindow(QMainWindow):
 
     def check_action(self, key: str, checked: bool) -> None:
         """Check or uncheck an action without running it."""
-        with QSignalBlocker(self):  # not the action, by whose signals its group unchecks the others
-            self.actions_by_key[key].setChecked(checked)
+        action = self.actions_by_key[key]
+        group = action.actionGroup()
+        with QSignalBlocker(self):  # not the action, by whose signals its group unchecks another
+            action.setChecked(checked)
+            for other in () if group is None else group.actions():
+                if other is not action:
+                    other.setChecked(False)  # also one that was checked on the way
 
     def renew_icons(self) -> None:
         """Redraw the icons in the colours of the palette."""

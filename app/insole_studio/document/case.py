@@ -279,7 +279,8 @@ class Case(QObject):
     def _step_to(self, record: CaseRecord | None) -> None:
         if record is not None:
             self._shown = None
-            self._set(replace(record, order=self._record.order))
+            order = self._record.order
+            self._set(record if record.order == order else replace(record, order=order))
 
     def _set(self, record: CaseRecord) -> None:
         self._put(record)

@@ -559,7 +559,7 @@ def test_the_place_of_the_pointer_is_that_of_the_release(
     opened.stage.pointed.connect(told.append)
     act(opened, "tool_pelott")
     drag(foot, pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 10, 140))
-    y = float(told[-1].split("y")[1].split()[0])
+    y = float(told[-1].split("From heel")[1].split()[0])
     assert y == pytest.approx(140.0, abs=1.0)
 
 
