@@ -35,8 +35,13 @@ def drag(view: SceneView, *way: QPoint, button: Qt.MouseButton = LEFT) -> None:
     QTest.mouseRelease(view.surface, button, pos=way[-1])
 
 
-def turn_wheel(widget: QWidget, notches: int) -> None:
-    """Turn the wheel over the middle of a widget."""
+_wheel_turned_at_s = 0.0
+
+
+def turn_wheel(widget: QWidget, notches: int, *, after_s: float = 1.0) -> None:
+    """Turn the wheel over the middle of a widget, some time after it was turned before."""
+    global _wheel_turned_at_s  # noqa: PLW0603 - the clock of the system, which only goes on
+    _wheel_turned_at_s += after_s
     middle = QPointF(widget.rect().center())
     turned = QWheelEvent(
         middle,
@@ -48,6 +53,7 @@ def turn_wheel(widget: QWidget, notches: int) -> None:
         Qt.ScrollPhase.NoScrollPhase,
         False,
     )
+    turned.setTimestamp(round(1000 * _wheel_turned_at_s))
     QApplication.sendEvent(widget, turned)
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import time
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QFileOpenEvent, QGuiApplication, QKeyEvent
+from PySide6.QtGui import QFileOpenEvent, QGuiApplication, QKeyEvent, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractSlider,
     QAbstractSpinBox,
@@ -63,7 +64,7 @@ class ApplicationEvents(QObject):
 
     def __init__(self, application: QApplication) -> None:
         super().__init__(application)
-        self._wheel_turned_at = 0.0
+        self._wheel_turned_at_s = -math.inf
         application.installEventFilter(self)
         for widget in application.allWidgets():  # those that were made before
             if isValid(widget):  # else it goes at the next turn, with the window it was in
@@ -92,11 +93,12 @@ class ApplicationEvents(QObject):
     def _begins_gesture(self, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent):
             return event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
-        if event.type() != QEvent.Type.Wheel:
+        if not isinstance(event, QWheelEvent):
             return event.type() in _PRESSES
-        now = time.monotonic()
-        rest_s, self._wheel_turned_at = now - self._wheel_turned_at, now
-        return rest_s > WHEEL_REST_S
+        # When it was turned, not when a busy window gets to it; not every platform tells.
+        turned_at_s = event.timestamp() / 1000 or time.monotonic()
+        rest_s, self._wheel_turned_at_s = turned_at_s - self._wheel_turned_at_s, turned_at_s
+        return abs(rest_s) > WHEEL_REST_S
 
     def close(self) -> None:
         """Stop filtering."""

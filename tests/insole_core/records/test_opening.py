@@ -7,9 +7,9 @@ import sqlite3
 import subprocess
 import sys
 import threading
-import time
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from postgres_server import PostgresServer, binaries, running_server
@@ -22,6 +22,7 @@ from stations import ANNA, BEN, Stations
 from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.records import database as database_module
 from insole_core.records import migrate as migrate_module
+from insole_core.records import open as open_module
 from insole_core.records.author import Role
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.database import Database
@@ -111,19 +112,25 @@ def test_an_older_program_writes_nothing_to_a_record_that_was_migrated(
 
 @pytest.mark.parametrize("kind", ["sqlite", "postgresql"])
 def test_a_migration_waits_for_an_older_program_that_writes_and_then_stops_it(
-    tmp_path: Path, request: pytest.FixtureRequest, kind: str
+    tmp_path: Path, request: pytest.FixtureRequest, kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     place = place_of_sample("0001", kind, tmp_path, request)
     older = Database(place)
     older.schema = "0001"
-    has_written, ended = threading.Event(), []
+    has_written, wants_to_migrate, ended = threading.Event(), threading.Event(), []
 
     def write() -> None:
         with older.writing() as connection:
             write_setting(connection, "of_older", True)
             has_written.set()
-            time.sleep(0.5)  # while the other one wants to migrate
-            ended.append(time.monotonic())
+            assert wants_to_migrate.wait(PATIENCE_S)
+            ended.append(True)
+
+    def migrate(*arguments: Any, **options: Any) -> None:
+        wants_to_migrate.set()
+        migrate_module.migrate(*arguments, **options)
+
+    monkeypatch.setattr(open_module, "migrate", migrate)
 
     writing = threading.Thread(target=write)
     writing.start()

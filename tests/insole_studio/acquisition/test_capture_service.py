@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -18,6 +17,7 @@ from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan, make_plan
 from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.messages import (
+    ALIVE_PERIOD_S,
     Cancel,
     Command,
     Event,
@@ -194,18 +194,31 @@ def test_a_service_that_hangs_in_mid_capture_is_stopped_and_told(
 
 @pytest.mark.slow
 def test_a_service_that_waits_for_the_user_does_not_hang(
-    small_session: Path, tmp_path: Path
+    small_session: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = Window(SensorSource(NothingStored(), small_session), silence_limit_s=3.0)
+    signs_of_life, hangs = [], CaptureService._hangs
+
+    def noting(service: CaptureService, has_sent: bool) -> bool:
+        signs_of_life.extend([has_sent] if has_sent else [])
+        return hangs(service, has_sent)
+
+    monkeypatch.setattr(CaptureService, "_hangs", noting)
+    limit_s = 3 * ALIVE_PERIOD_S
+    window = Window(SensorSource(NothingStored(), small_session), silence_limit_s=limit_s)
     window.wait_for_sensors()
     serial = read_session(small_session).views[0].sensor.serial
     plan = make_plan([("left", serial), ("right", serial)], frames=2)
     window.service.send(order(small_session, tmp_path / "a", plan))
     window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is CapturePhase.MOVING)
-    limit_s = time.monotonic() + 2 * 3.0
-    while time.monotonic() < limit_s:
-        assert window.service.news() == []
-        time.sleep(0.05)
+    signs_of_life.clear()
+    news: list[Event] = []
+
+    def has_waited_for_longer_than_the_limit() -> bool:
+        news.extend(window.service.news())
+        return bool(news) or len(signs_of_life) > 4
+
+    wait_for(has_waited_for_longer_than_the_limit)
+    assert news == []
     window.service.send(Placed())
     assert window.wait_for_end().phase is CapturePhase.DONE
     window.service.close()

@@ -314,11 +314,13 @@ def test_a_held_key_and_a_run_of_the_wheel_are_a_step_each(
     hold(field, KEY.Key_Up, repeats=3)
     held = field_thickness(saved)
     assert held > before
-    for _ in range(3):
-        turn_wheel(field, 1)
+    for after_s in (1.0, 0.1, 0.1):
+        turn_wheel(field, 1, after_s=after_s)
     turned = field_thickness(saved)
     assert turned > held
+    turn_wheel(field, 1, after_s=1.0)
     hold(field, KEY.Key_Up, repeats=0)
+    strike(saved.window, KEY.Key_Z, CTRL)
     strike(saved.window, KEY.Key_Z, CTRL)
     assert field_thickness(saved) == turned
     strike(saved.window, KEY.Key_Z, CTRL)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager
 from datetime import date, datetime, timedelta
 from pathlib import Path
 from threading import Event
@@ -25,11 +26,12 @@ from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.clinic import backups
 from insole_studio.features.clinic.backup_dialog import BackupDialog
 from insole_studio.features.clinic.backup_reminder import BackupFacts, reminder_text
+from insole_studio.features.clinic.backups import Backups
 from insole_studio.features.clinic.restore_dialog import RestoreDialog
 from insole_studio.features.clinic.verify_dialog import VerifyDialog
 from insole_studio.settings import BackupDay
 from insole_studio.user_paths import UserPaths
-from tests.patience import PATIENCE_S
+from tests.patience import PATIENCE_S, wait_for
 
 Run = Callable[[str, type], object]
 IDENTITY = pyrage.x25519.Identity.generate()
@@ -294,7 +296,20 @@ def test_a_restore_waits_until_a_backup_has_stopped(
     set_up(records)
     back_up(records.context, backup_folder)
     records.persons.add(Person("Berta Dal"))
-    monkeypatch.setattr(_Source, "write_all", _stop_slowly)
+    alone, waiting = Backups.alone, []
+
+    def taking_turns(self: Backups, progress: Progress) -> AbstractContextManager[None]:
+        waiting.append(progress)
+        return alone(self, progress)
+
+    def stop_slowly(_source: object, _at: object, _settings: object, progress: Progress) -> None:
+        """Hold the record after cancelling until the restore waits for it."""
+        wait_for(progress.is_cancelled)
+        wait_for(lambda: len(waiting) > 1)
+        raise Cancelled
+
+    monkeypatch.setattr(Backups, "alone", taking_turns)
+    monkeypatch.setattr(_Source, "write_all", stop_slowly)
     planned = clinic.features.clinic.backups
     planned.set_plan(backup_folder, "never", 0)
     planned.begin()
@@ -336,16 +351,6 @@ def test_no_backup_begins_once_the_record_is_closed_to_be_restored(
     rest()
     assert snapshots_in(backup_folder) == [1]
     assert notices_of(clinic) == []
-
-
-def _stop_slowly(
-    _source: _Source, _made_at: datetime, _settings: Mapping[str, Path], progress: Progress
-) -> Manifest:
-    """Hold the record for a while after cancelling, as encrypting a large file does."""
-    while not progress.is_cancelled():
-        time.sleep(0.01)
-    time.sleep(0.5)
-    raise Cancelled
 
 
 def run_while_working(clinic: Application, qtbot: QtBot) -> RestoreDialog:
