@@ -1,4 +1,4 @@
-"""What holds for the whole application: foreign text, typed text, the wheel, F1, files to open."""
+"""What holds for the whole application: foreign text, typed text, the wheel, windows, F1, files."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
+from insole_studio.widgets.screen_room import fit_to_screen
 from insole_studio.widgets.typed_text import commit_typed_text
 
 _USER_TURNS = (
@@ -51,6 +52,8 @@ class ApplicationEvents(QObject):
 
     The wheel changes the value of a field only if the field has the focus; else the panel scrolls.
 
+    No window is shown larger than its screen.
+
     F1 asks for help in every window; a shortcut of the main window does not count in the others.
     """
 
@@ -77,6 +80,8 @@ class ApplicationEvents(QObject):
             self.gesture_began.emit()
         if kind == QEvent.Type.Polish:
             _prepare(watched)
+        elif kind == QEvent.Type.Show and isinstance(watched, QWidget) and watched.isWindow():
+            fit_to_screen(watched)
         elif kind in _USER_TURNS and _is_turned_to(watched) and not _is_in_focus(watched):
             commit_typed_text()
             if kind == QEvent.Type.Wheel and _is_in_field(watched):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
@@ -61,6 +61,7 @@ from insole_studio.settings import Settings, load_settings
 from insole_studio.stop_signals import STOP_SIGNALS, is_switched_off
 from insole_studio.texts import load_language
 from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.screen_room import bounded
 from insole_studio.widgets.typed_text import commit_typed_text
 
 DEFAULT_SIZE = (1366, 768)
@@ -223,7 +224,7 @@ def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> bool:
     window.check_action("software_rendering", settings.software_rendering)
     window.check_action(f"language_{settings.language}", True)
     main.appearance.set_touch(settings.touch)
-    window.resize(*DEFAULT_SIZE)
+    window.resize(bounded(window, QSize(*DEFAULT_SIZE)))
     window.arrange()
     return window.restore_layout(settings.window_geometry, settings.window_docks)
 

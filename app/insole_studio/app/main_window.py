@@ -7,7 +7,7 @@ import hashlib
 from collections.abc import Sequence
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QEvent, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
     QActionGroup,
@@ -47,12 +47,17 @@ from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
+from insole_studio.widgets.screen_room import Scrolled
 from insole_studio.widgets.tab_order import StageFrame, go_on
 
 PATIENT_PX, PATIENT_SHARE, WIDEST_PATIENT_PX = 248, 0.19, 400
+FOOT_SHARE = 0.46
+MOST_OF_PATIENT = 0.34
+"""Largest share of the width that the patient panel keeps in a narrow window."""
 PARAMETERS_PX = 152
 SECTION_SHARE, RIM_SHARE = 0.34, 0.5
 """Shares of the width that section and rim take from the parameters."""
+LEAST_CHART_PX = 300
 
 
 class MainWindow(QMainWindow):
@@ -74,7 +79,11 @@ class MainWindow(QMainWindow):
     ) -> None:
         super().__init__()
         self._may_close = False
-        self._foot_share = 0.0
+        self._foot_share = FOOT_SHARE
+        self._patient_px = PATIENT_PX
+        """Width of the patient panel in a window that has room for it."""
+        self._is_restored = False
+        """Whether the panels stand as at the last start, perhaps in a window of another size."""
         self._sharing = QTimer(self)  # Qt still lays out while it tells of a new size
         self._sharing.setSingleShot(True)
         self._sharing.timeout.connect(self._share_width)
@@ -92,8 +101,11 @@ class MainWindow(QMainWindow):
         self._make_toolbar()
         self._make_notices(stage)
         self._insole = stage.insole
+        self._fields = stage.parameters
         self._pages = QStackedWidget()
         self._pages.addWidget(stage.insole)
+        self._held: dict[QWidget, Scrolled] = {}
+        """The pages of the record that were shown."""
         self._of_stage: QByteArray | None = None
         """How the panels stand, while a page has taken their place."""
         self._wanted_charts: set[QDockWidget] = set()
@@ -105,6 +117,8 @@ class MainWindow(QMainWindow):
         self._rim = self._dock("rim", tr("Rim"), stage.rim)
         self._docks = (self._patient, self._foot, self._parameters, self._rim, self._section)
         self._place_docks()
+        for dock in (self._patient, self._foot):
+            dock.installEventFilter(self)
         self._add_dock_actions()
         stage.section_wanted.connect(self._show_section)
         stage.section_chosen.connect(self._section.raise_)
@@ -115,12 +129,14 @@ class MainWindow(QMainWindow):
     @property
     def page(self) -> QWidget | None:
         """The page that has taken the place of the panels; None while they are shown."""
-        return None if self._of_stage is None else self._pages.currentWidget()
+        shown = self._pages.currentWidget()
+        return shown.widget() if isinstance(shown, Scrolled) else None
 
     def show_page(self, page: QWidget) -> None:
         """Show a page of the record in place of the panels and their toolbar."""
-        if self._pages.indexOf(page) < 0:
-            self._pages.addWidget(page)
+        if page not in self._held:
+            self._held[page] = Scrolled(page)
+            self._pages.addWidget(self._held[page])
         if self._of_stage is None:
             self._of_stage = self.saveState()
             for dock in self._docks:
@@ -128,7 +144,7 @@ class MainWindow(QMainWindow):
                 dock.toggleViewAction().setEnabled(False)
             self._toolbar.hide()
             self.status.show_tool_texts(False)
-        self._bring(page)
+        self._bring(self._held[page])
 
     def show_panels(self) -> None:
         """Show the panels again as they stood before a page took their place."""
@@ -206,8 +222,9 @@ class MainWindow(QMainWindow):
         self._sharing.stop()
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         patient = min(max(round(PATIENT_SHARE * self.width()), PATIENT_PX), WIDEST_PATIENT_PX)
-        shared = self.width() - patient
-        self.resizeDocks([self._patient, self._foot], [patient, round(0.46 * shared)], horizontal)
+        self._patient_px, self._foot_share = patient, FOOT_SHARE
+        foot = round(FOOT_SHARE * (self.width() - patient))
+        self.resizeDocks([self._patient, self._foot], [patient, foot], horizontal)
         self.resizeDocks([self._parameters], [PARAMETERS_PX], vertical)
         section = round(SECTION_SHARE * self.width())
         self.resizeDocks(
@@ -228,6 +245,7 @@ class MainWindow(QMainWindow):
             self.restoreGeometry(QByteArray(packed[0] or b""))
         if docks:
             self.restoreState(QByteArray(packed[1] or b""))
+            self._is_restored = True
         self._section.hide()  # shown with the first section
         self._rim.hide()
         self._notices.hide()
@@ -428,7 +446,9 @@ class MainWindow(QMainWindow):
         comes = wanted and dock.isHidden()
         dock.setVisible(wanted)
         if comes:
-            width = round(share * self.width())
+            # The thickness stays in sight, beside what is selected.
+            spare = self.width() - self._fields.width_up_to("insole.thickness_mm")
+            width = min(round(share * self.width()), max(spare, LEAST_CHART_PX))
             self.resizeDocks(
                 [self._parameters, dock],
                 [self.width() - width, width],
@@ -453,22 +473,44 @@ class MainWindow(QMainWindow):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share what the window gains or loses between the two views, and announce the layout."""
         super().resizeEvent(event)
-        self._keep_share(event.size().width() - event.oldSize().width())
+        if self.isVisible():
+            self._sharing.start()
         self._fit_toolbar()
         self._note_layout()
 
-    def _keep_share(self, gained_px: int) -> None:
-        """Let the foot keep its share of the views; Qt has given all to the insole."""
-        before = self._foot.width() + self._insole.width() - gained_px
-        is_shared = self.isVisible() and self._foot.isVisible() and not self._foot.isFloating()
-        if is_shared and before > 0 and not self._sharing.isActive():
-            self._foot_share = self._foot.width() / before
-            self._sharing.start()
-
     def _share_width(self) -> None:
-        shared = self._foot.width() + self._insole.width()
-        widths = [self._patient.width(), round(self._foot_share * shared)]
-        self.resizeDocks([self._patient, self._foot], widths, Qt.Orientation.Horizontal)
+        """Let patient and foot keep their shares; Qt gives and takes where it likes."""
+        if self._is_restored:
+            self._is_restored = False
+            self._note_shares()
+        patient = min(self._patient_px, round(MOST_OF_PATIENT * self.width()))
+        widths = {self._patient: patient}
+        if self._is_docked(self._foot):
+            widths[self._foot] = round(self._foot_share * (self.width() - patient))
+        self.resizeDocks(list(widths), list(widths.values()), Qt.Orientation.Horizontal)
+        layout = self.layout()
+        assert layout is not None
+        layout.invalidate()  # else the sizes count from the next change of the window on
+        layout.activate()
+
+    def _note_shares(self) -> None:
+        """Note the widths that a hand has given to patient and foot."""
+        if self._is_docked(self._patient) and (
+            self._patient.width() > self._patient.minimumSizeHint().width()
+        ):
+            self._patient_px = self._patient.width()  # else only the window was too narrow
+        if self._is_docked(self._foot):
+            self._foot_share = self._foot.width() / max(self.width() - self._patient.width(), 1)
+
+    def _is_docked(self, dock: QDockWidget) -> bool:
+        return dock.isVisible() and not dock.isFloating()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Tell a hand that moves the edge of a panel from a window that grows or shrinks."""
+        is_held = bool(QApplication.mouseButtons() & Qt.MouseButton.LeftButton)
+        if event.type() == QEvent.Type.Resize and is_held:
+            self._note_shares()
+        return super().eventFilter(watched, event)
 
     def _place_docks(self) -> None:
         area = Qt.DockWidgetArea

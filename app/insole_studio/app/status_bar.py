@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton, QWi
 
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.icons import icon
 
 SHOW_AFTER_MS = 300
@@ -23,7 +24,7 @@ class StatusBar(QStatusBar):
         self._place = QLabel()
         self._place.setMinimumWidth(228)
         self._place.setContentsMargins(4, 0, 0, 0)
-        self._hint = QLabel()
+        self._hint = ElidedLabel("")  # the longest hint must not widen the window
         self._hint.setObjectName("quiet")
         self._work = QLabel()
         self._bar = QProgressBar()

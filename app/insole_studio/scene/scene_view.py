@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QMargins, QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QImage,
     QInputEvent,
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
     from insole_studio.scene.painter import Painter
     from insole_studio.scene.secondary_mesh import SecondaryMesh
 
+MOST_STEPS = 8
+"""A pixel of the window may be 5/4, 3/2, 15/8 … of a pixel of the screen."""
 FRAME_PX = 2
 """Width of the frame around the view that has the keyboard focus."""
 GRAB_PX = 14.0
@@ -270,6 +273,7 @@ class SceneView(QWidget):
     def request_render(self) -> None:
         """Draw soon."""
         if self._renderer is not None:
+            self._fit_frame()
             self._canvas.request_render()
 
     def picture(self) -> QImage:
@@ -352,7 +356,22 @@ class SceneView(QWidget):
     @property
     def _size_px(self) -> tuple[int, int]:
         """Width and height within the frame; a canvas that was just made is not laid out yet."""
-        return self.width() - 2 * FRAME_PX, self.height() - 2 * FRAME_PX
+        inside = self.size().shrunkBy(self._frame.contentsMargins())
+        return inside.width(), inside.height()
+
+    def _fit_frame(self) -> None:
+        """Let the picture begin and end at whole pixels of the screen.
+
+        Else Qt leaves a black line between what it draws itself and what OpenGL has drawn.
+        """
+        step = Fraction(self.devicePixelRatioF()).limit_denominator(MOST_STEPS).denominator
+        corner = self.mapTo(self.window(), QPoint(0, 0))
+        left, right = _margins(corner.x(), self.width(), step)
+        top, bottom = _margins(corner.y(), self.height(), step)
+        margins = QMargins(left, top, right, bottom)
+        if margins != self._frame.contentsMargins():
+            self._frame.setContentsMargins(margins)
+            self._frame.activate()
 
     def _opened(self) -> _Renderer:
         if self._renderer is None:
@@ -617,6 +636,18 @@ class SceneView(QWidget):
         """Return the ways (n, 2) from a position to handles, px."""
         places = np.array([handle.position_mm for handle in handles])
         return np.asarray(self.look.pixels_of(places) - (position.x(), position.y()))
+
+
+def _margins(start: int, length: int, step: int) -> tuple[int, int]:
+    """Return the least margins before and after, within which all is whole steps of the window.
+
+    Parameters
+    ----------
+    start, length
+        Where in the window it begins, and how long it is.
+    """
+    before = FRAME_PX + -(start + FRAME_PX) % step
+    return before, FRAME_PX + (start + length - FRAME_PX) % step
 
 
 def _run(offer: OfferedItem, _checked: bool = False) -> None:

@@ -30,6 +30,11 @@ class ElidedLabel(QLabel):
         self.updateGeometry()
         self.update()
 
+    def setText(self, text: str) -> None:
+        """Show another text."""
+        super().setText(text)
+        self._note_room()
+
     def sizeHint(self) -> QSize:
         """Return the size of one line."""
         return QSize(self.needed_px, super().minimumSizeHint().height())
@@ -41,6 +46,9 @@ class ElidedLabel(QLabel):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Emit whether the text fits."""
         super().resizeEvent(event)
+        self._note_room()
+
+    def _note_room(self) -> None:
         too_long = self.width() < self.needed_px
         self.setToolTip(self.text() if too_long else "")
         self.overflowed.emit(too_long)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -32,6 +33,10 @@ from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.scale_bar import ScaleBar
 from insole_studio.widgets.side_badge import SideBadge
 
+MARGIN_PX = 8
+LEAST_PX = (176, 128)
+"""Width and height on the smallest screen."""
+
 
 class ModelView(QWidget):
     """Panel of one 3-D view; implements `ModelPanel`."""
@@ -47,6 +52,7 @@ class ModelView(QWidget):
         self.scene.camera_changed.connect(self.show_scale)
         self._bounds: FloatArray | None = None
         self._badge = SideBadge()
+        self._has_side = False
         self._warning = QLabel()
         self._warning.setObjectName("warning")
         self._warning.setWordWrap(True)
@@ -63,7 +69,7 @@ class ModelView(QWidget):
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self.scene)
         layout = QVBoxLayout()
-        layout.setContentsMargins(8, 4, 8, 4)
+        layout.setContentsMargins(MARGIN_PX, 4, MARGIN_PX, 4)
         layout.setSpacing(4)
         layout.addLayout(self._header())
         layout.addWidget(self._warning)
@@ -77,6 +83,19 @@ class ModelView(QWidget):
             whole.addWidget(_strip(title))
         whole.addLayout(layout)
 
+    def minimumSizeHint(self) -> QSize:
+        """Return a size for a narrow screen: without the buttons of directions, which have keys."""
+        return QSize(*LEAST_PX)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the buttons of directions where there is room for all of them."""
+        super().resizeEvent(event)
+        self._fit_presets()
+
+    def _fit_presets(self) -> None:
+        needed = self._badge.sizeHint().width() + self._presets.sizeHint().width() + 3 * MARGIN_PX
+        self._presets.setVisible(self._has_side and self.width() >= needed)
+
     def show_side(self, side: Side | None, *, mirrored: bool = False, scanned_on: str = "") -> None:
         """Show the side on the badge, and orient the medial and lateral presets by it.
 
@@ -88,7 +107,8 @@ class ModelView(QWidget):
             Day of the earlier visit that the scan is of, for the badge; empty for none.
         """
         self._badge.show_side(side, mirrored=mirrored, scanned_on=scanned_on)
-        self._presets.setVisible(side is not None)
+        self._has_side = side is not None
+        self._fit_presets()
         if side is not None:
             self.scene.side = side
 
@@ -314,7 +334,7 @@ class ModelView(QWidget):
             button.clicked.connect(self._request_preset)
             row.addWidget(button)
         header = QHBoxLayout()
-        header.setSpacing(8)
+        header.setSpacing(MARGIN_PX)
         header.addWidget(self._badge)
         header.addStretch(1)
         header.addWidget(self._presets)

@@ -120,7 +120,7 @@ class RimChart(QWidget):
         self._grab_px = GRAB_PX
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMinimumSize(320, 112)
+        self.setMinimumSize(220, 64)
         self.setAccessibleName(tr("Height of the rim along the edge"))
 
     def sizeHint(self) -> QSize:

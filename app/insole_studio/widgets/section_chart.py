@@ -34,7 +34,7 @@ class SectionChart(QWidget):
         self._ends = ("", "")
         self._pointer_px: float | None = None
         self.setMouseTracking(True)
-        self.setMinimumSize(260, 112)
+        self.setMinimumSize(220, 64)
 
     def sizeHint(self) -> QSize:
         """Return a wide and low size."""
@@ -190,10 +190,8 @@ class SectionChart(QWidget):
         for s in chart_ticks(shown.left(), shown.right(), mm2px.m11()):
             at = mm2px.map(QPointF(s, shown.top()))
             painter.drawLine(at, at + QPointF(0, 4))
-            words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
-            painter.drawText(words, Qt.AlignmentFlag.AlignCenter, localised(s, "g"))
-        unit = QRectF(frame.right() - 30, frame.bottom() + 4, 26 + FREE_PX, BOTTOM_PX - 4)
-        painter.drawText(unit, Qt.AlignmentFlag.AlignRight, "mm")
+        for words, text in self.ruler_words():
+            painter.drawText(words, Qt.AlignmentFlag.AlignCenter, text)
         for z in chart_ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
             at = mm2px.map(QPointF(shown.left(), z))
             painter.drawLine(at, at - QPointF(4, 0))
@@ -204,6 +202,30 @@ class SectionChart(QWidget):
         top = QRectF(frame.left() + 6, frame.top() - 4, frame.width() - 12, 18)
         painter.drawText(top, Qt.AlignmentFlag.AlignLeft, self._ends[0])
         painter.drawText(top, Qt.AlignmentFlag.AlignRight, self._ends[1])
+
+    def ruler_words(self) -> list[tuple[QRectF, str]]:
+        """Return the unit and the numbers of the ruler below, and where each has room for itself.
+
+        A number that would touch the unit or the one before is left out.
+        """
+        frame = self._frame()
+        mm2px = self._mm2px(frame)
+        top, high = frame.bottom() + 4, BOTTOM_PX - 4
+        shown = mm2px.inverted()[0].mapRect(frame)
+        numbers = [
+            (s, localised(s, "g")) for s in chart_ticks(shown.left(), shown.right(), mm2px.m11())
+        ]
+        unit_px = self._width_of("mm")
+        words = [(QRectF(self.width() - 2 - unit_px, top, unit_px, high), "mm")]
+        for s, text in numbers:
+            wide = self._width_of(text)
+            place = QRectF(mm2px.map(QPointF(s, 0.0)).x() - wide / 2, top, wide, high)
+            if not any(place.adjusted(-3, 0, 3, 0).intersects(taken) for taken, _ in words):
+                words.append((place, text))
+        return words
+
+    def _width_of(self, text: str) -> float:
+        return self.fontMetrics().horizontalAdvance(text) + 1.0
 
     def _paint_measured(self, painter: QPainter, mm2px: QTransform) -> None:
         """Draw a line from the underside to the contact surface where the chart measures."""

@@ -9,6 +9,8 @@ from enum import StrEnum
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
+from insole_studio.widgets.elided_label import ElidedLabel
+
 
 class StepState(StrEnum):
     """The state of a step."""
@@ -27,6 +29,7 @@ class WorkflowStep:
     state: StepState
 
 
+LEAST_LINE_PX = 6
 _MARKS = {StepState.DONE: "●", StepState.CURRENT: "◉", StepState.OPEN: "○"}
 
 
@@ -38,7 +41,7 @@ class StepStrip(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._buttons: dict[str, QToolButton] = {}
-        self._whose = QLabel()
+        self._whose = ElidedLabel("")
         self._steps = QHBoxLayout()
         self._steps.setSpacing(0)
         row = QHBoxLayout(self)
@@ -72,6 +75,7 @@ class StepStrip(QWidget):
         if self._buttons:
             line = QLabel("───")
             line.setObjectName("quiet")
+            line.setMinimumWidth(LEAST_LINE_PX)  # a narrow window keeps the words
             self._steps.addWidget(line)
         button = QToolButton()
         button.setObjectName("step")

@@ -10,7 +10,9 @@ from collections.abc import Iterator, Sequence
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
-from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QWidget
+from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
+
+from insole_studio.widgets.screen_room import Scrolled
 
 
 def tab_stops(root: QWidget) -> Iterator[QWidget]:
@@ -68,6 +70,12 @@ class StageFrame(QWidget):
     def __init__(self) -> None:
         super().__init__()
         QShortcut(QKeySequence("Ctrl+W"), self, self.close)
+
+    def hold(self, content: QWidget) -> None:
+        """Fill the window with its content, which scrolls on a screen that is too small for it."""
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(Scrolled(content))
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Move the focus in reading order."""

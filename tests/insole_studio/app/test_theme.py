@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QCheckBox, QLabel
+from PySide6.QtWidgets import QAbstractButton, QApplication, QCheckBox, QDockWidget, QLabel
 from pytestqt.qtbot import QtBot
 
 from insole_studio.app.theme import DARK, LIGHT, Colors, apply_theme
@@ -66,6 +66,26 @@ def test_a_box_to_tick_is_seen(qapp: QApplication, qtbot: QtBot, dark: bool, tic
     seen = {image.pixelColor(x, y).name() for x, y in places}
     apply_theme(qapp, dark=False)
     ground = (DARK if dark else LIGHT).window
+    assert max(contrast(color, ground) for color in seen) >= GRAPHICS
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("name", ["float", "close"])
+def test_the_signs_of_a_panel_are_seen(
+    qapp: QApplication, qtbot: QtBot, dark: bool, name: str
+) -> None:
+    apply_theme(qapp, dark)
+    dock = QDockWidget("Panel")
+    qtbot.addWidget(dock)
+    dock.resize(200, 100)
+    dock.show()
+    button = dock.findChild(QAbstractButton, f"qt_dockwidget_{name}button")
+    assert button is not None
+    image = button.grab().toImage()
+    places = [(x, y) for x in range(image.width()) for y in range(image.height())]
+    seen = {image.pixelColor(x, y).name() for x, y in places}
+    apply_theme(qapp, dark=False)
+    ground = (DARK if dark else LIGHT).raised
     assert max(contrast(color, ground) for color in seen) >= GRAPHICS
 
 

@@ -61,6 +61,20 @@ def test_marks_and_words_follow_the_theme(painter: Painter, plotter: Any, make_f
     assert (after.min(axis=2) > 200).any()  # light words
 
 
+def test_words_written_at_once_are_as_large_as_later_ones(plotter: Any, make_foot: Any) -> None:
+    """On a screen of twice the scale, where the widget tells VTK so only when it has its size."""
+    heights = []
+    for ratio in (1.0, 2.0):
+        painter = Painter(plotter, pixel_ratio=ratio)
+        aim(painter, make_foot(Side.LEFT).mesh)
+        painter.show_label(np.array([0.0, 120.0, 0.0]), "128")
+        plotter.render_window.SetDPI(round(72 * ratio))  # as the widget does
+        rows = (pixels(plotter).max(axis=2) < 90).any(axis=1)
+        heights.append(int(rows.sum()))
+        painter.clear()
+    assert heights[1] == pytest.approx(2 * heights[0], abs=3)
+
+
 def test_the_foot_appears_in_its_own_colours(
     painter: Painter, plotter: Any, make_foot: Any
 ) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
@@ -28,6 +30,17 @@ def test_it_measures_the_material(chart: SectionChart) -> None:
     assert chart.thickness_mm(-20.0) == pytest.approx(10.0)
     assert chart.thickness_mm(20.0) == pytest.approx(8.0)
     assert chart.thickness_mm(50.0) is None
+
+
+@pytest.mark.parametrize("width", range(220, 760, 20))
+def test_the_words_of_its_ruler_never_touch(chart: SectionChart, width: int) -> None:
+    chart.resize(width, 130)
+    chart.show_cut(TOP, BOTTOM, np.empty((0, 2, 2)), ("Heel", "Toes"))
+    words = sorted(chart.ruler_words(), key=lambda word: word[0].left())
+    assert words[-1][1] == "mm"
+    assert len(words) > 2
+    assert all(a.right() < b.left() for (a, _), (b, _) in itertools.pairwise(words))
+    assert words[-1][0].right() <= width
 
 
 SKIN = np.array([[[-30.0, 14.0], [10.0, 10.0]], [[-30.0, 90.0], [10.0, 90.0]]])

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QMessageBox, QVBoxLayout
+from PySide6.QtWidgets import QMessageBox
 
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -62,9 +62,7 @@ class CalibrateStage(StageFrame):
         self.setWindowTitle(tr("Calibrate sensors") + " – Insole Studio")
         self.resize(*_SIZE)
         self.view = CalibrateView()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.view)
+        self.hold(self.view)
         self.jobs = Jobs(self)
         self._questions = questions.on(self) if questions else Questions(self)
         self.presenter = CalibratePresenter(

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QVBoxLayout
 
 from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -61,9 +60,7 @@ class CaptureStage(StageFrame):
         self.setWindowTitle(tr("Capture") + " – Insole Studio")
         self.resize(*_SIZE)
         self.view = CaptureView(TILT_STEP_DEG)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.view)
+        self.hold(self.view)
         self._jobs = Jobs(self)
         self._service = CaptureService(source)
         self.presenter = CapturePresenter(

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QVBoxLayout
 
 from insole_core.cases.case_record import CaseRecord
 from insole_studio.document.case import Case
@@ -58,9 +57,7 @@ class CompareStage(StageFrame):
         self.setWindowTitle(tr("Compare surfaces") + " – Insole Studio")
         self.resize(*_SIZE)
         self.view = CompareView(dark)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.view)
+        self.hold(self.view)
         self.view.close_requested.connect(self.close)
         self.jobs = Jobs(self)
         self._questions = questions.on(self) if questions else Questions(self)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QVBoxLayout
 
 from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.milling.machine import Machine
@@ -70,9 +69,7 @@ class ExportStage(StageFrame):
         self.setWindowTitle(tr("Check & export") + " – Insole Studio")
         self.resize(*_SIZE)
         self.view = ExportView(Stock(shop.blocks, shop.materials), dark)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.view)
+        self.hold(self.view)
         self.view.close_requested.connect(self.close)
         self.jobs = Jobs(self)
         self.presenter = ExportPresenter(

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QVBoxLayout
 
 from insole_core.geometry.side import Side
 from insole_core.reconstruct import RegistrationLimits
@@ -63,9 +62,7 @@ class FootStage(StageFrame):
         self.path: Path | None = None
         self.view = FootStageView(dark)
         self.view.set_touch(touch)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.view)
+        self.hold(self.view)
         self.presenter = FootStagePresenter(
             panel=self.view,
             jobs=jobs,

@@ -17,7 +17,7 @@ from insole_studio.widgets.side_badge import COLORS
 
 GAP_MM = 64.0
 """Gap between the two, wide enough for their anatomical directions."""
-NAME_OVER_MM = 58.0
+NAME_OVER_MM = 72.0
 """Clear of the word for the toes, also where a millimetre is less than a pixel."""
 NAME_ROOM_MM = NAME_OVER_MM + 10.0
 """Height added to the view for the names."""

@@ -34,9 +34,12 @@ ROWS, TOUCH_ROWS = 3, 2
 """Rows of fields that fit a low screen with a mouse, and with touch."""
 ROW_HEIGHT_PX = 26
 FIELD_PX = 88
+GAP_PX, MARGIN_PX = 12, 8
 SHORT_TEXT, SHORT_PX, TOUCH_SHORT_PX = 3, 32, 46
 CHOICE_PX = 116
 LEAST_PX, MOST_PX = 112, 176
+LOW_SCREEN_PX, LOWEST_PX = 600, 64
+"""Height below which a screen has no room for a whole line of fields, and what they get there."""
 
 
 @dataclass(frozen=True)
@@ -70,10 +73,9 @@ class ParametersView(QScrollArea):
         self._restyled.timeout.connect(self._fit_rows)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setMinimumHeight(LEAST_PX)
         content = QWidget()
-        self._flow = FlowLayout(content, margin_px=4, gap_px=12)
-        self._flow.setContentsMargins(8, 4, 4, 4)  # aligned with the titles of the panels
+        self._flow = FlowLayout(content, margin_px=4, gap_px=GAP_PX)
+        self._flow.setContentsMargins(MARGIN_PX, 4, 4, 4)  # aligned with the titles of the panels
         self.setWidget(content)
         scroll_by_finger(self)
 
@@ -85,6 +87,15 @@ class ParametersView(QScrollArea):
         for group in groups:
             for spec in group.fields:
                 self._show_value(spec)
+
+    def width_up_to(self, key: str) -> int:
+        """Return the width in which the groups up to the one with a field stand in one line."""
+        width = 0
+        for shown in self._laid_out:
+            width += shown.widget.sizeHint().width() + GAP_PX
+            if key in shown.fields:
+                return width + MARGIN_PX + self.verticalScrollBar().sizeHint().width()
+        return 0
 
     def changeEvent(self, event: QEvent) -> None:
         """Lay the fields out again when touch mode begins or ends: fewer rows fit then."""
@@ -126,7 +137,9 @@ class ParametersView(QScrollArea):
                 for widget in shown.widget.findChildren(QWidget):
                     widget.ensurePolished()  # its size for touch comes from the style
         # The first line is always fully visible, with touch as well.
-        self.setMinimumHeight(min(max(self._flow.minimumSize().height() + 8, LEAST_PX), MOST_PX))
+        first_px = min(max(self._flow.minimumSize().height() + 8, LEAST_PX), MOST_PX)
+        is_low = self.screen().availableGeometry().height() < LOW_SCREEN_PX
+        self.setMinimumHeight(LOWEST_PX if is_low else first_px)
 
     def _remove(self, group: QWidget) -> None:
         """Remove a group; its field that has the keyboard focus hands it to the one of its key."""

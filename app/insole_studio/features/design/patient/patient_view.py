@@ -133,7 +133,6 @@ class PatientView(VerticalScroll):
     def show_measures(self, measures: Sequence[Measure]) -> None:
         """Show the measures of the foot."""
         self._measures.show_measures(measures)
-        self.updateGeometry()  # two feet need a wider panel than one
 
     def show_device(self, text: str, selected: bool) -> None:
         """Show the device above the corrections; selected are its values below."""

@@ -1,0 +1,39 @@
+"""Room on the screen: no window is larger than the screen that it is shown on."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFrame, QScrollArea, QStyle, QWidget
+
+UNSEEN = ("offscreen", "minimal")
+"""Platforms that draw for no screen: a window may have any size there."""
+_FRAMED = (Qt.WindowType.Window, Qt.WindowType.Dialog, Qt.WindowType.Sheet, Qt.WindowType.Tool)
+
+
+def bounded(window: QWidget, wanted: QSize) -> QSize:
+    """Return a size for a window that its screen has room for, with a frame around it."""
+    if QGuiApplication.platformName() in UNSEEN:
+        return wanted
+    room = window.screen().availableGeometry().size()
+    # The frame itself is known only once the window has been shown.
+    title_px = window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight, None, window)
+    return wanted.boundedTo(room - QSize(0, title_px))
+
+
+def fit_to_screen(window: QWidget) -> None:
+    """Let a window that is about to be shown be no larger than its screen."""
+    is_framed = window.windowType() in _FRAMED
+    if is_framed and not (window.windowState() & ~Qt.WindowState.WindowActive):
+        window.resize(bounded(window, window.size()))
+
+
+class Scrolled(QScrollArea):
+    """Shows a widget whole, or scrolls it where there is no room for it."""
+
+    def __init__(self, content: QWidget) -> None:
+        super().__init__()
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidget(content)

@@ -1,0 +1,118 @@
+"""The window fits small screens, and its panels keep what they need of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QPoint, QRect
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QDockWidget,
+    QLabel,
+    QVBoxLayout,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import Pelott
+from insole_studio.app.bootstrap import Application
+from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.vertical_scroll import VerticalScroll
+
+SMALLEST = (683, 456)
+"""A screen of 1366 × 768 at 200 % is as wide, one of 1366 × 768 at 150 % less its frame as high."""
+
+
+def test_the_window_can_be_as_small_as_a_small_screen(clinic: Application) -> None:
+    def fits() -> bool:
+        width, height = clinic.window.minimumSizeHint().toTuple()
+        return width <= SMALLEST[0] and height <= SMALLEST[1]
+
+    assert fits(), "the page of patients"
+    clinic.features.records.show_orders()
+    assert fits(), "the page of orders"
+
+
+def test_neither_panels_nor_a_long_hint_widen_the_window(opened: Application) -> None:
+    opened.window.actions_by_key["tool_rim"].trigger()
+    opened.window.actions_by_key["tool_section"].trigger()
+    opened.stage.hint_changed.emit("A sentence that says what can be done here and now. " * 4)
+    QApplication.processEvents()
+    width, height = opened.window.minimumSizeHint().toTuple()
+    assert width <= SMALLEST[0]
+    assert height <= SMALLEST[1]
+
+
+def is_whole(widget: QWidget, panel: QWidget) -> bool:
+    corner = widget.mapTo(panel, QPoint(0, 0))
+    return corner.x() >= 0 and corner.x() + widget.width() <= panel.width()
+
+
+def test_the_patient_panel_is_whole_again_after_a_small_window(
+    opened: Application, make_foot: Callable[[Side], Foot], qtbot: QtBot
+) -> None:
+    window, panel = opened.window, opened.stage.patient
+    right = FootRecord.begun(make_foot(Side.RIGHT), ScanSource("mesh", "/nowhere", "0" * 64))
+    opened.case.apply(right, "Add the right foot")
+    assert opened.case.record.design is not None
+    opened.case.apply(
+        opened.case.record.design.with_added(Pelott(centre_mm=(0.0, 150.0))), "Place a pelott"
+    )
+    window.resize(1366, 768)
+    window.arrange()
+    QApplication.processEvents()
+    wide = panel.width()
+    for size in ((700, 480), (1366, 768)):
+        window.resize(*size)
+        QApplication.processEvents()
+        cut = [
+            part
+            for part in panel.findChildren(QWidget)
+            if isinstance(part, QAbstractButton | DateField)
+            and part.isVisibleTo(panel)
+            and not is_whole(part, panel.viewport())
+        ]
+        assert cut == []
+    qtbot.waitUntil(lambda: panel.width() == wide)
+
+
+def test_a_column_gets_room_for_what_comes_into_it(qtbot: QtBot) -> None:
+    column, content, label = VerticalScroll(), QWidget(), QLabel("short")
+    QVBoxLayout(content).addWidget(label)
+    column.setWidget(content)
+    dock = QDockWidget()
+    qtbot.addWidget(dock)
+    dock.setWidget(column)
+    dock.resize(60, 80)
+    dock.show()
+    QApplication.processEvents()
+    label.setText("something much longer than what was there before")
+    qtbot.waitUntil(lambda: column.viewport().width() >= content.minimumSizeHint().width())
+
+
+def test_a_section_leaves_the_thickness_in_sight(opened: Application, qtbot: QtBot) -> None:
+    window, panel = opened.window, opened.stage.parameters
+    window.resize(1200, 700)
+    window.arrange()
+    assert opened.case.record.design is not None
+    pad = Pelott(centre_mm=(0.0, 150.0))
+    opened.case.apply(opened.case.record.design.with_added(pad), "Place a pelott")
+    opened.case.select(pad.id)
+    fields = panel.findChildren(NumberField)
+    thickness = next(f for f in fields if f.property("key") == "insole.thickness_mm")
+
+    def is_seen() -> bool:
+        QApplication.processEvents()
+        place = QRect(thickness.mapTo(panel.viewport(), QPoint(0, 0)), thickness.size())
+        return panel.viewport().rect().contains(place)
+
+    qtbot.waitUntil(is_seen)
+    window.actions_by_key["tool_section"].trigger()
+    assert opened.stage.section.isVisible()
+    assert is_seen()
