@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import mmap
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -18,6 +19,9 @@ settings.load_profile("any machine")
 # As the command does, before numpy reads it: beside a second worker, threads of OpenBLAS only wait
 # for each other, in twice the processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+GROWN_MB = 150.0
+KEPT_MB = pytest.StashKey[float]()
 
 gc.disable()  # nothing that is imported for the tests is garbage
 
@@ -35,10 +39,28 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def returned_memory() -> Iterator[None]:
-    """Hand back what a module has freed: commands of the product keep it in the heap."""
+def returned_memory(pytestconfig: pytest.Config) -> Iterator[None]:
+    """Hand back what a module has freed: commands of the product keep it in the heap.
+
+    What is frozen is looked through only once the process has grown: a window that served a whole
+    module was there before its tests, was frozen by them, and is a cycle when the module ends.
+    """
     yield
     return_freed_memory()
+    kept_mb = pytestconfig.stash.setdefault(KEPT_MB, resident_mb())
+    if resident_mb() > kept_mb + GROWN_MB:
+        gc.unfreeze()
+        gc.collect()
+        gc.freeze()
+        return_freed_memory()
+        pytestconfig.stash[KEPT_MB] = resident_mb()
+
+
+def resident_mb() -> float:
+    """Memory of this process, where the system tells it as Linux does; else nothing."""
+    told = Path("/proc/self/statm")
+    pages = int(told.read_text(encoding="ascii").split()[1]) if told.exists() else 0
+    return pages * mmap.PAGESIZE / 1e6
 
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"

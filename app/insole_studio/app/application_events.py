@@ -36,6 +36,10 @@ _PRESSES = (
     QEvent.Type.TouchBegin,
     QEvent.Type.TabletPress,
 )
+_LOOKED_AT = frozenset(
+    (*_USER_TURNS, *_PRESSES, QEvent.Type.KeyPress, QEvent.Type.Polish, QEvent.Type.FileOpen)
+)
+"""Of the thousands of events of a second, those that are more than passed on."""
 WHEEL_REST_S = 0.7
 """A wheel that rests longer than this begins another run."""
 
@@ -76,7 +80,9 @@ class ApplicationEvents(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Look at an event on its way; F1 and files to open are withheld."""
         kind = event.type()
-        if self._begins_gesture(event):
+        if kind not in _LOOKED_AT:
+            return False
+        if self._begins_gesture(kind, event):
             self.gesture_began.emit()
         if kind == QEvent.Type.Polish:
             _prepare(watched)
@@ -95,11 +101,11 @@ class ApplicationEvents(QObject):
             return True
         return False
 
-    def _begins_gesture(self, event: QEvent) -> bool:
+    def _begins_gesture(self, kind: QEvent.Type, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent):
-            return event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
+            return kind == QEvent.Type.KeyPress and not event.isAutoRepeat()
         if not isinstance(event, QWheelEvent):
-            return event.type() in _PRESSES
+            return kind in _PRESSES
         # When it was turned, not when a busy window gets to it; not every platform tells.
         turned_at_s = event.timestamp() / 1000 or time.monotonic()
         rest_s, self._wheel_turned_at_s = turned_at_s - self._wheel_turned_at_s, turned_at_s

@@ -144,6 +144,7 @@ def test_a_missing_foot_is_offered_by_its_button(opened: Application) -> None:
         "open_session",
         "open_archive",
         "capture",
+        "mirror_foot",
     ]
     press(opened, Qt.Key.Key_X)
     (dialog,) = opened.services.messages.dialogs
