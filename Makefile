@@ -35,8 +35,10 @@ $(SITE)/.built: $(READY) $(PAGES)
 # Journeys of the tests take some of them on their way.
 pictures: $(READY) ## all pictures of the manual, anew, as the window is now
 	QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" $(BIN)/python docs/pictures.py
-	INSOLE_STUDIO_MANUAL=$(CURDIR)/docs/manual/images QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" \
-		$(PYTEST) tests/insole_studio/journeys/test_whole_journey.py
+	for folder in images images/sv; do \
+		INSOLE_STUDIO_MANUAL=$(CURDIR)/docs/manual/$$folder QT_QPA_PLATFORM=xcb \
+			xvfb-run -a -s "$(SCREEN)" $(PYTEST) tests/insole_studio/journeys/test_whole_journey.py || exit 1; \
+	done
 
 manual: $(SITE)/.built ## the site of the manual, which F1 opens and packages contain
 

@@ -12,6 +12,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.messages import Translate
 from insole_core.resources import resource_path
 from insole_core.workflows.insole_builder import InsoleBuilder
 
@@ -31,13 +32,15 @@ LABEL_PX = 22
 MATERIAL = "#d9cbb0"
 
 
-def draw_devices(foot: Foot, path: Path) -> None:
+def draw_devices(foot: Foot, path: Path, translate: Translate) -> None:
     """Write one picture of all devices: a row each, from above, below, medial and behind.
 
     Parameters
     ----------
     foot
         The insoles are made for it with nothing but the device.
+    translate
+        The names of the devices into the language of the picture.
     """
     width, height = CELL_PX
     sheet = Image.new("RGB", (len(SIDES) * width, len(SHOWN) * (height + LABEL_PX)), "white")
@@ -47,7 +50,7 @@ def draw_devices(foot: Foot, path: Path) -> None:
         design = apply_device(device, InsoleDesign(foot.side))
         _, solid = InsoleBuilder().solid(foot, design)
         top = row * (height + LABEL_PX)
-        pen.text((8, top + 3), device.name, fill="black", font=font)
+        pen.text((8, top + 3), translate(device.name), fill="black", font=font)
         for column, side in enumerate(SIDES):
             picture = _seen_from(solid, side, foot.side.medial_sign)
             sheet.paste(picture, (column * width, top + LABEL_PX))

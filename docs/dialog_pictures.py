@@ -36,6 +36,7 @@ from insole_studio.features.export.stage import ExportStage
 from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.scene.scene_view import SceneView
+from insole_studio.texts import tr
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.key_help import KeyHelp
 
@@ -43,6 +44,9 @@ EXAMPLE = resource_path("example/example.insole")
 PATIENCE_MS, LOOK_MS = 20_000, 50
 SHOWN_MS = 400
 STAGE = (1366, 730)
+
+REASONS = {"en": ("Heel pain, right", "Control"), "sv": ("Hälsmärta, höger", "Kontroll")}
+"""Of the visits of a patient."""
 
 Take = Callable[[QWidget], None]
 
@@ -62,7 +66,7 @@ class DialogPicture:
     wait_ms
         How long it takes, once it is ready, until it shows what it is opened for.
     ready
-        Text of a button that is enabled from then on; empty where it is ready at once.
+        English text of a button that is enabled from then on; empty where it is ready at once.
     """
 
     name: str
@@ -175,7 +179,7 @@ def save(shown: QWidget, folder: Path, name: str) -> None:
     if not isinstance(shown, QDialog):
         shown.resize(*STAGE)
     picture = next((picture for picture in DIALOGS if picture.name == name), SCAN)
-    until(lambda: not picture.ready or _can_press(shown, picture.ready), picture.ready)
+    until(lambda: not picture.ready or _can_press(shown, tr(picture.ready)), picture.ready)
     QTest.qWait(picture.wait_ms)
     jobs = getattr(shown, "jobs", None)
     if jobs is not None:
@@ -200,7 +204,7 @@ def _close(shown: QWidget) -> None:
         shown.close()
 
 
-def fill_record(paths: UserPaths) -> None:
+def fill_record(paths: UserPaths, language: str) -> None:
     """Begin a record with some patients, of whom one has visits."""
     example = read_case(EXAMPLE)
     place = RecordsPlace.local(paths.records_folder)
@@ -212,7 +216,7 @@ def fill_record(paths: UserPaths) -> None:
         ):
             records.persons.add(Person(name, born))
         anna = records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
-        for days, reason in ((120, "Heel pain, right"), (0, "Control")):
+        for days, reason in zip((120, 0), REASONS[language], strict=True):
             visit = records.visits.add(
                 Visit(anna.id, date.today() - timedelta(days=days), reason=reason)
             )

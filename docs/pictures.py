@@ -13,6 +13,7 @@ events, and saves what is on the screen at each step, and a contact sheet, to be
 from __future__ import annotations
 
 import argparse
+import json
 import tempfile
 from dataclasses import replace
 from pathlib import Path
@@ -38,9 +39,13 @@ from insole_studio.app.scripted import ScriptedWindow, grab
 from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
 from insole_studio.features.foot.rows import FootMap
 from insole_studio.features.foot.stage import FootStage
+from insole_studio.texts import translation_into
 from insole_studio.user_paths import UserPaths
 
 IMAGES = Path(__file__).parent / "manual" / "images"
+"""Those of the English manual; each other language has a folder in it."""
+LANGUAGES = ("en", "sv")
+VARIANT = {"en": "higher pad", "sv": "högre pelott"}
 EXAMPLE = resource_path("example/example.insole")
 SEED = 21
 """That of the example."""
@@ -57,7 +62,8 @@ def main() -> None:
     """Take them all, or walk the journeys."""
     arguments = parsed()
     if arguments.journeys is None:
-        take_documentation()
+        for language in LANGUAGES:
+            take_documentation(language)
     else:
         take_journeys(arguments)
 
@@ -94,37 +100,51 @@ def simulate_left_foot(session: Path) -> None:
     write_session(simulated.session, session)
 
 
-def take_documentation() -> None:
-    """Take the pictures of the documentation."""
+def take_documentation(language: str) -> None:
+    """Take the pictures of the documentation in a language."""
+    images = images_of(language)
     with tempfile.TemporaryDirectory() as folder:
-        here = Path(folder)
-        paths = UserPaths(here / "settings.json", here / "autosave")
-        session = here / "left_foot.zip"
+        paths, of_clinic = (user(Path(folder) / name, language) for name in ("window", "clinic"))
+        session = Path(folder) / "left_foot.zip"
         simulate_left_foot(session)
-        take_windows(paths)
-        take_pressure(paths)
-        take_feet(paths, session)
-        take_foot_stage(paths, session)
-        take_clinic(UserPaths(here / "clinic/settings.json", here / "clinic/autosave"), session)
-    take_devices()
+        take_windows(paths, images)
+        take_pressure(paths, images)
+        take_feet(paths, session, images, VARIANT[language])
+        take_foot_stage(paths, session, images)
+        take_clinic(of_clinic, session, images, language)
+    take_devices(images, language)
 
 
-def take_windows(paths: UserPaths) -> None:
+def images_of(language: str) -> Path:
+    """Return the folder of the pictures of a language."""
+    images = IMAGES if language == LANGUAGES[0] else IMAGES / language
+    images.mkdir(exist_ok=True)
+    return images
+
+
+def user(folder: Path, language: str) -> UserPaths:
+    """Return the files of a user who has chosen a language."""
+    folder.mkdir()
+    paths = UserPaths(folder / "settings.json", folder / "autosave")
+    paths.settings_file.write_text(json.dumps({"language": language}), "utf-8")
+    return paths
+
+
+def take_windows(paths: UserPaths, images: Path) -> None:
     """The window in both themes, a pelott in the hand."""
     for name, size, dark in (("light", SMALL, False), ("dark-height-map", LARGE, True)):
         with ScriptedWindow(paths, size, dark) as studio:
-            studio.open(EXAMPLE)
-            act(studio, "tool_pelott")
+            act(studio, "open_example", "tool_pelott")
             studio.app.case.select("pelott")
             if dark:
                 act(studio, "map_height")
-            studio.screenshot(IMAGES / f"window-{name}.png")
+            studio.screenshot(images / f"window-{name}.png")
 
 
-def take_feet(paths: UserPaths, session: Path) -> None:
+def take_feet(paths: UserPaths, session: Path, images: Path, variant: str) -> None:
     """Both feet side by side, then two variants of one."""
     with ScriptedWindow(paths, SMALL) as studio:
-        studio.open(EXAMPLE)
+        act(studio, "open_example")
         studio.open(session)
         features, case = studio.app.features, studio.app.case
         features.foot.close()
@@ -133,10 +153,10 @@ def take_feet(paths: UserPaths, session: Path) -> None:
         for notice in studio.app.services.notices.notices:
             studio.app.services.notices.drop(notice.key)
         act(studio, "beside_foot", "map_difference")
-        studio.screenshot(IMAGES / "feet-compared.png")
+        studio.screenshot(images / "feet-compared.png")
 
         act(studio, "variant_duplicate")
-        studio.answers.typed = "higher pad"
+        studio.answers.typed = variant
         act(studio, "variant_name")
         design = case.record.design
         assert design is not None
@@ -147,44 +167,44 @@ def take_feet(paths: UserPaths, session: Path) -> None:
                 design = design.with_changed(replace(correction, rearfoot_deg=2.0))
         case.apply(design, "Change the variant")
         act(studio, "beside_variant", "map_difference")
-        studio.screenshot(IMAGES / "variants-compared.png")
+        studio.screenshot(images / "variants-compared.png")
 
 
-def take_foot_stage(paths: UserPaths, session: Path) -> None:
+def take_foot_stage(paths: UserPaths, session: Path, images: Path) -> None:
     """The views in their colours, their distance, and what is corrected by hand."""
     with ScriptedWindow(paths, SMALL) as studio:
         studio.open(session)
-        take_stage(studio, "views")
+        take_stage(studio, images / "foot-views.png")
         stage_of(studio).presenter.choose_map(FootMap.AGREEMENT)
-        take_stage(studio, "agreement")
+        take_stage(studio, images / "foot-agreement.png")
     write_edits(EDITS, session)
     with ScriptedWindow(paths, SMALL) as studio:
         studio.open(session)
         stage_of(studio).view.table.selectRow(0)
-        take_stage(studio, "corrected")
+        take_stage(studio, images / "foot-corrected.png")
 
 
-def take_clinic(paths: UserPaths, session: Path) -> None:
+def take_clinic(paths: UserPaths, session: Path, images: Path, language: str) -> None:
     """The start page of a clinic, all dialogs, and a scan of another program."""
-    fill_record(paths)
+    fill_record(paths, language)
     with ScriptedWindow(paths, SMALL, emulate=session) as studio:
         open_record(studio)
-        studio.screenshot(IMAGES / "start-page.png")
-        studio.open(EXAMPLE)
-        take_dialogs(studio, IMAGES)
+        studio.screenshot(images / "start-page.png")
+        act(studio, "open_example")
+        take_dialogs(studio, images)
         scan = paths.settings_folder / "scan 17.ply"
         foot = studio.app.case.foot
         assert foot is not None
         write_ply(foot.mesh, scan)
         act(studio, "new_case")
         studio.app.features.case_files.opener.open_path(scan)
-        take_and_close(SCAN, lambda shown: save(shown, IMAGES, SCAN.name))
+        take_and_close(SCAN, lambda shown: save(shown, images, SCAN.name))
 
 
-def take_pressure(paths: UserPaths) -> None:
+def take_pressure(paths: UserPaths, images: Path) -> None:
     """A pressure map under the foot: its own heights as pressures of 6 mm cells, toes first."""
     with ScriptedWindow(paths, SMALL) as studio:
-        studio.open(EXAMPLE)
+        act(studio, "open_example")
         foot = studio.app.case.foot
         assert foot is not None
         heights_mm = SolePrint.of(foot).heights_mm[::3, ::3]
@@ -201,22 +221,22 @@ def take_pressure(paths: UserPaths) -> None:
         dialog.lay_button.click()
         studio.settle()
         act(studio, "tool_plantar", "map_pressure")
-        studio.screenshot(IMAGES / "pressure.png")
+        studio.screenshot(images / "pressure.png")
 
 
-def take_devices() -> None:
+def take_devices(images: Path, language: str) -> None:
     """Draw the devices of the product on the foot of the example."""
     foot = read_case(EXAMPLE).foot
     assert foot is not None
-    draw_devices(foot, IMAGES / "devices.png")
+    draw_devices(foot, images / "devices.png", translation_into(language))
 
 
-def take_stage(studio: ScriptedWindow, name: str) -> None:
+def take_stage(studio: ScriptedWindow, path: Path) -> None:
     """Take the foot stage."""
     stage = stage_of(studio)
     stage.resize(*STAGE)
     studio.settle()
-    grab(stage, [stage.view.foot.scene]).save(str(IMAGES / f"foot-{name}.png"))
+    grab(stage, [stage.view.foot.scene]).save(str(path))
 
 
 def stage_of(studio: ScriptedWindow) -> FootStage:

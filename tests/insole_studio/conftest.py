@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import json
 import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator
@@ -189,6 +190,10 @@ def app(
 @pytest.fixture
 def hands(qapp: QApplication, paths: UserPaths) -> Iterator[Hands]:
     """A user before the empty window."""
+    if MANUAL:  # its folder is named after its language, but for the English one
+        language = "sv" if Path(MANUAL).name == "sv" else "en"
+        paths.settings_file.parent.mkdir()
+        paths.settings_file.write_text(json.dumps({"language": language}), "utf-8")
     with ScriptedWindow(paths, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
         yield Hands(studio)
 

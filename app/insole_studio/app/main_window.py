@@ -308,7 +308,10 @@ class MainWindow(QMainWindow):
             self.raise_()
 
     def _pass_on(self, checked: bool = False) -> None:
-        self.action_triggered.emit(self.sender().objectName(), checked)
+        action = self.sender()
+        assert isinstance(action, QAction)
+        if checked or action.actionGroup() is None:  # of a group, what is chosen counts alone
+            self.action_triggered.emit(action.objectName(), checked)
 
     def _choose_recent(self) -> None:
         action = self.sender()

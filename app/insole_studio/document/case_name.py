@@ -26,7 +26,7 @@ def title_of(case: Case) -> str:
 
 def file_stem(case: Case) -> str:
     """Return a suggested name for a file of the whole case, with the side if it has one foot."""
-    return foot_stem(case) if len(case.record.feet) == 1 else _name_or(case, "insole")
+    return foot_stem(case) if len(case.record.feet) == 1 else _name_or(case, tr("insole"))
 
 
 def foot_stem(case: Case) -> str:
@@ -34,9 +34,12 @@ def foot_stem(case: Case) -> str:
 
     Both hold the patient's name, so that neither is for a file that goes to the workshop.
     """
-    name, side = _name_or(case, "insole"), case.side
+    name, side = _name_or(case, tr("insole")), case.side
+    if side is None:
+        return name
+    word = tr("left") if side is Side.LEFT else tr("right")
     words = re.findall(r"[^\W_]+", name.casefold())
-    return name if side is None or side.value in words else f"{name}-{side.value}"
+    return name if {side.value, word} & set(words) else f"{name}-{word}"
 
 
 def _name_or(case: Case, otherwise: str) -> str:

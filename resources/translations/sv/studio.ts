@@ -2296,8 +2296,16 @@
             <translation>kommer med skanningen</translation>
         </message>
         <message>
+            <source>difference</source>
+            <translation>skillnad</translation>
+        </message>
+        <message>
             <source>frames</source>
             <translation>bilder</translation>
+        </message>
+        <message>
+            <source>insole</source>
+            <translation>inlägg</translation>
         </message>
         <message>
             <source>lat.</source>
@@ -2336,12 +2344,20 @@
             <translation>inte skannat</translation>
         </message>
         <message>
+            <source>outline</source>
+            <translation>kontur</translation>
+        </message>
+        <message>
             <source>right</source>
             <translation>höger</translation>
         </message>
         <message>
             <source>scan of {day}</source>
             <translation>skanning från {day}</translation>
+        </message>
+        <message>
+            <source>template</source>
+            <translation>mall</translation>
         </message>
         <message>
             <source>to {height} mm</source>

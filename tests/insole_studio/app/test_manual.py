@@ -33,7 +33,7 @@ from insole_studio.widgets.tab_order import StageFrame
 
 MANUAL = Path(__file__).parents[3] / "docs" / "manual"
 IMAGES = MANUAL / "images"
-PICTURE = re.compile(r"!\[[^\]]*\]\((?:\.\./)?images/([\w-]+)\.png\)")
+PICTURE = re.compile(r"!\[[^\]]*\]\((?:\.\./)?images/(?:sv/)?([\w-]+)\.png\)")
 
 
 class Browser(QObject):
@@ -174,7 +174,18 @@ def test_every_picture_is_used_there_and_listed() -> None:
     }
     listed = {*(p.name for p in (*DIALOGS, SCAN)), *OF_JOURNEYS, *OF_WINDOWS}
     assert used == listed
-    assert {file.stem for file in IMAGES.glob("*.png")} == listed
+    for folder in (IMAGES, IMAGES / "sv"):
+        assert {file.stem for file in folder.glob("*.png")} == listed
+
+
+def test_the_swedish_manual_shows_the_swedish_window() -> None:
+    text = "".join(page.read_text("utf-8") for page in (MANUAL / "sv").glob("*.md"))
+    assert "](../images/sv/" in text
+    assert re.findall(r"images/(?!sv/)[\w-]+\.png", text) == []
+    assert all(
+        (IMAGES / "sv" / file.name).read_bytes() != file.read_bytes()
+        for file in IMAGES.glob("*.png")
+    )
 
 
 def test_all_supplied_findings_are_named_where_the_search_finds_them() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from asked_scan import asked_scan, insist_on
-from pointing import drag, pixel
+from pointing import LEFT, drag, pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
@@ -25,6 +25,7 @@ from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.tools.key_point_tool import shown_points
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.fold import Fold
 from insole_studio.widgets.number_field import NumberField
 
 Settle = Callable[[], None]
@@ -127,6 +128,8 @@ def test_a_number_beyond_its_range_changes_nothing_and_is_said_at_the_field(
 def test_a_zone_cannot_end_before_it_begins(opened: Application, settle: Settle) -> None:
     act(opened, "tool_posting")
     type_number(opened, "posting.rearfoot_deg", "4")
+    folds = opened.stage.parameters.findChildren(Fold)
+    QTest.mouseClick(next(f for f in folds if f.text() == "Expert" and f.isVisible()), LEFT)
     typed = type_number(opened, "posting.blend_start", "90")
     assert "cannot be taken" in typed.refusal.text()
     least = type_number(opened, "posting.blend_end", "50").value()

@@ -94,4 +94,4 @@ class CompareStage(StageFrame):
         return self._questions.file_to_open(f"{tr('Mesh or archive')} {_SOURCES}", Kept.SCANS)
 
     def _ask_report(self) -> Path | None:
-        return self._questions.file_to_write("difference.pdf", _REPORTS, Kept.PAPERS)
+        return self._questions.file_to_write(f"{tr('difference')}.pdf", _REPORTS, Kept.PAPERS)

@@ -276,7 +276,7 @@ class ExportActions(StageWindow["ExportStage"]):
     def ask_print_outline(self) -> None:
         """Let the user choose a PDF file and print the outline into it."""
         path = self._messages.questions.file_to_write(
-            f"{foot_stem(self._case)}-outline.pdf", "PDF (*.pdf)", Kept.PAPERS
+            f"{foot_stem(self._case)}-{tr('outline')}.pdf", "PDF (*.pdf)", Kept.PAPERS
         )
         if path is not None:
             self.print_outline_to(path)

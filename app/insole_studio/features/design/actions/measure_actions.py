@@ -26,7 +26,9 @@ class MeasureActions:
 
     def ask_save(self) -> None:
         """Let the user choose a file, and write the table."""
-        path = self._messages.questions.file_to_write("measures.csv", "CSV (*.csv)", Kept.PAPERS)
+        path = self._messages.questions.file_to_write(
+            f"{tr('measures')}.csv", "CSV (*.csv)", Kept.PAPERS
+        )
         if path is not None:
             with replacing_file(path) as beside:
                 beside.write_text(table_csv(table_of(self._case.record)), encoding="utf-8")

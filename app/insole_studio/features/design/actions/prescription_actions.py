@@ -93,7 +93,7 @@ class PrescriptionActions:
     def ask_save_template(self) -> None:
         """Let the user choose a file, and save the template."""
         path = self._messages.questions.file_to_write(
-            f"template{TEMPLATE_SUFFIX}", template_kinds(), Kept.CASES
+            f"{tr('template')}{TEMPLATE_SUFFIX}", template_kinds(), Kept.CASES
         )
         if path is not None and self._case.record.design is not None:
             save_template(self._case, path)
