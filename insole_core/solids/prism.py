@@ -101,14 +101,14 @@ class Prism:
         lean = _lean(plan, faces, self.outline, draft)
         if shaped is not None:
             lean[_inner(plan, draft > 0)] = 0
+            draft = _with_tips(plan, draft)
             top = top - np.minimum(shaped.cut_mm(plan.inside_mm), (top - bottom) / 2)
         places, top, bottom = (
             np.concatenate([places, faces.tips[:, :2]]),
             np.concatenate([top, faces.tips[:, 2]]),
             np.concatenate([bottom, faces.tips[:, 3]]),
         )
-        lean = np.concatenate([lean, np.zeros((len(faces.tips), 2))])
-        lean = _without_folds(plan.triangles, places, lean)
+        lean = _without_folds(plan.triangles, places, _with_tips(plan, lean))
         if shaped is not None:
             moved = np.flatnonzero((lean != 0).any(axis=1))
             below = replace(lattice, heights_mm=faces.bottom_mm).height_at((places + lean)[moved])
@@ -124,6 +124,19 @@ def _inner(plan: Plan, chosen: BoolArray) -> BoolArray:
     inner = chosen.copy()
     inner[plan.border.ravel()] = False
     return inner
+
+
+def _with_tips(plan: Plan, values: FloatArray) -> FloatArray:
+    """Return values at the vertices (n, ...), and their means round the centre of each fan."""
+    is_tip = plan.triangles >= len(values)
+    fans = plan.triangles[is_tip.any(axis=1)]
+    if len(fans) == 0:
+        return values
+    tips = fans.max(axis=1)
+    order = np.argsort(tips, kind="stable")
+    # Four triangles with two corners each: every corner of the cell twice.
+    corners = np.sort(fans[order], axis=1)[:, :2].reshape(len(plan.fans), -1)
+    return np.concatenate([values, values[corners].mean(axis=1)])
 
 
 def band_mm(height_mm: float, draft_deg: float) -> float:

@@ -11,8 +11,10 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.surface.block import apexes, block_solid
+from insole_core.insole.surface.height_field import HeightField
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.posts import POST_BAND_MM
 from insole_core.solids.prism import Faces, Prism, band_mm
@@ -89,12 +91,15 @@ class ClosedInsole:
         At the nodes of the contact surface, before walls and edges.
     prism
         Its walls and edges.
+    outline : (n, 2) float64, mm, insole frame
+        The upper rim, counter-clockwise.
     """
 
     solid: TriangleMesh
     plan: BodyPlan
     body: Body
     prism: Prism
+    outline: FloatArray
 
 
 def make_solid(
@@ -182,20 +187,43 @@ def closed_insole(
     tip_bottom = replace(field, heights_mm=body.bottom_mm).height_at(tips[:, :2])
     faces = Faces(top, body.bottom_mm, np.column_stack([tips, tip_bottom]))
     walled = Prism(plan, field, distance, options.draft_deg)
-    return ClosedInsole(walled.between(faces), body_plan, body, walled)
+    return ClosedInsole(walled.between(faces), body_plan, body, walled, polygon)
+
+
+def with_walls_for(
+    prism: Prism, design: InsoleDesign, outline: FloatArray, contact: HeightField
+) -> Prism:
+    """Return the prism of an insole with its walls for another contact surface on the same nodes.
+
+    The band in which the underside makes way for inward walls is as wide as the insole is high.
+    """
+    shell, before = design.shell, prism.outline
+    if shell is None:
+        return prism
+    reach_mm = _reach_mm(shell, contact) + 2 * contact.step_mm
+    if reach_mm == before.reach_mm:
+        return prism
+    distance = outline_distance(outline, contact, reach_mm)
+    return replace(
+        prism, outline=distance, walls=shell_walls(shell, design.side.medial_sign, distance)
+    )
+
+
+def _reach_mm(shell: Shell, contact: HeightField) -> float:
+    """Return how far inside its outline the walls and edges of a shell change its body."""
+    inward_deg = min(shell.draft_medial_deg, shell.draft_lateral_deg)
+    return max(
+        band_mm(float(contact.heights_mm.max()), inward_deg),
+        shell.edge_radius_mm,
+        shell.chamfer_mm,
+        POST_BAND_MM if shell.posts else 0.0,
+    )
 
 
 def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedInsole:
     made = _made(insole)
     field = made.contact
-    inward_deg = min(shell.draft_medial_deg, shell.draft_lateral_deg)
-    reach = max(
-        band_mm(float(field.heights_mm.max()), inward_deg),
-        shell.edge_radius_mm,
-        shell.chamfer_mm,
-        POST_BAND_MM if shell.posts else 0.0,
-    )
-    distance = _distance_within(made, polygon, reach)
+    distance = _distance_within(made, polygon, _reach_mm(shell, insole.contact))
     body_plan = BodyPlan.of(insole, polygon, distance)
     body = body_plan.body(insole.contact, made_mm=field.heights_mm)
     contours_mm = edge_contours_mm(shell)
@@ -208,7 +236,7 @@ def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedIn
     faces = Faces(body.top_mm, body.bottom_mm, np.column_stack([at, top, bottom]))
     walls = shell_walls(shell, insole.design.side.medial_sign, distance)
     walled = Prism(plan, field, distance, walls)
-    return ClosedInsole(walled.between(faces), body_plan, body, walled)
+    return ClosedInsole(walled.between(faces), body_plan, body, walled, polygon)
 
 
 def positive_solid(

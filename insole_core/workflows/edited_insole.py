@@ -22,6 +22,7 @@ from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.solids.ball_offset import PITCH_MM
 from insole_core.solids.prism import Faces
 from insole_core.solids.shell_body import Body
+from insole_core.solids.solid import with_walls_for
 from insole_core.workflows.insole_builder import BareInsole, BareKey, bare_key
 
 _QUICK_PITCH_MM = 2.0
@@ -103,7 +104,8 @@ class EditedInsole:
             return False
         self._is_settled = True
         bare, vertices = self.bare, self.mesh.vertices
-        made = bare.prism.vertices(Faces(self._body.top_mm, self._body.bottom_mm))
+        prism = with_walls_for(bare.prism, self.design, bare.outline, self.contact)
+        made = prism.vertices(Faces(self._body.top_mm, self._body.bottom_mm))
         made = np.concatenate([made, made[bare.rim], made[bare.rim + bare.top_count]])
         off = np.abs(made - vertices).max(axis=1) > _SAME_MM
         if not off.any():

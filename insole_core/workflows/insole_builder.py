@@ -48,8 +48,8 @@ class BareInsole:
         Indices of the top's vertices at which the walls begin.
     plan, body
         The body between top and bottom at the nodes of the contact surface, and its plan.
-    prism
-        Walls and edges of the body.
+    prism, outline
+        Walls and edges of the body, and the upper rim.
     coarse
         The base on a coarse grid, by which it follows the finish; None of a design without one.
     """
@@ -63,6 +63,7 @@ class BareInsole:
     plan: BodyPlan
     body: Body
     prism: Prism
+    outline: FloatArray
     coarse: ContactBase | None = None
 
     @classmethod
@@ -88,7 +89,7 @@ class BareInsole:
         mesh = TriangleMesh(vertices, triangles)
         _ = mesh.vertex_normals  # kept by the mesh: computed here, not in the window
         rim = used[used < count].astype(np.int64)
-        parts = closed.plan, closed.body, closed.prism
+        parts = closed.plan, closed.body, closed.prism, closed.outline
         return cls(key, foot, base, mesh, count, rim, *parts, coarse)
 
     @cached_property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -129,6 +130,33 @@ def test_the_other_foot_and_its_insole_are_mirrored_and_said(
     settle()
     assert stage.view._notes.text() == ""
     assert number(stage, "Largest") == 0.0
+
+
+@pytest.mark.slow
+def test_two_visits_differ_by_what_the_foot_has_changed(
+    qapp: QApplication, qtbot: QtBot, case: Case, chosen: Chosen
+) -> None:
+    older = case.record
+    foot = older.foot
+    assert foot is not None
+    x, y = (foot.mesh.vertices[:, :2] - [5.0, 120.0]).T
+    is_sole = foot.mesh.vertex_normals[:, 2] < 0
+    swollen = foot.mesh.vertices.copy()
+    swollen[:, 2] -= np.where(is_sole, 2.0 * np.exp(-(x**2 + y**2) / 50.0), 0.0)
+    changed = replace(foot, mesh=replace(foot.mesh, vertices=swollen))
+    newer = CaseRecord.of_foot(FootRecord.begun(changed, NOWHERE, older.design))
+    stage = CompareStage(
+        case, False, ask_source=chosen.source, ask_report=chosen.report,
+        visits=(("Today", newer), ("Before", older)),
+    )  # fmt: skip
+    qtbot.addWidget(stage)
+    qtbot.waitUntil(lambda: not stage.jobs.is_running())
+    assert number(stage, "Largest") == pytest.approx(2.0, abs=0.1)
+    assert number(stage, "Mean") < 0.1
+    stage.view.source_chosen.emit("a", "1 foot left")
+    qtbot.waitUntil(lambda: not stage.jobs.is_running())
+    assert number(stage, "Largest") == 0.0
+    stage.close()
 
 
 @pytest.mark.slow
