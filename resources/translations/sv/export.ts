@@ -116,6 +116,10 @@
             <translation>Mottagning, om någon</translation>
         </message>
         <message>
+            <source>Close enough points</source>
+            <translation>Tillräckligt täta punkter</translation>
+        </message>
+        <message>
             <source>Closed solid</source>
             <translation>Sluten kropp</translation>
         </message>
@@ -184,10 +188,6 @@
             <translation>Färre trianglar</translation>
         </message>
         <message>
-            <source>Fine enough grid</source>
-            <translation>Tillräckligt fint rutnät</translation>
-        </message>
-        <message>
             <source>Fits the block</source>
             <translation>Ryms i blocket</translation>
         </message>
@@ -228,8 +228,16 @@
             <translation>Hur tät utskriften är, med {count} väggar</translation>
         </message>
         <message>
+            <source>How far apart the points may lie at which the surface is computed</source>
+            <translation>Hur långt isär punkterna som ytan beräknas i får ligga</translation>
+        </message>
+        <message>
             <source>How far the surface may move where triangles are left out</source>
             <translation>Hur långt ytan får flyttas där trianglar utelämnas</translation>
+        </message>
+        <message>
+            <source>How high the insole may be in the shoe</source>
+            <translation>Hur högt inlägget får vara i skon</translation>
         </message>
         <message>
             <source>How many are ordered</source>
@@ -240,8 +248,24 @@
             <translation>Hur många trianglar filen har som mest</translation>
         </message>
         <message>
+            <source>How much material may be left in hollows too narrow for the cutter</source>
+            <translation>Hur mycket material som får bli kvar i fördjupningar som är för trånga för fräsen</translation>
+        </message>
+        <message>
             <source>How much of the print is filled at these places</source>
             <translation>Hur stor del av utskriften som är fylld på dessa ställen</translation>
+        </message>
+        <message>
+            <source>How much of the surface may lie where no tool comes from above</source>
+            <translation>Hur stor del av ytan som får ligga där inget verktyg når uppifrån</translation>
+        </message>
+        <message>
+            <source>How steep the surface may rise over 1 mm</source>
+            <translation>Hur brant ytan får stiga på 1 mm</translation>
+        </message>
+        <message>
+            <source>How thick the insole must be at least</source>
+            <translation>Hur tjockt inlägget minst måste vara</translation>
         </message>
         <message>
             <source>In the block</source>
@@ -628,12 +652,20 @@
             <translation>Vad som kontrollerades och med vilket utfall, för andra program</translation>
         </message>
         <message>
+            <source>Whether a failed check stops the export, warns, or is left out</source>
+            <translation>Om en underkänd kontroll stoppar exporten, varnar eller utelämnas</translation>
+        </message>
+        <message>
             <source>Whether a text is cut into the underside, or stands out of it</source>
             <translation>Om en text fräses in i undersidan eller står ut ur den</translation>
         </message>
         <message>
             <source>Who stands on the prescription</source>
             <translation>Vilka som står på ordinationen</translation>
+        </message>
+        <message>
+            <source>Why it is made although a check has failed; the papers say it</source>
+            <translation>Varför det görs fast en kontroll är underkänd; papperen säger det</translation>
         </message>
         <message>
             <source>Width of the bevel along the upper edge</source>

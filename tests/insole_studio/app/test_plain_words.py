@@ -74,7 +74,8 @@ def unexplained(within: QWidget) -> set[str]:
 
 
 def foreign(within: QWidget) -> set[str]:
-    texts = [label.text() for label in within.findChildren(QLabel) if label.buddy() is not None]
+    names = [label for label in within.findChildren(QLabel) if label.buddy() is not None]
+    texts = [label.text() for label in names] + [field.accessibleName() for field in fields(within)]
     texts += [box.text() for box in within.findChildren(QCheckBox)]
     return {text for text in texts if any(word in text.lower() for word in FOREIGN)}
 
@@ -116,9 +117,9 @@ def test_check_and_export_has_no_field_without_a_sentence(
     settle()
     stage = designed.features.export.stage
     assert stage is not None
-    form = stage.findChild(OrderForm)
-    assert isinstance(form, OrderForm)
-    assert unexplained(form) | foreign(form) == set()
+    assert isinstance(stage.findChild(OrderForm), OrderForm)
+    assert len(stage.findChildren(NumberField)) > 10
+    assert unexplained(stage) | foreign(stage) == set()
 
 
 def test_the_foot_stage_has_no_field_without_a_sentence(qapp) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from insole_studio.features.export.rows import CheckRow, CheckState
+from insole_studio.features.export.rows import TIPS, CheckRow, CheckState
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
@@ -68,6 +68,7 @@ class _Row(QWidget):
             [("blocking", tr("blocks")), ("warning", tr("warns")), ("off", tr("off"))]
         )
         self.policy.setAccessibleName(row.title)
+        self.policy.setToolTip(tr("Whether a failed check stops the export, warns, or is left out"))
         self.policy.edited.connect(self._edit)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -82,6 +83,7 @@ class _Row(QWidget):
             decimals = 2 if row.name == "cutter" else 1
             self.limit = NumberField(row.unit, least=0, greatest=500, step=0.5, decimals=decimals)
             self.limit.setAccessibleName(row.title)
+            self.limit.setToolTip(TIPS[row.name]())
             self.limit.set_room(LIMIT_PX)
             self.limit.edited.connect(self._edit)
             grid.addWidget(self.limit, 0, 2)

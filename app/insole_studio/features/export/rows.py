@@ -86,8 +86,17 @@ TITLES: dict[CheckName, Callable[[], str]] = {
     "step": lambda: tr("Height of step"),
     "block": lambda: tr("Fits the block"),
     "shoe_height": lambda: tr("Height in the shoe"),
-    "grid": lambda: tr("Fine enough grid"),
+    "grid": lambda: tr("Close enough points"),
 }
+TIPS: dict[CheckName, Callable[[], str]] = {
+    "thickness": lambda: tr("How thick the insole must be at least"),
+    "cutter": lambda: tr("How much material may be left in hollows too narrow for the cutter"),
+    "undercut": lambda: tr("How much of the surface may lie where no tool comes from above"),
+    "step": lambda: tr("How steep the surface may rise over 1 mm"),
+    "shoe_height": lambda: tr("How high the insole may be in the shoe"),
+    "grid": lambda: tr("How far apart the points may lie at which the surface is computed"),
+}
+"""What the limit of a check means."""
 UNITS: dict[CheckName, str] = {
     "thickness": "mm", "cutter": "mm", "undercut": "mm²", "step": "mm", "shoe_height": "mm",
     "grid": "mm",

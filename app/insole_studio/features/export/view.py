@@ -82,6 +82,7 @@ class ExportView(QWidget):
         self._reason_label = QLabel(tr("Export all the same, because"))
         self.reason = QLineEdit()
         self.reason.setPlaceholderText(tr("Reason, for the record"))
+        self.reason.setToolTip(tr("Why it is made although a check has failed; the papers say it"))
         self.reason.textEdited.connect(self.reason_edited)
         self._progress = ProgressBar()
         self.cancel = QPushButton(tr("Cancel"))
