@@ -121,6 +121,8 @@ def _limit_mm(signed: FloatArray) -> float:
 def _caption(difference: Difference, names: tuple[str, str], translate: Translate) -> str:
     s = difference.statistics
     first, second = (with_known_letters(translate(name)) for name in names)
+    if difference.b_is_mirrored:
+        second = translate(Message("{name} (mirrored)", name=second))
     figures = Message(
         "mean {mean:.2f} mm, 95 % {p95:.2f} mm, largest {max:.2f} mm, signed mean {signed:+.2f} mm",
         mean=s["mean_abs"],

@@ -7668,6 +7668,10 @@
             <translation>{names} punkter har namn, men {true_points} sanna och {measured_points} uppmätta lägen är angivna; ange båda lägena för varje punkt.</translation>
         </message>
         <message>
+            <source>{name} (mirrored)</source>
+            <translation>{name} (spegelvänd)</translation>
+        </message>
+        <message>
             <source>{name} cannot be decoded; restore it from the recording.</source>
             <translation>{name} kan inte avkodas; återställ den från inspelningen.</translation>
         </message>
