@@ -46,8 +46,8 @@ _DESIGN = InsoleDesign(
     corrections=(Pelott(centre_mm=(-5.0, 160.0), author="anna", created_at="2026-11-20"),),
 )
 _ORDER = Order(
-    "1", "26-7KQ4M", _VISIT.id, _PERSON.id, OrderState.SENT, "Shop", None, "", (_VERSION.id,), (),
-    (), "", "", 1,
+    "1", "26-7KQ4M", _VISIT.id, _PERSON.id, OrderState.SENT, "Shop", None, "", 1, "",
+    (_VERSION.id,), (), (), "", "", 1,
 )  # fmt: skip
 _STATUS_CODES = {  # http://hl7.org/fhir/R4/valueset-request-status.html
     "draft", "active", "on-hold", "revoked", "completed", "entered-in-error", "unknown",
