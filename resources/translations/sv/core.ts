@@ -3556,6 +3556,10 @@
             <translation>Det finns redan en beställning {number}; ge den här ett annat nummer.</translation>
         </message>
         <message>
+            <source>There is no account {name}; look at the list: records accounts list.</source>
+            <translation>Det finns inget konto {name}; se listan: records accounts list.</translation>
+        </message>
+        <message>
             <source>There is no copy {name} of the record; choose one that is.</source>
             <translation>Det finns ingen kopia {name} av journalen; välj en som finns.</translation>
         </message>
