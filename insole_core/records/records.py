@@ -18,6 +18,7 @@ from insole_core.records.database import Database
 from insole_core.records.follow_ups import FollowUps
 from insole_core.records.orders import Orders
 from insole_core.records.persons import Persons
+from insole_core.records.photos import Photos
 from insole_core.records.place import RecordsPlace
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.presence import Presence
@@ -45,6 +46,7 @@ class Records:
         self.prescriptions = Prescriptions(context)
         self.visits = Visits(context, self.prescriptions)
         self.captures = Captures(context)
+        self.photos = Photos(context)
         self.orders = Orders(context)
         self.follow_ups = FollowUps(context)
         self.presence = Presence(context)

@@ -76,6 +76,9 @@ class CannedQuestions:
         self.asked.append("remove sample")
         return self.unsaved is Answer.DISCARD
 
+    def may_delete_photo(self) -> bool:
+        return True
+
     def folder_to_open(self, _title: str, _kept: Kept) -> Path | None:
         return self.path
 

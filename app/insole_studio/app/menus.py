@@ -42,6 +42,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "new_visit",
             "new_visit_same",
             "follow_up",
+            "visit_photos",
             "person_orders",
             "orders",
             SEPARATOR,

@@ -256,6 +256,15 @@ class Questions:
             sentence, choices, default=False, details=tr("One step of undo brings them back.")
         )
 
+    def may_delete_photo(self) -> bool:
+        """Ask whether a photo may be deleted with what is drawn on it."""
+        choices = [
+            _Choice(tr("Delete the photo"), True, _DESTRUCT),
+            _Choice(tr("Keep the photo"), False, _REJECT),
+        ]
+        sentence = tr("The photo and its marks will be gone for good.")
+        return self._choose(sentence, choices, default=False)
+
     def may_remove_sample(self) -> bool:
         """Ask whether the sample patient may be removed with all that was tried on it."""
         choices = [

@@ -32,6 +32,7 @@ from insole_core.records.fhir import (
     patient_resource,
 )
 from insole_core.records.order import Order, OrderFile
+from insole_core.records.photo import Photo
 from insole_core.records.records import Records
 from insole_core.records.rights import Right, require
 from insole_core.records.statement import statement_of, write_statement_paper
@@ -39,6 +40,7 @@ from insole_core.records.visits import patient_of
 from insole_core.solids.export_job import standing
 from insole_core.solids.prescription_paper import NOBODY, Responsible
 from insole_core.solids.solid import make_solid
+from insole_core.workflows.records.marked_photo import with_marks
 from insole_core.workflows.records.person_dossier import (
     PersonDossier,
     VisitDossier,
@@ -203,6 +205,20 @@ class _ExportWriter:
             with self._told(f"{place}, {capture.file_name}"):
                 folder = self._new_folder(f"{place}/captures")
                 self._note(self._records.captures.copy_to(capture, folder))
+        for photo in dossier.photos:
+            self._write_photo(photo, f"{place}/photos")
+
+    def _write_photo(self, photo: Photo, place: str) -> None:
+        """Write a photo as it is, and once more with its marks drawn on it."""
+        name = f"{place}/{photo.number}.jpg"
+        with self._told(name):
+            picture = self._records.photos.picture(photo)
+            self._add(name, lambda path: write_private(path, picture))
+            if photo.marks:
+                marked = with_marks(picture, photo.marks)
+                self._add(
+                    f"{place}/{photo.number}-marked.jpg", lambda path: write_private(path, marked)
+                )
 
     def _patient(self, dossier: VisitDossier) -> Patient:
         if not self._dossier.is_pseudonymous:

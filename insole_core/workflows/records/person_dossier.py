@@ -16,6 +16,7 @@ from insole_core.records.capture import Capture
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.order import Order, OrderFile
 from insole_core.records.person import Person
+from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
@@ -42,6 +43,7 @@ class VisitDossier:
     visit: Visit
     versions: tuple[VersionSummary, ...]
     captures: tuple[Capture, ...]
+    photos: tuple[Photo, ...] = ()
 
     def newest(self, side: Side) -> VersionSummary | None:
         """Return the newest version of a foot; None when there is none."""
@@ -100,15 +102,16 @@ def _visit_dossier(records: Records, visit: Visit) -> VisitDossier:
         for version in reversed(records.prescriptions.versions(visit.id, side))
     )
     captures = reversed(records.captures.of_visit(visit.id))
-    return VisitDossier(visit, tuple(versions), tuple(captures))
+    photos = records.photos.of_visit(visit.id)
+    return VisitDossier(visit, tuple(versions), tuple(captures), tuple(photos))
 
 
 def pseudonymous(dossier: PersonDossier) -> PersonDossier:
     """Return a dossier that names and describes nobody (decision 0048).
 
     Left out are name, birth date, personal number, contact, consent, every text that somebody has
-    typed about the person, captures (files of other programs may hold a name) and the papers of
-    orders that name the patient.
+    typed about the person, photos, captures (files of other programs may hold a name) and the
+    papers of orders that name the patient.
 
     Raises
     ------
@@ -120,6 +123,7 @@ def pseudonymous(dossier: PersonDossier) -> PersonDossier:
     require_nameless(Patient(name=person.name), {"number of an order": numbers})
     orders = [_pseudonymous_order(order, person.name) for order in dossier.orders]
     captures = sum(len(visit.captures) for visit in dossier.visits)
+    photos = sum(len(visit.photos) for visit in dossier.visits)
     return PersonDossier(
         Person(
             name="",
@@ -133,7 +137,7 @@ def pseudonymous(dossier: PersonDossier) -> PersonDossier:
         tuple(orders),
         (),
         is_pseudonymous=True,
-        withheld=tuple(_withheld(dossier.orders, orders, captures)),
+        withheld=tuple(_withheld(dossier.orders, orders, captures, photos)),
     )
 
 
@@ -163,7 +167,7 @@ def _is_for_the_shop(file: OrderFile, name: str) -> bool:
 
 
 def _withheld(
-    orders: Iterable[Order], pseudonymous_orders: Iterable[Order], captures: int
+    orders: Iterable[Order], pseudonymous_orders: Iterable[Order], captures: int, photos: int
 ) -> Iterator[Message]:
     for order, kept in zip(orders, pseudonymous_orders, strict=True):
         count = len(order.files) - len(kept.files)
@@ -175,6 +179,8 @@ def _withheld(
             )
     if captures:
         yield Message("{count} captures, which may show or name the patient", count=captures)
+    if photos:
+        yield Message("{count} photos, which show the patient", count=photos)
 
 
 def pseudonymous_foot(foot: FootRecord, name: str) -> FootRecord:

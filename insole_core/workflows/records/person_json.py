@@ -10,6 +10,7 @@ from typing import Any, Final
 from insole_core.export.shop_order import terms_to_json
 from insole_core.records.capture import Capture
 from insole_core.records.order import Order
+from insole_core.records.photo import Photo, marks_to_json
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.program_version import program_version
 from insole_core.records.times import utc_now
@@ -75,6 +76,7 @@ def _visit(dossier: VisitDossier, feet: Mapping[str, Mapping[str, Any]]) -> dict
         **_plain(dossier.visit),
         "terms": terms_to_json(dossier.visit.terms),
         "captures": [_capture(capture) for capture in dossier.captures],
+        "photos": [_photo(photo) for photo in dossier.photos],
         "prescriptions": [_version(version, feet.get(version.id)) for version in dossier.versions],
     }
 
@@ -82,6 +84,10 @@ def _visit(dossier: VisitDossier, feet: Mapping[str, Mapping[str, Any]]) -> dict
 def _capture(capture: Capture) -> dict[str, Any]:
     values = _plain(capture)
     return values | _plain(values.pop("facts"))
+
+
+def _photo(photo: Photo) -> dict[str, Any]:
+    return {**_plain(photo), "marks": marks_to_json(photo.marks)}
 
 
 def _version(version: VersionSummary, foot: Mapping[str, Any] | None) -> dict[str, Any]:

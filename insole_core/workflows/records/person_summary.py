@@ -26,6 +26,7 @@ from insole_core.messages import Message, Translate
 from insole_core.records.capture import Capture
 from insole_core.records.order import Order
 from insole_core.records.person import Person
+from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.program_version import program_version
 from insole_core.records.times import utc_now
@@ -178,6 +179,7 @@ def _visit_section(
         if version is not None:
             lines += _prescription_lines(picture.variant, version, dossier, texts)
     lines += [line for capture in dossier.captures for line in _capture_lines(capture, texts)]
+    lines += [line for photo in dossier.photos for line in _photo_lines(photo, texts)]
     rows = tuple(
         (_measure_name(name, texts), texts.translate(Message("{value:g}", value=value)))
         for name, value in visit.measures.items()
@@ -202,6 +204,15 @@ def _capture_lines(capture: Capture, texts: _Texts) -> list[str]:
         f"– {texts['sensors']}: {', '.join(facts.sensor_serials)}",
         f"– {texts['calibrated']}: {calibrated}",
         *(f"– {texts.translate(line)}" for line in facts.residual_lines),
+    ]
+
+
+def _photo_lines(photo: Photo, texts: _Texts) -> list[str]:
+    head = f"{texts['photo']} {photo.number}"
+    marks = enumerate(photo.marks, start=1)
+    return [
+        ": ".join(filter(None, (head, photo.caption))),
+        *(f"– {n}: {' '.join(mark.text.split())}" for n, mark in marks if mark.text),
     ]
 
 

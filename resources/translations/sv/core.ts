@@ -152,6 +152,10 @@
             <translation>En fot på {length_mm:.0f} mm begärs, men fötter är {least:.0f} till {most:.0f} mm långa; rätta längden eller skostorleken.</translation>
         </message>
         <message>
+            <source>A mark must lie on the photo; draw it again.</source>
+            <translation>Ett märke måste ligga på fotot; rita det igen.</translation>
+        </message>
+        <message>
             <source>A material needs a name; type one.</source>
             <translation>Ett material behöver ett namn; skriv ett.</translation>
         </message>
@@ -162,6 +166,10 @@
         <message>
             <source>A newer Insole Studio has changed {place} meanwhile; install the newest version on this computer, too.</source>
             <translation>Ett nyare Insole Studio har under tiden ändrat {place}; installera den nyaste versionen även på den här datorn.</translation>
+        </message>
+        <message>
+            <source>A photo takes at most {most} marks; add another photo.</source>
+            <translation>Ett foto tar högst {most} märken; lägg till ett foto till.</translation>
         </message>
         <message>
             <source>A piece of {area_cm2:.0f} cm² was left out: {kind}.</source>
@@ -230,6 +238,10 @@
         <message>
             <source>A variant needs a name; type one.</source>
             <translation>En variant behöver ett namn; skriv ett.</translation>
+        </message>
+        <message>
+            <source>A visit takes at most {most} photos; delete one first.</source>
+            <translation>Ett besök tar högst {most} foton; ta bort ett först.</translation>
         </message>
         <message>
             <source>A {part} has only {count} usable points, but {least} are needed; move the sensor nearer and measure again.</source>
@@ -1784,6 +1796,10 @@
             <translation>Personnummer</translation>
         </message>
         <message>
+            <source>Photo</source>
+            <translation>Foto</translation>
+        </message>
+        <message>
             <source>Piece</source>
             <translation>Arbetsstycke</translation>
         </message>
@@ -2234,6 +2250,10 @@
         <message>
             <source>Somebody else has changed the order {number} meanwhile; look at it again.</source>
             <translation>Någon annan har under tiden ändrat beställningen {number}; titta på den igen.</translation>
+        </message>
+        <message>
+            <source>Somebody else has drawn on this photo meanwhile; look at it again.</source>
+            <translation>Någon annan har ritat på fotot under tiden; titta på det igen.</translation>
         </message>
         <message>
             <source>Something moved while view {view} was captured; hold the foot still and capture this view again.</source>
@@ -3696,6 +3716,10 @@
             <translation>Personen har slagits ihop med en annan; radera den andra.</translation>
         </message>
         <message>
+            <source>This photo is no longer in the record; open the photos again.</source>
+            <translation>Fotot finns inte längre i registret; öppna fotona igen.</translation>
+        </message>
+        <message>
             <source>This version is closed already; it stays as it is.</source>
             <translation>Den här versionen är redan avslutad; den förblir som den är.</translation>
         </message>
@@ -4418,6 +4442,10 @@
         <message>
             <source>cannot be opened</source>
             <translation>kan inte öppnas</translation>
+        </message>
+        <message>
+            <source>caption of the photo</source>
+            <translation>fotots bildtext</translation>
         </message>
         <message>
             <source>capture</source>
@@ -5608,6 +5636,10 @@
             <translation>hantera konton</translation>
         </message>
         <message>
+            <source>marks of a photo</source>
+            <translation>fotots märken</translation>
+        </message>
+        <message>
             <source>mean of first minus second</source>
             <translation>medelvärde av första minus andra</translation>
         </message>
@@ -5782,6 +5814,10 @@
         <message>
             <source>must be an object {…}</source>
             <translation>måste vara ett objekt {…}</translation>
+        </message>
+        <message>
+            <source>must be pairs of numbers</source>
+            <translation>måste vara par av tal</translation>
         </message>
         <message>
             <source>must be three lengths above 0</source>
@@ -6138,6 +6174,10 @@
         <message>
             <source>pes transversus</source>
             <translation>pes transversus</translation>
+        </message>
+        <message>
+            <source>photo</source>
+            <translation>foto</translation>
         </message>
         <message>
             <source>pictures</source>
@@ -6638,6 +6678,10 @@
         <message>
             <source>terms of the order</source>
             <translation>beställningens villkor</translation>
+        </message>
+        <message>
+            <source>text of the mark</source>
+            <translation>märkets text</translation>
         </message>
         <message>
             <source>text on the bottom</source>
@@ -7258,6 +7302,10 @@
         <message>
             <source>{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.</source>
             <translation>{count} av {taken} bilder ({kind}) användes; ett hörn träffas inom {rms_px:.2f} px.</translation>
+        </message>
+        <message>
+            <source>{count} photos, which show the patient</source>
+            <translation>{count} foton, som visar patienten</translation>
         </message>
         <message>
             <source>{count} points far from all others were left out.</source>

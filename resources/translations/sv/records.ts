@@ -24,6 +24,10 @@
             <translation>Lägg till en patient i klinikens journal</translation>
         </message>
         <message>
+            <source>Add a photo…</source>
+            <translation>Lägg till ett foto…</translation>
+        </message>
+        <message>
             <source>Add a visit of today for the patient on the page, and open it</source>
             <translation>Lägg till ett besök i dag för patienten på sidan, och öppna det</translation>
         </message>
@@ -120,6 +124,10 @@
             <translation>Makulerad</translation>
         </message>
         <message>
+            <source>Caption</source>
+            <translation>Bildtext</translation>
+        </message>
+        <message>
             <source>Capture: {state}</source>
             <translation>Avbildning: {state}</translation>
         </message>
@@ -164,6 +172,10 @@
             <translation>Välj vad som gäller; den andra versionen finns kvar i historiken.</translation>
         </message>
         <message>
+            <source>Close</source>
+            <translation>Stäng</translation>
+        </message>
+        <message>
             <source>Compare</source>
             <translation>Jämför</translation>
         </message>
@@ -192,6 +204,10 @@
             <translation>Ta bort</translation>
         </message>
         <message>
+            <source>Delete the photo…</source>
+            <translation>Ta bort fotot…</translation>
+        </message>
+        <message>
             <source>Deletes a visit that holds nothing; any other one is kept</source>
             <translation>Tar bort ett besök som inte innehåller något; alla andra finns kvar</translation>
         </message>
@@ -202,6 +218,10 @@
         <message>
             <source>Designed</source>
             <translation>Utformad</translation>
+        </message>
+        <message>
+            <source>Drag to draw a line, click to mark a place; then write the text.</source>
+            <translation>Dra för att rita en linje, klicka för att märka ett ställe; skriv sedan texten.</translation>
         </message>
         <message>
             <source>Due</source>
@@ -312,6 +332,10 @@
             <translation>Gör det öppna fallet till ett besök; filen förblir som den är</translation>
         </message>
         <message>
+            <source>Marks</source>
+            <translation>Märken</translation>
+        </message>
+        <message>
             <source>Measure over time</source>
             <translation>Mått över tid</translation>
         </message>
@@ -360,8 +384,16 @@
             <translation>Ingen patient än. Börja med ”Ny patient”, eller öppna en fil.</translation>
         </message>
         <message>
+            <source>No photo yet. Add a JPEG or PNG of camera or phone.</source>
+            <translation>Inget foto än. Lägg till en JPEG eller PNG från kamera eller telefon.</translation>
+        </message>
+        <message>
             <source>No visit yet. Begin with “New visit”.</source>
             <translation>Inget besök än. Börja med ”Nytt besök”.</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>Nr</translation>
         </message>
         <message>
             <source>Nobody is found. Check the spelling, or add a new patient.</source>
@@ -394,6 +426,10 @@
         <message>
             <source>Number</source>
             <translation>Nummer</translation>
+        </message>
+        <message>
+            <source>Open a visit first.</source>
+            <translation>Öppna ett besök först.</translation>
         </message>
         <message>
             <source>Open at the moment: {who}</source>
@@ -468,6 +504,34 @@
             <translation>Personnummer</translation>
         </message>
         <message>
+            <source>Photo</source>
+            <translation>Foto</translation>
+        </message>
+        <message>
+            <source>Photos</source>
+            <translation>Foton</translation>
+        </message>
+        <message>
+            <source>Photos ({count})…</source>
+            <translation>Foton ({count})…</translation>
+        </message>
+        <message>
+            <source>Photos of the open visit, to draw and write on</source>
+            <translation>Foton från det öppna besöket, att rita och skriva på</translation>
+        </message>
+        <message>
+            <source>Photos of the visit</source>
+            <translation>Foton från besöket</translation>
+        </message>
+        <message>
+            <source>Photos of the visit…</source>
+            <translation>Foton från besöket…</translation>
+        </message>
+        <message>
+            <source>Photos…</source>
+            <translation>Foton…</translation>
+        </message>
+        <message>
             <source>Prescribe as on the last visit</source>
             <translation>Ordinera som vid förra besöket</translation>
         </message>
@@ -502,6 +566,10 @@
         <message>
             <source>Remove the invented patient and all that was tried on it</source>
             <translation>Ta bort den påhittade patienten och allt som provats på den</translation>
+        </message>
+        <message>
+            <source>Remove the mark</source>
+            <translation>Ta bort märket</translation>
         </message>
         <message>
             <source>Remove the sample patient…</source>
@@ -598,6 +666,14 @@
         <message>
             <source>Store</source>
             <translation>Spara</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Text</translation>
+        </message>
+        <message>
+            <source>Text of the mark</source>
+            <translation>Märkets text</translation>
         </message>
         <message>
             <source>The capture is in the record.</source>

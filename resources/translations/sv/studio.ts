@@ -440,6 +440,10 @@
             <translation>Mörkt tema</translation>
         </message>
         <message>
+            <source>Delete the photo</source>
+            <translation>Ta bort fotot</translation>
+        </message>
+        <message>
             <source>Depth</source>
             <translation>Djup</translation>
         </message>
@@ -1018,6 +1022,10 @@
         <message>
             <source>Keep it open</source>
             <translation>Behåll öppet</translation>
+        </message>
+        <message>
+            <source>Keep the photo</source>
+            <translation>Behåll fotot</translation>
         </message>
         <message>
             <source>Keep, and capture the other foot</source>
@@ -2018,6 +2026,10 @@
         <message>
             <source>The page of the manual about what this version can do</source>
             <translation>Manualens sida om vad den här versionen kan</translation>
+        </message>
+        <message>
+            <source>The photo and its marks will be gone for good.</source>
+            <translation>Fotot och dess märken försvinner för gott.</translation>
         </message>
         <message>
             <source>The processor cannot draw them either: renew the driver of the graphics card.</source>

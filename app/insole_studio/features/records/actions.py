@@ -87,6 +87,12 @@ RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
         lambda records, _on: records.ask_follow_up(),
     ),
     ActionRecord(
+        "visit_photos",
+        lambda: tr("Photos of the visit…"),
+        lambda: tr("Photos of the open visit, to draw and write on"),
+        lambda records, _on: records.show_photos(),
+    ),
+    ActionRecord(
         "sample_patient",
         lambda: tr("Sample patient"),
         lambda: tr("An invented patient to try the program with; comes back if it was removed"),

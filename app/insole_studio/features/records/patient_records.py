@@ -59,6 +59,7 @@ from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
 from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_dialog import VisitDialog
+from insole_studio.features.records.visit_photos import VisitPhotos
 from insole_studio.features.records.visit_presence import VisitPresence
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -109,6 +110,7 @@ class PatientRecords(QObject):
         self._presence = VisitPresence(services)
         self.order_actions = OrderActions(services)
         self.order_files = OrderFiles(services)
+        self.photos = VisitPhotos(services)
         self.sample = SamplePatient(services, leave_case, self.show_person, self.show_start)
         self._tell = services.messages.show_error
         self._person_presenter: PersonPresenter | None = None
@@ -297,6 +299,13 @@ class PatientRecords(QObject):
         assert self._orders_presenter is not None
         self.page_requested.emit(self.orders)
         self._orders_presenter.show(self._shown_person if of_person else None)
+
+    def show_photos(self) -> None:
+        """Show the photos of the open visit."""
+        if self._keeper.visit_id:
+            self.photos.open(self._keeper.visit_id)
+        else:
+            self._services.messages.say(tr("Open a visit first."))
 
     def add_case(self) -> None:
         """Ask whose the open case of a file is, and make a visit of it."""
@@ -581,6 +590,7 @@ class PatientRecords(QObject):
         run = {
             "open": self.open_visit,
             "edit": self._edit_visit,
+            "photos": self.photos.open,
             "versions": self._show_versions,
             "delete": self._delete_visit,
         }[key]

@@ -68,6 +68,7 @@ class VisitView:
     designs: Mapping[str, InsoleDesign]
     """What versions prescribe, by their ids."""
     orders: tuple[OrderSummary, ...]
+    photos: int = 0
 
 
 @dataclass(frozen=True)
@@ -243,10 +244,14 @@ def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView
     with records.snapshot():
         visits = records.visits.of_person(person.id)
         orders = records.orders.of_person(person.id)
-        return PersonView(person, tuple(_visit_view(records, visit, orders) for visit in visits))
+        photos = records.photos.counts_of([visit.id for visit in visits])
+        views = (_visit_view(records, visit, orders, photos) for visit in visits)
+        return PersonView(person, tuple(views))
 
 
-def _visit_view(records: Records, visit: Visit, orders: Sequence[OrderSummary]) -> VisitView:
+def _visit_view(
+    records: Records, visit: Visit, orders: Sequence[OrderSummary], photos: Mapping[str, int]
+) -> VisitView:
     versions = (records.prescriptions.versions(visit.id, side)[:1] for side in Side)
     others = records.presence.others(visit.id)
     return VisitView(
@@ -257,6 +262,7 @@ def _visit_view(records: Records, visit: Visit, orders: Sequence[OrderSummary]) 
         tuple(f"{present.author}, {present.station}" for present in others),
         _designs(records, visit),
         tuple(order for order in orders if order.visit_id == visit.id),
+        photos.get(visit.id, 0),
     )
 
 
@@ -349,6 +355,7 @@ def _row(shown: VisitView) -> VisitRow:
         visit.reason,
         feet,
         tuple(notes),
+        shown.photos,
         (
             *map(scan_text, shown.captures[:_MOST_SCANS]),
             *(reused_scan_text(day) for day in sorted(set(shown.reused_scans.values()))),

@@ -50,6 +50,8 @@ class VisitRow:
     notes
         A line each: a capture that is waited for, who has it open; weight and shoe size; findings;
         orders.
+    photos
+        Number of them.
     scan, scan_details
         When it was scanned, and when the sensors were calibrated; and what each step left.
     """
@@ -59,6 +61,7 @@ class VisitRow:
     reason: str
     feet: tuple[FootLine, ...] = ()
     notes: tuple[str, ...] = ()
+    photos: int = 0
     scan: tuple[str, ...] = ()
     scan_details: tuple[str, ...] = ()
 

@@ -73,6 +73,7 @@ class VisitCard(QFrame):
         for key, text in (
             ("open", tr("Open")),
             ("edit", tr("Edit…")),
+            ("photos", self._photos_text),
             ("versions", tr("Versions…")),
             ("delete", tr("Delete")),
         ):
@@ -85,6 +86,11 @@ class VisitCard(QFrame):
         if self.row.feet:
             layout.addLayout(self._content())
         layout.addWidget(self.scan)
+
+    @property
+    def _photos_text(self) -> str:
+        count = self.row.photos
+        return tr("Photos ({count})…").format(count=count) if count else tr("Photos…")
 
     def _content(self) -> QHBoxLayout:
         """Return the pictures of the feet, with what is prescribed beside them."""

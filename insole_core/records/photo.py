@@ -1,0 +1,148 @@
+"""A photo of a visit with what is marked on it, as values, and the picture itself."""
+
+from __future__ import annotations
+
+import io
+import math
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, Final
+
+import cv2
+from PIL import Image
+
+from insole_core.errors import InputError
+from insole_core.json_object import JsonObject
+from insole_core.pressure.picture import read_picture_file
+from insole_core.records.field_checks import check_line, check_text
+from insole_core.records.person import new_id
+
+MOST_PX: Final = 2400
+"""Greatest width and height of a stored photo."""
+MOST_PHOTOS: Final = 50
+MOST_MARKS: Final = 200
+MOST_POINTS: Final = 2000
+_MOST_LETTERS: Final = 500
+_QUALITY: Final = 88
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class PhotoMark:
+    """A line that is drawn on a photo, or a place on it, with a text.
+
+    Parameters
+    ----------
+    points
+        Across and down, as parts of the width and the height of the photo, from its upper left
+        corner; one alone is a place.
+    """
+
+    points: tuple[Point, ...]
+    text: str = ""
+
+    def checked(self) -> PhotoMark:
+        """Return the mark as it is stored.
+
+        Raises
+        ------
+        InputError
+            When it is beside the photo, or larger than anything drawn by hand.
+        """
+        inside = all(math.isfinite(v) and 0.0 <= v <= 1.0 for point in self.points for v in point)
+        if not inside or not 1 <= len(self.points) <= MOST_POINTS:
+            raise InputError("A mark must lie on the photo; draw it again.")
+        points = tuple((round(x, 4), round(y, 4)) for x, y in self.points)
+        return replace(
+            self, points=points, text=check_text(self.text, "text of the mark", _MOST_LETTERS)
+        )
+
+
+@dataclass(frozen=True)
+class Photo:
+    """A photo of a visit.
+
+    Parameters
+    ----------
+    number
+        On the visit, 1 for the first.
+    content_sha256
+        Of the JPEG, which is upright and tells neither place nor camera.
+    revision
+        Grows with every change; 0 for one that is not in the record yet.
+    """
+
+    visit_id: str
+    number: int
+    content_sha256: str
+    caption: str = ""
+    marks: tuple[PhotoMark, ...] = ()
+    id: str = field(default_factory=new_id)
+    created_at: str = ""
+    changed_at: str = ""
+    author: str = ""
+    revision: int = 0
+
+    def checked(self) -> Photo:
+        """Return the photo as it is stored.
+
+        Raises
+        ------
+        InputError
+            When the caption or a mark cannot be right.
+        """
+        if len(self.marks) > MOST_MARKS:
+            raise InputError(
+                "A photo takes at most {most} marks; add another photo.", most=MOST_MARKS
+            )
+        return replace(
+            self,
+            caption=check_line(self.caption, "caption of the photo"),
+            marks=tuple(mark.checked() for mark in self.marks),
+        )
+
+
+def photo_jpeg(path: Path) -> bytes:
+    """Return a picture of a file as it is stored: upright, not too large, and nothing but pixels.
+
+    Raises
+    ------
+    InputError
+        When it is no PNG, JPEG or TIFF, damaged, or far larger than cameras make them.
+    """
+    colors = read_picture_file(path).colors
+    height, width = colors.shape[:2]
+    shrunk = MOST_PX / max(height, width)
+    if shrunk < 1.0:
+        size = max(round(width * shrunk), 1), max(round(height * shrunk), 1)
+        colors = cv2.resize(colors, size, interpolation=cv2.INTER_AREA)
+    written = io.BytesIO()
+    Image.fromarray(colors).save(written, "JPEG", quality=_QUALITY)
+    return written.getvalue()
+
+
+def marks_to_json(marks: tuple[PhotoMark, ...]) -> list[dict[str, Any]]:
+    """Return marks as plain values for `json.dump`."""
+    return [{"points": list(map(list, mark.points)), "text": mark.text} for mark in marks]
+
+
+def marks_from_text(text: str) -> tuple[PhotoMark, ...]:
+    """Read marks as the record has them.
+
+    Raises
+    ------
+    InputError
+        When they are none.
+    """
+    root = JsonObject.parse("marks of a photo", f'{{"marks": {text}}}'.encode())
+    return tuple(_mark(mark) for mark in root.objects("marks"))
+
+
+def _mark(mark: JsonObject) -> PhotoMark:
+    points = mark.value("points")
+    try:
+        pairs = tuple((float(x), float(y)) for x, y in points)
+    except (TypeError, ValueError):
+        raise mark.fail("points", "must be pairs of numbers") from None
+    return PhotoMark(pairs, mark.text("text", empty=True)).checked()

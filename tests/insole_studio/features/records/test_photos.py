@@ -1,0 +1,128 @@
+"""Photos of a visit in the window: added, drawn and written on, kept at once, deleted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from canned_questions import CannedQuestions
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+from pytestqt.qtbot import QtBot
+
+from insole_core.records.photo import PhotoMark
+from insole_core.records.records import Records
+from insole_core.records.visit import Visit
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.records.photos_dialog import PhotosDialog
+
+LEFT = Qt.MouseButton.LeftButton
+SKIN = "#c8a08c"
+
+
+@pytest.fixture
+def dialog(
+    clinic: Application, visit: Visit, rest: Callable[[], None], questions: CannedQuestions,
+    tmp_path: Path, qtbot: QtBot,
+) -> PhotosDialog:  # fmt: skip
+    """The photos of Anna's visit, opened from its card: a photo of 400 by 300 pixels."""
+    clinic.features.records.show_person(visit.person_id)
+    rest()
+    page = clinic.features.records.person
+    assert page is not None
+    qtbot.waitUntil(lambda: list(page.cards) == [visit.id])
+    buttons = page.cards[visit.id].findChildren(QPushButton)
+    QTest.mouseClick(next(b for b in buttons if b.text() == "Photos…"), LEFT)
+    qtbot.waitUntil(lambda: bool(clinic.window.findChildren(PhotosDialog)))
+    (shown,) = clinic.window.findChildren(PhotosDialog)
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+    image.fill(QColor(SKIN))
+    questions.path = tmp_path / "sole.png"
+    assert image.save(str(questions.path))
+    QTest.mouseClick(shown.add, LEFT)
+    rest()
+    qtbot.waitUntil(lambda: not shown.picture.picture_rect.isEmpty())
+    return shown
+
+
+def at(dialog: PhotosDialog, x: float, y: float) -> QPoint:
+    rect = dialog.picture.picture_rect
+    return QPointF(rect.x() + x * rect.width(), rect.y() + y * rect.height()).toPoint()
+
+
+def draw(dialog: PhotosDialog, *places: tuple[float, float]) -> None:
+    picture, points = dialog.picture, [at(dialog, *place) for place in places]
+    QTest.mousePress(picture, LEFT, pos=points[0])
+    for point in points[1:]:
+        QTest.mouseMove(picture, point)
+    QTest.mouseRelease(picture, LEFT, pos=points[-1])
+
+
+def test_lines_and_places_are_drawn_with_a_text_and_kept_at_once(
+    dialog: PhotosDialog, clinic: Application, records: Records, visit: Visit,
+    rest: Callable[[], None], qtbot: QtBot,
+) -> None:  # fmt: skip
+    draw(dialog, (0.25, 0.5))
+    assert dialog.focusWidget() is dialog.text
+    QTest.keyClicks(dialog.text, "sore")
+    draw(dialog, (0.1, 0.1), (0.5, 0.2), (0.9, 0.1))
+    QTest.keyClicks(dialog.text, "callus")
+    QTest.keyClick(dialog.text, Qt.Key.Key_Return)
+    dialog.caption.setFocus()
+    QTest.keyClicks(dialog.caption, "Left sole")
+    QTest.keyClick(dialog.caption, Qt.Key.Key_Return)
+    rest()
+    qtbot.waitUntil(lambda: records.photos.of_visit(visit.id)[0].caption == "Left sole")
+    (photo,) = records.photos.of_visit(visit.id)
+    place, line = photo.marks
+    assert (place.text, line.text) == ("sore", "callus")
+    assert place.points[0] == pytest.approx((0.25, 0.5), abs=0.01)
+    assert len(place.points) == 1
+    assert line.points[-1] == pytest.approx((0.9, 0.1), abs=0.01)
+    drawn = dialog.picture.grab().toImage()
+    on_line, beside = at(dialog, 0.5, 0.2), at(dialog, 0.5, 0.8)
+    skin, line_color = (drawn.pixelColor(place) for place in (beside, on_line))
+    assert abs(skin.blue() - QColor(SKIN).blue()) < 5
+    assert abs(line_color.blue() - skin.blue()) > 40
+    dialog.reject()
+    page = clinic.features.records.person
+    assert page is not None
+    qtbot.waitUntil(lambda: page.cards[visit.id].row.photos == 1)
+    buttons = [button.text() for button in page.cards[visit.id].findChildren(QPushButton)]
+    assert "Photos (1)…" in buttons
+
+
+def test_a_mark_and_a_photo_are_removed(
+    dialog: PhotosDialog, records: Records, visit: Visit, rest: Callable[[], None], qtbot: QtBot
+) -> None:
+    draw(dialog, (0.2, 0.2))
+    draw(dialog, (0.8, 0.8))
+    dialog.marks.selectRow(0)
+    QTest.mouseClick(dialog.remove, LEFT)
+    rest()
+    qtbot.waitUntil(lambda: len(records.photos.of_visit(visit.id)[0].marks) == 1)
+    (mark,) = records.photos.of_visit(visit.id)[0].marks
+    assert mark.points[0] == pytest.approx((0.8, 0.8), abs=0.01)
+    QTest.mouseClick(dialog.delete, LEFT)
+    rest()
+    qtbot.waitUntil(lambda: records.photos.of_visit(visit.id) == [])
+    assert dialog.table.rows == ()
+    assert not dialog.delete.isEnabled()
+
+
+def test_what_somebody_else_has_drawn_is_not_lost(
+    dialog: PhotosDialog, clinic: Application, other_station: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    (photo,) = other_station.photos.of_visit(visit.id)
+    theirs = PhotoMark(((0.5, 0.5),), "wart")
+    other_station.photos.change(replace(photo, marks=(theirs,)), photo.revision)
+    draw(dialog, (0.1, 0.9))
+    qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs))
+    assert "Somebody else has drawn" in clinic.services.messages.dialogs[0].text()
+    qtbot.waitUntil(lambda: [row.cells[1] for row in dialog.marks.rows] == ["wart"])
+    draw(dialog, (0.1, 0.9))
+    qtbot.waitUntil(lambda: len(other_station.photos.of_visit(visit.id)[0].marks) == 2)
