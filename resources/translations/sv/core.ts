@@ -4656,6 +4656,10 @@
             <translation>utformad</translation>
         </message>
         <message>
+            <source>designed by</source>
+            <translation>utformad av</translation>
+        </message>
+        <message>
             <source>device</source>
             <translation>inläggstyp</translation>
         </message>
@@ -6560,12 +6564,20 @@
             <translation>signera ordinationer</translation>
         </message>
         <message>
+            <source>signature</source>
+            <translation>signatur</translation>
+        </message>
+        <message>
             <source>signature {signature}</source>
             <translation>signatur {signature}</translation>
         </message>
         <message>
             <source>signed</source>
             <translation>signerad</translation>
+        </message>
+        <message>
+            <source>signed by</source>
+            <translation>signerad av</translation>
         </message>
         <message>
             <source>signed by {name} on {day}</source>

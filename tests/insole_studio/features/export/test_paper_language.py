@@ -31,12 +31,19 @@ from insole_core.insole.prescription.design import (
 )
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.messages import Message
+from insole_core.records.person import Person
+from insole_core.records.records import Records
+from insole_core.records.signing import sign
+from insole_core.records.statement import statement_of, write_statement_paper
+from insole_core.records.visit import Visit
 from insole_core.resources import resource_path
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.compare_case import compare_sources, write_comparison
 from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
+from insole_core.workflows.records.export_person import export_person
+from insole_core.workflows.records.person_summary import Wording
 from insole_studio.texts import translation_into
 
 SHOP = read_shop()
@@ -120,3 +127,27 @@ def test_a_comparison_in_swedish_holds_no_word_of_the_english_one(
     english, swedish = words_of(tmp_path / "en.pdf"), words_of(tmp_path / "sv.pdf")
     assert len(english - swedish) > 15
     assert english & swedish - ALIKE - {"median", "minus"} == set()
+
+
+def test_papers_of_the_record_in_swedish_hold_no_word_of_the_english_ones(
+    records: Records, make_foot: Callable[[Side], Foot], tmp_path: Path
+) -> None:
+    """The statement of Annex XIII, and the summary of a person that leaves the record."""
+    person = records.persons.add(Person("Ö", date(1970, 2, 28), contact="Ö", notes="Ö"))
+    visit = records.visits.add(Visit(person.id, date.today(), reason="Ö", findings="Ö"))
+    design = InsoleDesign(Side.LEFT, CORRECTIONS, grid_mm=2.0)
+    foot = FootRecord.begun(make_foot(Side.LEFT), NOWHERE, design)
+    kept = records.prescriptions.save(visit.id, foot, None)
+    order = records.orders.add(visit.id, [kept.version_id], number="26-7KQ4M")
+    with records.context.database.writing() as connection:
+        sign(connection, kept.version_id, records.who)
+    made = Responsible(maker="Ö", maker_address="Ö")
+    for language in ("en", "sv"):
+        folder, translate = tmp_path / language, translation_into(language)
+        statement = statement_of(records.context, order.id, made)
+        export_person(records, person.id, folder, wording=Wording(language, translate))
+        write_statement_paper(statement, folder / "statement.pdf", date.today(), translate)
+    for paper, count in (("statement.pdf", 80), ("summary.pdf", 80)):
+        english, swedish = (words_of(tmp_path / language / paper) for language in ("en", "sv"))
+        assert len(english - swedish) > count
+        assert english & swedish - ALIKE - {"version", "variant", records.who.name} == set()
