@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,8 +55,8 @@ class ExportActions(StageWindow["ExportStage"]):
     """Opens the export stage, and prints the outline."""
 
     changed = Signal()
-    exported_files = Signal(object, object)
-    """Emitted with the record of the open case that was exported, and an `Ordered`."""
+    exported_files = Signal(object, object, str)
+    """Emitted with the record that was exported, an `Ordered`, and the visit that it is of."""
 
     def __init__(self, services: AppServices) -> None:
         super().__init__(services.window)
@@ -98,7 +99,7 @@ class ExportActions(StageWindow["ExportStage"]):
             return
         stage.closed.disconnect(self._forget)
         stage.exported.disconnect(self._note)
-        stage.exported.connect(self._tell_of_left)
+        stage.exported.connect(partial(self._tell_of_left, self._services.keeper.visit_id))
         stage.jobs.ended.connect(self._close_left, Qt.ConnectionType.QueuedConnection)
         stage.hide_until_written()
         self._left.append(stage)
@@ -122,8 +123,10 @@ class ExportActions(StageWindow["ExportStage"]):
             stage.presenter.cancel()
         self._messages.say(tr("Writing the order of the case before was stopped."), LONG_MS)
 
-    def _tell_of_left(self) -> None:
+    def _tell_of_left(self, visit_id: str, record: CaseRecord, ordered: Ordered) -> None:
+        """Tell that the order of a case that was left is written, and which visit it is of."""
         self._messages.say(tr("The order of the case before has been written."), LONG_MS)
+        self.exported_files.emit(record, ordered, visit_id)
 
     def _close_left(self) -> None:
         """Close the stages of cases that were left and whose files are written."""
@@ -239,7 +242,7 @@ class ExportActions(StageWindow["ExportStage"]):
     def _note(self, record: CaseRecord, ordered: Ordered) -> None:
         self.exported = record
         self.changed.emit()
-        self.exported_files.emit(record, ordered)
+        self.exported_files.emit(record, ordered, self._services.keeper.visit_id)
         names = ", ".join(path.name for path in ordered.paths)
         self._messages.say(tr("Exported {name}").format(name=names))
 

@@ -33,12 +33,16 @@ class OrderActions(QObject):
         self._tell = services.messages.show_error
         self._clinic.changed.connect(self._refresh_note)
 
-    def note_export(self, exported: CaseRecord, ordered: Ordered) -> None:
+    def note_export(self, exported: CaseRecord, ordered: Ordered, visit_id: str) -> None:
         """Store the order of the exported feet, once these are in the record as they were exported.
 
         A later revision is that of the order of its number; any other export is a new order.
+
+        Parameters
+        ----------
+        visit_id
+            That the case is of, or was before it was left; empty for a case of a file.
         """
-        visit_id = self._services.keeper.visit_id
         if not visit_id:
             return
         sides = [foot.side for foot in exported.feet]
@@ -61,7 +65,13 @@ class OrderActions(QObject):
                 release=ordered.revision, place=place,
             )  # fmt: skip
 
-        self._services.keeper.leave(lambda: self._clinic.write(add, self._offer, self._tell))
+        def store() -> None:
+            self._clinic.write(add, self._offer, self._tell)
+
+        if visit_id == self._services.keeper.visit_id:
+            self._services.keeper.leave(store)
+        else:  # the visit was saved when it was left
+            store()
 
     def ask(self, order_id: str) -> None:
         """Ask for shop and due date of an order."""

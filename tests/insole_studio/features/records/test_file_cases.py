@@ -101,7 +101,7 @@ def test_an_export_of_a_visit_is_an_order_with_its_files(
     solid = tmp_path / "insole-left.stl"
     solid.write_bytes(b"solid insole")
     ordered = Ordered((solid,), OrderTerms(remarks="soft heel"), "26-7KQ4M")
-    clinic.features.export.exported_files.emit(clinic.case.record, ordered)
+    clinic.features.export.exported_files.emit(clinic.case.record, ordered, visit.id)
     notices = clinic.services.notices
     qtbot.waitUntil(lambda: bool(notices.notices))
     (order,) = records.orders.of_person(visit.person_id)

@@ -227,7 +227,28 @@ def test_a_revision_that_somebody_else_has_written_is_told(
     solid = tmp_path / "p-left.stl"
     solid.write_bytes(b"solid")
     ordered = Ordered((solid,), OrderTerms(), order.number, 2)
-    clinic.features.export.exported_files.emit(clinic.case.record, ordered)
+    clinic.features.export.exported_files.emit(clinic.case.record, ordered, visit.id)
     qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs))
     (dialog,) = clinic.services.messages.dialogs
     assert "has a revision 2 already" in dialog.text()
+
+
+def test_an_order_that_is_written_after_its_visit_was_left_is_in_the_record(
+    clinic: Application, records: Records, visit: Visit, rest: Callable[[], None], tmp_path: Path,
+    qtbot: QtBot,
+) -> None:  # fmt: skip
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    clinic.features.export.open()
+    stage = clinic.features.export.stage
+    assert stage is not None
+    qtbot.waitUntil(lambda: not stage.jobs.is_running())
+    stage.presenter.export_to(tmp_path / "p.stl")
+    clinic.controller.run_action("new_case", False)
+    assert clinic.case.kept is None
+    qtbot.waitUntil(lambda: bool(records.orders.of_person(visit.person_id)))
+    rest()
+    (order,) = records.orders.of_person(visit.person_id)
+    assert {file.name for file in records.orders.get(order.id).files} == {
+        "p-left.stl", "p-left-job-sheet.pdf",
+    }  # fmt: skip
