@@ -136,9 +136,7 @@ class Accounts:
         for account in self.all():
             if account.name == _folded(name):
                 return account
-        raise InputError(
-            "There is no account {name}; look at the list: records accounts list.", name=name
-        )
+        raise InputError("There is no account {name}; look at the list of accounts.", name=name)
 
     def were_switched_off_unseen(self) -> bool:
         """Return whether accounts are off although the audit log says that they are on."""

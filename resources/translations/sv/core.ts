@@ -3576,8 +3576,8 @@
             <translation>Det finns redan en beställning {number}; ge den här ett annat nummer.</translation>
         </message>
         <message>
-            <source>There is no account {name}; look at the list: records accounts list.</source>
-            <translation>Det finns inget konto {name}; se listan: records accounts list.</translation>
+            <source>There is no account {name}; look at the list of accounts.</source>
+            <translation>Det finns inget konto {name}; se listan över konton.</translation>
         </message>
         <message>
             <source>There is no copy {name} of the record; choose one that is.</source>

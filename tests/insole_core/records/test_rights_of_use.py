@@ -87,6 +87,7 @@ UNCHECKED = {
     # What signs in, or has to be known before: it tells nothing of anybody.
     "records/accounts.py are_on",
     "records/accounts.py switch_on",
+    "records/accounts.py were_switched_off_unseen",
     "records/accounts.py sign_in",
     "records/accounts.py sign_in_system_user",
     "records/accounts.py _note_success",
