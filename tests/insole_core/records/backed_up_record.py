@@ -97,9 +97,11 @@ def _in_order(row: tuple[Any, ...]) -> tuple[int, str]:
 
 
 def all_rows(context: RecordsContext) -> dict[str, list[tuple[Any, ...]]]:
-    """Return everything that the tables hold."""
+    """Return everything that the tables hold, in the order of the columns of new tables."""
     with context.database.reading() as connection:
-        return {
-            table.name: sorted(map(tuple, connection.execute(select(table))), key=_in_order)
-            for table in tables_of(connection)
-        }
+        found = {}
+        for table in tables_of(connection):
+            known = schema.metadata.tables.get(table.name, table)
+            rows = connection.execute(select(*(table.c[column.name] for column in known.columns)))
+            found[table.name] = sorted(map(tuple, rows), key=_in_order)
+        return found
