@@ -76,7 +76,7 @@ class WindowCanvas(Canvas):
         """Draw immediately."""
         if self.plotter is not None and self.isVisible():
             self.aim()
-            self.plotter.render_window.Render()
+            QWidget.update(self.surface)  # draws: what was drawn before would be drawn twice
 
     def picture(self) -> QImage:
         """Return the rendered image, in device pixels."""

@@ -1,4 +1,4 @@
-"""The widget that shows the picture of its plotter where Qt has no GL."""
+"""The widget that shows the picture of its plotter, with and without GL of Qt."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_studio.scene.canvas import Canvas, make_canvas
@@ -48,3 +49,21 @@ def test_a_closed_one_is_asked_in_vain(canvas: Canvas, qtbot: QtBot) -> None:
     canvas.request_render()
     qtbot.wait(10)
     assert canvas.plotter is None
+
+
+@pytest.mark.display
+def test_what_is_asked_for_is_drawn_once(canvas: Canvas, qtbot: QtBot) -> None:
+    """With real GL: drawing twice would keep what an undo has moved in its old place longer."""
+    qtbot.waitExposed(canvas)
+    canvas.plotter.set_background("red")
+    qtbot.waitUntil(lambda: shown_color(canvas) == QColor("red"))
+    drawn: list[str] = []
+    canvas.plotter.renderer.AddObserver("EndEvent", lambda _renderer, event: drawn.append(event))
+    canvas.plotter.set_background("blue")
+    canvas.request_render()
+    canvas.request_render()
+    qtbot.waitUntil(lambda: len(drawn) > 0)
+    for _ in range(5):
+        QApplication.processEvents()
+    assert len(drawn) == 1
+    assert shown_color(canvas) == QColor("blue")
