@@ -215,6 +215,26 @@ def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> Non
     assert design(two_feet).corrections == ()
 
 
+def test_both_feet_stay_whole_in_the_picture_through_undo_and_redo(
+    two_feet: Application, settle: Settle
+) -> None:
+    """Whichever of the two is active stays in its place, and the other one comes beside it."""
+    act(two_feet, "beside_foot")
+    settle()
+    add_pad(two_feet)
+    click_side(two_feet, Side.LEFT)
+    add_pad(two_feet)
+    for key in ("undo", "undo", "redo", "redo", "undo"):
+        act(two_feet, key)
+        settle()
+        for model in ("foot", "insole"):
+            view = getattr(two_feet.stage, model).scene
+            whole = getattr(two_feet.stage, f"{model}_presenter").whole_bounds_mm
+            seen = view.look.pixels_of(whole)
+            assert (seen >= 0).all(), f"{model} after {key}"
+            assert (seen <= view.look.size_px).all(), f"{model} after {key}"
+
+
 def test_variants_are_made_named_chosen_and_deleted(
     opened: Application, settle: Settle, export: Callable[[Path], Path], tmp_path: Path
 ) -> None:

@@ -166,6 +166,7 @@ class DesignStage(QObject):
         case, tool_changed = self._case, self._tool_controller.tool_changed
         case.leaving.connect(self._note_typing)
         case.opened.connect(self._fit_later)
+        case.foot_changed.connect(self._fit_again)
         surface.changed.connect(self._fit_insole_once)
         self._counterpart.changed.connect(self._fit_counterpart)
         self._counterpart.failed.connect(self.insole.show_warning)
@@ -352,16 +353,21 @@ class DesignStage(QObject):
     def _note_typing(self) -> None:
         self._keeps_focus = is_typing()
 
+    def _fit_again(self) -> None:
+        """Fit the views to another foot, unless the user has moved them."""
+        self._fit_when_shown = self._fit_when_shown or bool(self._fitted)
+        self._fit_insole_once()
+
     def _fit_insole_once(self) -> None:
         if self._fit_when_shown and self.insole_presenter.bounds_mm is not None:
             self._fit_when_shown = False
-            self.look(Preset.PLANTAR)
+            self.fit()
 
     def _fit_counterpart(self) -> None:
-        """Fit the views when another kind of counterpart is shown, not when it only changes."""
+        """Fit the views when another counterpart is shown; not what the user looks at closely."""
         kind = self._counterpart.kind
         is_there = kind is Beside.NOTHING or self._counterpart.built is not None
-        if is_there and kind is not self._shown_beside:
+        if is_there and (self._fitted or kind is not self._shown_beside):
             self._shown_beside = kind
             self.fit()
 
