@@ -227,7 +227,7 @@ def test_the_selected_station_is_typed(designed: Application, chart: RimChart) -
 
 @pytest.mark.parametrize("name", ["foot", "insole"])
 @pytest.mark.parametrize(("preset", "way"), [
-    (Preset.MEDIAL, QPoint(0, -20)),
+    (Preset.MEDIAL, QPoint(0, -12)),
     (Preset.PLANTAR, None),
 ])  # fmt: skip
 def test_a_station_is_raised_in_the_views(
@@ -239,13 +239,13 @@ def test_a_station_is_raised_in_the_views(
     before, steps = finish(designed).rim, len(designed.case.history)
     middle = view.look.pixels_of(np.array([0.0, 125.0, 0.0]))[0]
     start = in_view(view, 3)
-    outward = way or QPoint(20 if start.x() > middle[0] else -20, 0)
+    outward = way or QPoint(12 if start.x() > middle[0] else -12, 0)
     drag(view, start, start + outward)
     after = finish(designed).rim
     assert len(designed.case.history) == steps + 1
     assert after[3].along == before[3].along
     by_mm = after[3].height_mm - before[3].height_mm
-    assert by_mm == pytest.approx(20 * view.look.mm_per_px, rel=0.2)
+    assert by_mm == pytest.approx(12 * view.look.mm_per_px, rel=0.2)
     assert designed.stage.rim_model.selected == 3
     assert next(h for h in view.handles if h.name == "rim:3").kind == "move"
 
