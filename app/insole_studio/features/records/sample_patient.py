@@ -48,7 +48,10 @@ class SamplePatient(QObject):
         self._show_start = show_start
 
     def add_at_first_start(self) -> None:
-        """Add the sample once the record of this computer is open, if it never held anybody."""
+        """Add the sample once the record of this computer is open, if it never held anybody.
+
+        One on which nothing was tried yet follows the language of the window.
+        """
         self._clinic.state_changed.connect(self._add_if_new)
         self._add_if_new()
 
@@ -94,27 +97,37 @@ class SamplePatient(QObject):
         self._clinic.state_changed.disconnect(self._add_if_new)
         if self._clinic.location.is_shared or self._clinic.is_read_only:
             return
-        ensure = _ensure()
+        texts = _texts()
 
         def add(records: Records) -> None:
             from insole_core.records.sample_patient import is_untouched
+            from insole_core.workflows.records.sample_patient import ensure_sample, renew_sample
 
             if is_untouched(records.context):
-                ensure(records)
+                ensure_sample(records, *texts)
+            else:
+                renew_sample(records, *texts)
 
         self._clinic.write(add, lambda _none: None, _note_failure)
 
 
+def _texts() -> tuple[str, str, str]:
+    """Return name, notes and findings of the sample in the language of the window."""
+    return (
+        tr("Anna Example (sample patient)"),
+        tr("Invented, to try the program with: nothing here concerns a real person."),
+        tr("Forefoot pain when walking."),
+    )
+
+
 def _ensure() -> Callable[[Records], Person]:
     """Return what adds the sample, in the language of the window."""
-    name = tr("Anna Example (sample patient)")
-    findings = tr("Forefoot pain when walking.")
-    notes = tr("Invented, to try the program with: nothing here concerns a real person.")
+    texts = _texts()
 
     def ensure(records: Records) -> Person:
         from insole_core.workflows.records.sample_patient import ensure_sample
 
-        return ensure_sample(records, name, notes, findings)
+        return ensure_sample(records, *texts)
 
     return ensure
 

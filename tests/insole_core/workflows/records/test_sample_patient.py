@@ -27,7 +27,7 @@ from insole_core.records.sample_patient import (
 )
 from insole_core.records.verify import verify_record
 from insole_core.workflows.nameless import require_nameless
-from insole_core.workflows.records.sample_patient import ensure_sample
+from insole_core.workflows.records.sample_patient import ensure_sample, renew_sample
 
 NAME = "Anna Example (sample patient)"
 MUCH_LATER = date(2090, 1, 1)
@@ -59,6 +59,26 @@ def test_it_is_one_person_with_a_foot_to_work_on(records: Records, sample: Perso
     assert case.patient.name == NAME
     assert visit.findings == "Pain."
     assert case.of_side(Side.RIGHT) is not None
+
+
+def test_it_follows_the_language_until_something_was_tried_on_it(
+    records: Records, sample: Person
+) -> None:
+    renew_sample(records, NAME, "Invented.", "Pain.")
+    assert records.persons.sample() == records.persons.get(sample.id)
+    renew_sample(records, "Anna Exempel", "Påhittad.", "Smärta.")
+    renewed = records.persons.sample()
+    assert renewed is not None
+    assert (renewed.name, renewed.notes) == ("Anna Exempel", "Påhittad.")
+    (visit,) = records.visits.of_person(renewed.id)
+    assert visit.findings == "Smärta."
+    assert [found.name for found in records.persons.recent()] == ["Anna Exempel"]
+    records.visits.change(replace(visit, reason="tried"), visit.revision)
+    renew_sample(records, NAME, "Invented.", "Pain.")
+    kept = records.persons.sample()
+    assert kept is not None
+    assert kept.name == "Anna Exempel"
+    assert verify_record(records.context).is_sound
 
 
 def test_its_label_cannot_be_lost(records: Records, sample: Person) -> None:
