@@ -508,12 +508,12 @@
             <translation>Dra ett handtag för att ändra pelotten, dra bredvid för att rotera vyn</translation>
         </message>
         <message>
-            <source>Drag a landmark to where it belongs. The insole follows at once, and Ctrl+Z takes it back. Skip this if all of them are right.</source>
-            <translation>Dra ett landmärke dit det hör. Inlägget följer genast, och Ctrl+Z tar tillbaka det. Hoppa över detta om alla är rätt.</translation>
+            <source>Drag a landmark to its place; a click marks a point, a double click writes on it</source>
+            <translation>Dra ett landmärke på plats; klicka för att märka en punkt, dubbelklicka för att skriva på den</translation>
         </message>
         <message>
-            <source>Drag a landmark to where it belongs; click on the skin to mark a further point</source>
-            <translation>Dra ett landmärke dit det hör hemma; klicka på huden för att märka en punkt till</translation>
+            <source>Drag a landmark to where it belongs. The insole follows at once, and Ctrl+Z takes it back. Skip this if all of them are right.</source>
+            <translation>Dra ett landmärke dit det hör. Inlägget följer genast, och Ctrl+Z tar tillbaka det. Hoppa över detta om alla är rätt.</translation>
         </message>
         <message>
             <source>Drag heel or forefoot up to raise the medial edge, down to raise the lateral</source>
@@ -1936,6 +1936,14 @@
             <translation>Mall för ordination</translation>
         </message>
         <message>
+            <source>Text</source>
+            <translation>Text</translation>
+        </message>
+        <message>
+            <source>Text of the point</source>
+            <translation>Punktens text</translation>
+        </message>
+        <message>
             <source>That is the insole in the cut, the foot on it, and how thick it is where you point. The × of the panel closes it.</source>
             <translation>Så ser inlägget ut i snittet, med foten på, och hur tjockt det är där du pekar. Panelens × stänger den.</translation>
         </message>
@@ -2236,6 +2244,10 @@
             <translation>Det valda, i mm och grader. Ge pelotten en annan höjd: klicka i fältet och skriv den, eller rulla med hjulet där.</translation>
         </message>
         <message>
+            <source>What is to be seen here? The text stands at the point, in the record.</source>
+            <translation>Vad syns här? Texten står vid punkten, i journalen.</translation>
+        </message>
+        <message>
             <source>What the edge of the insole follows</source>
             <translation>Vad inläggets kant följer</translation>
         </message>
@@ -2270,6 +2282,14 @@
         <message>
             <source>With software rendering the processor draws them, more slowly. View ▸ Software rendering turns it off again once the graphics card has a newer driver.</source>
             <translation>Med programvarurendering ritar processorn dem, långsammare. Visa ▸ Programvarurendering stänger av det igen när grafikkortet fått en nyare drivrutin.</translation>
+        </message>
+        <message>
+            <source>Write on a point</source>
+            <translation>Skriv på en punkt</translation>
+        </message>
+        <message>
+            <source>Write on it…</source>
+            <translation>Skriv på den…</translation>
         </message>
         <message>
             <source>Write the outline of the insole in true size as a PDF</source>

@@ -27,6 +27,7 @@ from insole_studio.features.design.plantar.plantar_actions import PlantarActions
 from insole_studio.features.design.shoe.shoe_actions import ShoeActions
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.design.tools.all_tools import make_tools
+from insole_studio.features.design.tools.key_point_tool import KeyPointTool
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.jobs import Jobs
 from insole_studio.services.app_services import AppServices
@@ -87,6 +88,9 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
     """Construct the actions on a stage."""
     case, tools = services.case, stage.tool_controller
     feet = FeetActions(case, services.messages)
+    measures, points = MeasureActions(case, services.messages), tools.tools[KeyPointTool.key]
+    assert isinstance(points, KeyPointTool)
+    points.ask_text = measures.ask_text
     edit, side_by_side = EditActions(case, tools), SideBySideActions(case, stage)
     return Design(
         stage=stage,
@@ -99,7 +103,7 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
             stage.rules.pelott_usual_behind_heads_mm,
             services.messages,
         ),
-        measures=MeasureActions(case, services.messages),
+        measures=measures,
         feet=feet,
         variants=VariantActions(case, services.messages),
         side_by_side=side_by_side,

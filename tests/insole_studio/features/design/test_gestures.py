@@ -21,7 +21,12 @@ from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.all_tools import make_tools
-from insole_studio.features.design.tools.key_point_tool import confidence, distances, shown_points
+from insole_studio.features.design.tools.key_point_tool import (
+    KeyPointTool,
+    confidence,
+    distances,
+    shown_points,
+)
 from insole_studio.features.design.tools.posting_tool import posting_of
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.pointer import Phase, PointerEvent
@@ -343,6 +348,35 @@ def test_clicks_on_the_skin_mark_further_points(
     points = case.record.annotations.key_points
     assert [point.name for point in points[len(HEADS) :]] == ["Point 1", "Point 2"]
     assert distances(case.record.annotations) == [("Point 1", "Point 2", pytest.approx(50.0))]
+
+
+def test_a_marked_point_is_written_on_and_another_one_keeps_its_place(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("key_point")
+    drag(tool_controller, (0.0, 0.0))
+    drag(tool_controller, (30.0, 40.0))
+    tool = tool_controller.tool
+    assert isinstance(tool, KeyPointTool)
+    texts = ["sore, 3 weeks", "sore, 3 weeks"]
+    tool.ask_text = lambda _before: texts.pop()
+    event = at(Phase.PRESS, 0.0, 0.0, handle="point:Point 1")
+    assert tool_controller.double_click(event, GROUND)
+    (write, _remove) = tool_controller.offers(replace(event, handle="point:Point 2"), GROUND)
+    assert write.text == "Write on it…"
+    write.run()
+
+    def names() -> list[str]:
+        return [point.name for point in case.record.annotations.key_points[len(HEADS) :]]
+
+    assert names() == ["sore, 3 weeks", "sore, 3 weeks 2"]
+    drag(tool_controller, (10.0, 10.0))
+    assert names()[2] == "Point 3"
+    case.undo()
+    case.undo()
+    assert names() == ["sore, 3 weeks", "Point 2"]
+    landmark = replace(event, handle=f"point:{HEADS[0]}")
+    assert not tool_controller.double_click(landmark, GROUND)
 
 
 def test_a_landmark_dragged_is_sure_from_then_on(

@@ -11,14 +11,26 @@ from insole_studio.features.design.patient.measure_texts import table_of
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
+from insole_studio.widgets.fields_dialog import Field
+
+_MOST_LETTERS = 120
 
 
 class MeasureActions:
-    """Exports the measures of all feet of the case."""
+    """Exports the measures of all feet of the case, and asks what points are to say."""
 
     def __init__(self, case: Case, messages: UserMessages) -> None:
         self._case = case
         self._messages = messages
+
+    def ask_text(self, before: str) -> str | None:
+        """Ask what is to be written on a custom point of the foot; None if cancelled."""
+        given = self._messages.questions.fields(
+            tr("Text of the point"),
+            tr("What is to be seen here? The text stands at the point, in the record."),
+            [Field("text", tr("Text"), before)],
+        )
+        return None if given is None else given["text"].strip()[:_MOST_LETTERS]
 
     def copy(self) -> None:
         """Copy the table to the clipboard."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -20,6 +21,8 @@ from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 
 PREFIX = "point:"
+AskText: TypeAlias = Callable[[str], str | None]
+"""Given the text of now, asks for another one; None if cancelled."""
 TOUCHED_MM = 12.0
 """A landmark nearer than this to the skin under the pointer is dragged along the skin."""
 _NAMES: dict[str, Callable[[], str]] = {
@@ -43,9 +46,15 @@ class KeyPointTool(Tool):
 
     key = "key_point"
 
+    def __init__(self) -> None:
+        self.ask_text: AskText | None = None
+        """Asks for the text of a custom point; None while nobody can be asked."""
+
     def hint(self, _case: Case) -> str:
         """Return one short sentence on what the user can do now."""
-        return tr("Drag a landmark to where it belongs; click on the skin to mark a further point")
+        return tr(
+            "Drag a landmark to its place; a click marks a point, a double click writes on it"
+        )
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Return the landmarks and custom points as handles."""
@@ -71,10 +80,42 @@ class KeyPointTool(Tool):
     def offers(
         self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Return the item that removes the point under the pointer."""
+        """Return the items that write on the point under the pointer, and remove it."""
         if event.handle is None or event.subject is not Subject.FOOT:
             return ()
-        return _forget_offers(case, event.handle.removeprefix(PREFIX))
+        name = event.handle.removeprefix(PREFIX)
+        items = _forget_offers(case, name)
+        if self.ask_text is not None and _is_custom(case, name):
+            items = (
+                ContextMenuItem(tr("Write on it…"), lambda: self._write_on(case, name)),
+                *items,
+            )
+        return items
+
+    def double_click(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> bool:
+        """Let the user write on a custom point."""
+        name = "" if event.handle is None else event.handle.removeprefix(PREFIX)
+        if event.subject is not Subject.FOOT or not _is_custom(case, name):
+            return False
+        self._write_on(case, name)
+        return True
+
+    def _write_on(self, case: Case, name: str) -> None:
+        """Ask for the text of a custom point, which is its name from then on."""
+        text = None if self.ask_text is None else self.ask_text(name)
+        annotations = case.record.annotations
+        if not text or text == name:
+            return
+        new = free_name(annotations, text)
+        points = tuple(
+            replace(point, name=new) if point.name == name else point
+            for point in annotations.key_points
+        )
+        case.apply(replace(annotations, key_points=points), tr("Write on a point"))
+
+
+def _is_custom(case: Case, name: str) -> bool:
+    return name not in NAMES and case.record.annotations.key_point(name) is not None
 
 
 def _forget_offers(case: Case, name: str) -> tuple[ContextMenuItem, ...]:
@@ -123,7 +164,16 @@ def landmark_hint(case: Case, name: str) -> str:
 def next_name(annotations: Annotations) -> str:
     """Return a free name for the next custom point."""
     count = sum(point.name not in NAMES for point in annotations.key_points)
-    return tr("Point {number}").format(number=count + 1)
+    numbers = range(count + 1, 2 * count + 2)
+    names = (tr("Point {number}").format(number=number) for number in numbers)
+    return next(name for name in names if annotations.key_point(name) is None)
+
+
+def free_name(annotations: Annotations, wanted: str) -> str:
+    """Return a name that no point has: the one that is wanted, or that with a number."""
+    taken = {*NAMES, *(point.name for point in annotations.key_points)}
+    numbered = (f"{wanted} {number}" for number in range(2, len(taken) + 3))
+    return next(name for name in (wanted, *numbered) if name not in taken)
 
 
 def distances(annotations: Annotations) -> list[tuple[str, str, float]]:
