@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from canned_questions import CannedQuestions
 from PySide6.QtWidgets import QLabel, QMenu
 
+from insole_core.cases.scan_source import ScanSource
+from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Posting
+from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.patient.measure_texts import measures_of
+from insole_studio.services.questions import SameSide
 from insole_studio.widgets.side_badge import SideBadge
 
 SAID = "The right foot was not scanned: foot and insole are mirrored from the left foot."
@@ -46,3 +51,25 @@ def test_the_missing_foot_is_offered_as_mirror_image_and_says_so(
     dialog.done(0)
     opened.window.actions_by_key["undo"].trigger()
     assert opened.case.record.other is None
+
+
+def test_a_scan_of_the_missing_foot_takes_the_place_of_the_mirror_image(
+    opened: Application,
+    settle: Callable[[], None],
+    questions: CannedQuestions,
+    make_foot: Callable[[Side], Foot],
+) -> None:
+    opened.window.actions_by_key["mirror_foot"].trigger()
+    settle()
+    source = ScanSource("mesh", "/nowhere/right.ply", "1" * 64)
+    questions.same_side = SameSide.REPLACE
+    scanned = ScannedFoot(make_foot(Side.RIGHT), source)
+    opened.features.case_files.opener.take_scan(scanned)
+    settle()
+    record = opened.case.record
+    assert record.side is Side.RIGHT
+    assert [(foot.side, foot.foot.mirrored) for foot in record.feet] == [
+        (Side.LEFT, False),
+        (Side.RIGHT, False),
+    ]
+    assert badges(opened) == {"RIGHT"}
