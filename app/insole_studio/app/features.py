@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from insole_core.geometry.mesh import TriangleMesh
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.document.autosave import Autosave
 from insole_studio.features.calibrate.calibrate_window import CalibrateWindow
@@ -47,6 +48,10 @@ def make_features(
     """Construct every feature; the windows of stages are created when they are opened."""
     foot = FootWindow(services)
     case_files = make_case_files(services, autosave, foot.open_session, ScanImport(services).open)
+
+    def drawn() -> TriangleMesh | None:
+        return stage.preview.mesh if stage.preview.is_current else None
+
     return Features(
         records=PatientRecords(services, case_files.saver.after_unsaved),
         clinic=ClinicAdministration(services, case_files.saver.after_unsaved, autosave.keep_now),
@@ -54,7 +59,7 @@ def make_features(
         capture=CaptureWindow(services, source),
         foot=foot,
         design=make_design(services, stage),
-        export=ExportActions(services),
+        export=ExportActions(services, drawn),
         compare=CompareWindow(services),
         calibrate=CalibrateWindow(services.paths, source, services.messages, services.window),
     )

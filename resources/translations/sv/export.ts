@@ -52,6 +52,10 @@
             <translation>Valfri maskin</translation>
         </message>
         <message>
+            <source>As it is designed; the piece is being made.</source>
+            <translation>Som det är utformat; arbetsstycket görs just nu.</translation>
+        </message>
+        <message>
             <source>At most {left:.2f} mm of material stay in hollows</source>
             <translation>Högst {left:.2f} mm material blir kvar i fördjupningar</translation>
         </message>

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from threading import Event
 
 import numpy as np
 import pytest
@@ -22,8 +23,10 @@ from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import grab_window
+from insole_studio.features.export import presenter
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
+from tests.patience import PATIENCE_S
 
 MIDDLE, RIGHT = Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton
 
@@ -272,3 +275,29 @@ def test_short_notices_stand_beside_each_other(app: Application) -> None:
     first, second = app.stage.notices.findChildren(QFrame, "notice")[-2:]
     assert first.y() == second.y()
     assert first.geometry().right() < second.x()
+
+
+def test_the_designed_insole_is_seen_until_the_piece_is_made(
+    opened: Application, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    may_go_on, make = Event(), presenter.make_parts
+
+    def make_later(*order: object, **more: object) -> object:
+        may_go_on.wait(PATIENCE_S)
+        return make(*order, **more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(presenter, "make_parts", make_later)
+    opened.features.export.open()
+    stage = opened.features.export.stage
+    assert stage is not None
+    scene, drawn = stage.view.model.scene, opened.stage.preview.mesh
+    assert drawn is not None
+    assert "surface" in scene.painter.shown
+    assert scene.isVisible()
+    assert "being made" in stage.view.summary.text()
+    whole = scene.look.pixels_of(drawn.bounds_mm)
+    assert ((whole >= 0) & (whole <= scene.look.size_px)).all()
+    may_go_on.set()
+    qtbot.waitUntil(lambda: not stage.jobs.is_running())
+    assert "triangles" in stage.view.summary.text()
+    opened.features.export.close()

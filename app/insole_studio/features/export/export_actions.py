@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QWidget
 from insole_core.cases.case_record import CaseRecord
 from insole_core.export.order_verification import Verification, verify_order
 from insole_core.export.shop_order import ORDER_FILE
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.progress import Progress
@@ -52,14 +53,21 @@ _MOST_LINES = 8
 
 
 class ExportActions(StageWindow["ExportStage"]):
-    """Opens the export stage, and prints the outline."""
+    """Opens the export stage, and prints the outline.
+
+    Parameters
+    ----------
+    drawn
+        Returns the insole as the design shows it; None while it shows none.
+    """
 
     changed = Signal()
     exported_files = Signal(object, object, str)
     """Emitted with the record that was exported, an `Ordered`, and the visit that it is of."""
 
-    def __init__(self, services: AppServices) -> None:
+    def __init__(self, services: AppServices, drawn: Callable[[], TriangleMesh | None]) -> None:
         super().__init__(services.window)
+        self._drawn = drawn
         self._services = services
         self._case = services.case
         self._messages = services.messages
@@ -85,6 +93,7 @@ class ExportActions(StageWindow["ExportStage"]):
             memory=LastOrder(folder / "order.json", shop, blocks, machines),
             machines=machines,
             dark=self._services.dark,
+            drawn=self._drawn(),
         )
 
     def connect_stage(self, stage: ExportStage) -> None:

@@ -16,6 +16,7 @@ from insole_core.cases.order_note import OrderNote
 from insole_core.errors import InsoleError
 from insole_core.export.shop_order import Release, ShopOrder
 from insole_core.export.solid_file import merged
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.milling.machine import Machine
@@ -129,6 +130,8 @@ class ExportPresenter:
         Storage of the routers.
     exported
         Called with the exported record and what was ordered.
+    drawn
+        The insole as the design shows it, until the piece is made.
     """
 
     def __init__(
@@ -145,6 +148,7 @@ class ExportPresenter:
         memory: LastOrder,
         machines: NamedFiles[Machine],
         exported: Callable[[CaseRecord, Ordered], None],
+        drawn: TriangleMesh | None = None,
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
         self._store, self._materials, self._shop = rules, materials, shop
@@ -203,6 +207,7 @@ class ExportPresenter:
         self._load_blocks()
         self._begin_order()
         self.remake()
+        self._show_drawn(drawn)
 
     def close(self) -> None:
         """Stop observing the case; what is being written is finished. May be called again."""
@@ -300,6 +305,12 @@ class ExportPresenter:
         """Set the reason for exporting despite a blocking check."""
         self._reason = reason.strip()
         self._show_buttons()
+
+    def _show_drawn(self, mesh: TriangleMesh | None) -> None:
+        """Show the insole as it is designed, as long as there is no piece to be seen."""
+        if mesh is not None and self._choice.kind == "insole":
+            self._panel.show_part(mesh, self._case.side, self._case.side, False)
+            self._panel.show_summary(tr("As it is designed; the piece is being made."))
 
     def remake(self) -> None:
         """Make and check the order in the background."""

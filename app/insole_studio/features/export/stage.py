@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.milling.machine import Machine
 from insole_core.solids.shop import Shop
@@ -46,6 +47,8 @@ class ExportStage(StageFrame):
         Storage of the routers.
     dark
         Whether to use the dark theme.
+    drawn
+        The insole as the design shows it, until the piece is made.
     """
 
     closed = Signal()
@@ -64,6 +67,7 @@ class ExportStage(StageFrame):
         memory: LastOrder,
         machines: NamedFiles[Machine],
         dark: bool,
+        drawn: TriangleMesh | None = None,
     ) -> None:
         super().__init__()
         self.setWindowTitle(tr("Check & export") + " – Insole Studio")
@@ -84,6 +88,7 @@ class ExportStage(StageFrame):
             memory=memory,
             machines=machines,
             exported=self.exported.emit,
+            drawn=drawn,
         )
 
     @property
