@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from sqlalchemy import Connection, column, create_engine, event, func, select, table
 from sqlalchemy.engine import Engine
-from sqlalchemy.exc import DBAPIError
+from sqlalchemy.exc import DBAPIError, NoResultFound
 from sqlalchemy.exc import TimeoutError as PoolTimeoutError
 from sqlalchemy.pool import QueuePool
 
@@ -33,9 +33,11 @@ SCHEMA_COLUMN: Final = SCHEMA_TABLE.c.version_num
 _WRITES: Final = "insole_studio_writes"
 _NO_VALUE: Final = (
     ValueError, TypeError, OverflowError, RecursionError, LookupError, AttributeError,
+    NoResultFound,
 )  # fmt: skip
-"""What a date, a word or a JSON text raises that is none, or one of another form."""
-_DAMAGED_CELL: Final = (NoValue, JSONDecodeError)
+"""What a date, a word or a JSON text raises that is none, or one of another form; or a row that is
+always there."""
+_DAMAGED_CELL: Final = (NoValue, JSONDecodeError, NoResultFound)
 """The same, where other errors are those of whoever writes."""
 _SERVER_ARGUMENTS: Final[dict[str, Any]] = {
     "connect_timeout": 10,

@@ -12,6 +12,7 @@ import pytest
 from sqlalchemy import select
 
 from insole_core.errors import InsoleError, NotAllowed, RecordsError
+from insole_core.records.audit import head_of
 from insole_core.records.author import Author
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
@@ -106,6 +107,11 @@ def open_visit(records: Records) -> object:
     return records.visits.open_case(visit_id)
 
 
+def head_of_log(records: Records) -> object:
+    with records.context.database.reading() as connection:
+        return head_of(connection)
+
+
 CELLS: dict[str, tuple[str, Callable[[Records], object]]] = {
     "birth date": (
         "UPDATE persons SET birth_date = '9999-99-99'", search,
@@ -121,6 +127,12 @@ CELLS: dict[str, tuple[str, Callable[[Records], object]]] = {
         "UPDATE visits SET capture_state = 'gone'", open_visit,
     ),
     "measures of a visit that is changed": ("UPDATE visits SET measures = '{'", open_visit),
+    "head of the log that is read": (
+        "DELETE FROM audit_head", head_of_log,
+    ),
+    "head of the log that is written": (
+        "DELETE FROM audit_head", open_visit,
+    ),
     "setting": ("UPDATE clinic SET value = '{'", lambda records: records.accounts.are_on),
     "role": (
         "UPDATE accounts SET role = 'king'", sign_in,
