@@ -37,7 +37,14 @@ _PRESSES = (
     QEvent.Type.TabletPress,
 )
 _LOOKED_AT = frozenset(
-    (*_USER_TURNS, *_PRESSES, QEvent.Type.KeyPress, QEvent.Type.Polish, QEvent.Type.FileOpen)
+    (
+        *_USER_TURNS,
+        *_PRESSES,
+        QEvent.Type.KeyPress,
+        QEvent.Type.Polish,
+        QEvent.Type.Show,
+        QEvent.Type.FileOpen,
+    )
 )
 """Of the thousands of events of a second, those that are more than passed on."""
 WHEEL_REST_S = 0.7

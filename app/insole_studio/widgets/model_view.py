@@ -48,7 +48,7 @@ class ModelView(QWidget):
         self, subject: Subject, title: str, dark: bool, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self.scene = SceneView(subject, dark)
+        self.scene = SceneView(subject, dark, self)
         self.scene.camera_changed.connect(self.show_scale)
         self._bounds: FloatArray | None = None
         self._badge = SideBadge()
@@ -63,7 +63,7 @@ class ModelView(QWidget):
         self.numbers.hide()
         self._scale = ScaleBar()
         self._legend = Legend()
-        self._empty = EmptyPage()
+        self._empty = EmptyPage(self)  # without it, a window of its own would flash
         self._empty.chosen.connect(self.action_requested)
         self._pages = QStackedLayout()
         self._pages.addWidget(self._empty)

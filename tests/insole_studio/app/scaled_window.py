@@ -53,6 +53,11 @@ def main() -> None:
     assert export is not None
     seen["export is within"] = is_within(export)
     export.close()
+    large = QWidget()
+    large.resize(4000, 3000)
+    large.show()
+    seen["any window is within"] = is_within(large)
+    large.close()
     lines = 0
     for width in WIDTHS:
         app.window.resize(width, 641 + width % 10)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QPoint, QRect
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -21,7 +21,9 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_studio.app.bootstrap import Application
+from insole_studio.scene.view_camera import Subject
 from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
@@ -116,3 +118,23 @@ def test_a_section_leaves_the_thickness_in_sight(opened: Application, qtbot: QtB
     window.actions_by_key["tool_section"].trigger()
     assert opened.stage.section.isVisible()
     assert is_seen()
+
+
+def test_nothing_flashes_while_a_view_is_made(qtbot: QtBot) -> None:
+    """A page that is shown before it is in its view would be a window for a moment."""
+    before = set(QApplication.topLevelWidgets())
+    shown: list[QWidget] = []
+
+    class Watcher(QObject):
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+            is_window = isinstance(watched, QWidget) and watched.isWindow()
+            if event.type() == QEvent.Type.Show and is_window and watched not in before:
+                shown.append(watched)
+            return False
+
+    watcher = Watcher()
+    QApplication.instance().installEventFilter(watcher)  # type: ignore[union-attr]
+    view = ModelView(Subject.INSOLE, "", dark=False)
+    qtbot.addWidget(view)
+    QApplication.instance().removeEventFilter(watcher)  # type: ignore[union-attr]
+    assert shown == []
