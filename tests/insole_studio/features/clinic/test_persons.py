@@ -80,8 +80,9 @@ def test_two_persons_are_chosen_by_hand_and_swapped(
 
 
 def test_erasing_tells_what_the_law_keeps_and_asks_for_the_reason(
-    clinic: Application, records: Records, run: Run, rest: Callable[[], None]
+    clinic: Application, records: Records, run: Run, rest: Callable[[], None], qtbot: QtBot
 ) -> None:
+    clinic.settings.recent = ["/home/Anna Berg.insole", "/home/eva.insole"]
     anna = records.persons.add(Person("Anna Berg", BORN, notes="nickel"))
     records.visits.add(Visit(anna.id, date.today(), findings="flat foot"))
     dialog = run("erase_patient", EraseDialog)
@@ -107,6 +108,7 @@ def test_erasing_tells_what_the_law_keeps_and_asks_for_the_reason(
     assert erased.name == anna.pseudonym
     assert erased.notes == ""
     assert not dialog.erase.isEnabled()
+    qtbot.waitUntil(lambda: clinic.settings.recent == ["/home/eva.insole"])
 
 
 def test_whoever_is_on_the_page_is_proposed_to_be_erased_by_the_pseudonym_there(
