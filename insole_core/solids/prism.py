@@ -101,15 +101,17 @@ class Prism:
         lean = _lean(plan, faces, self.outline, draft)
         if shaped is not None:
             lean[_inner(plan, draft > 0)] = 0
-            draft = _with_tips(plan, draft)
             top = top - np.minimum(shaped.cut_mm(plan.inside_mm), (top - bottom) / 2)
+        fans = _Fans.of(plan, places, faces.tips[:, :2], lattice.step_mm)
+        lean = fans.with_tips(_without_folds(fans.halved, places, lean))
         places, top, bottom = (
             np.concatenate([places, faces.tips[:, :2]]),
             np.concatenate([top, faces.tips[:, 2]]),
             np.concatenate([bottom, faces.tips[:, 3]]),
         )
-        lean = _without_folds(plan.triangles, places, _with_tips(plan, lean))
+        lean = _without_folds(plan.triangles, places, lean)
         if shaped is not None:
+            draft = fans.with_tips(draft)
             moved = np.flatnonzero((lean != 0).any(axis=1))
             below = replace(lattice, heights_mm=faces.bottom_mm).height_at((places + lean)[moved])
             most = np.where(draft[moved] > 0, bottom[moved], top[moved] - LEAST_WALL_MM)
@@ -119,24 +121,49 @@ class Prism:
         )
 
 
+@dataclass(frozen=True, eq=False)
+class _Fans:
+    """The cells of a plan that have a vertex in their middle, which follows their corners.
+
+    So it does not matter for the walls whether there are pads.
+
+    Parameters
+    ----------
+    halved : (m, 3)
+        The plan's triangles with these cells halved, as all others are.
+    corners : (k, 4)
+        Counter-clockwise.
+    weights : (k, 4) float64
+        Bilinear ones of the corners at the tip.
+    """
+
+    halved: IndexArray
+    corners: IndexArray
+    weights: FloatArray
+
+    @classmethod
+    def of(cls, plan: Plan, places: FloatArray, tips: FloatArray, step_mm: float) -> _Fans:
+        """Return the fans of a plan with its other vertices at places (n, 2), tips (k, 2)."""
+        is_fan = (plan.triangles >= len(places)).any(axis=1)
+        fans = plan.triangles[is_fan]
+        fans = fans[np.argsort(fans[:, 2], kind="stable")]
+        corners = fans[:, 0].reshape(len(tips), 4)
+        halves = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
+        off = 1 - np.abs(places[corners] - tips[:, None]) / step_mm
+        return cls(np.concatenate([plan.triangles[~is_fan], halves]), corners, off.prod(axis=2))
+
+    def with_tips(self, values: FloatArray) -> FloatArray:
+        """Return values at the vertices (n, ...), followed by those at the tips."""
+        at_corners = np.moveaxis(values[self.corners], 1, -1)
+        weights = self.weights.reshape(len(self.weights), *(1,) * (values.ndim - 1), 4)
+        return np.concatenate([values, (at_corners * weights).sum(axis=-1)])
+
+
 def _inner(plan: Plan, chosen: BoolArray) -> BoolArray:
     """Return which of the chosen vertices (n,) are not on the border of the plan."""
     inner = chosen.copy()
     inner[plan.border.ravel()] = False
     return inner
-
-
-def _with_tips(plan: Plan, values: FloatArray) -> FloatArray:
-    """Return values at the vertices (n, ...), and their means round the centre of each fan."""
-    is_tip = plan.triangles >= len(values)
-    fans = plan.triangles[is_tip.any(axis=1)]
-    if len(fans) == 0:
-        return values
-    tips = fans.max(axis=1)
-    order = np.argsort(tips, kind="stable")
-    # Four triangles with two corners each: every corner of the cell twice.
-    corners = np.sort(fans[order], axis=1)[:, :2].reshape(len(plan.fans), -1)
-    return np.concatenate([values, values[corners].mean(axis=1)])
 
 
 def band_mm(height_mm: float, draft_deg: float) -> float:
