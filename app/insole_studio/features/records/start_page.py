@@ -204,7 +204,7 @@ class StartPage(QWidget):
         inner.addLayout(top)
         inner.addLayout(grid, 1)
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(24, 16, 24, 16)
+        layout.setContentsMargins(20, 16, 20, 16)
         layout.setSpacing(8)
         layout.addWidget(self.message)
         layout.addLayout(self._remedy_row())
@@ -242,7 +242,7 @@ class StartPage(QWidget):
 
     def _file_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
-        row.setSpacing(8)
+        row.setSpacing(4)
         for key, text, action in (
             ("capture", tr("Capture…"), "capture"),
             ("open", tr("Open case…"), "open"),
