@@ -11,6 +11,7 @@ from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.icons import icon
 
 SHOW_AFTER_MS = 300
+LEAST_SENTENCE_PX = 56
 
 
 class StatusBar(QStatusBar):
@@ -24,9 +25,11 @@ class StatusBar(QStatusBar):
         self._place = QLabel()
         self._place.setMinimumWidth(228)
         self._place.setContentsMargins(4, 0, 0, 0)
-        self._hint = ElidedLabel("")  # the longest hint must not widen the window
+        self._hint = ElidedLabel("")
         self._hint.setObjectName("quiet")
-        self._work = QLabel()
+        self._work = ElidedLabel("")
+        for sentence in (self._hint, self._work):  # none may widen the window
+            sentence.setMinimumWidth(LEAST_SENTENCE_PX)
         self._bar = QProgressBar()
         self._bar.setFixedSize(144, 12)
         self._bar.setTextVisible(False)

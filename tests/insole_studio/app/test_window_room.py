@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QLabel,
+    QProgressBar,
     QVBoxLayout,
     QWidget,
 )
@@ -21,6 +22,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_studio.app.bootstrap import Application
+from insole_studio.jobs import JobProgress
 from insole_studio.scene.view_camera import Subject
 from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.model_view import ModelView
@@ -41,10 +43,17 @@ def test_the_window_can_be_as_small_as_a_small_screen(clinic: Application) -> No
     assert fits(), "the page of orders"
 
 
-def test_neither_panels_nor_a_long_hint_widen_the_window(opened: Application) -> None:
+def test_neither_panels_nor_long_sentences_widen_the_window(
+    opened: Application, qtbot: QtBot
+) -> None:
     opened.window.actions_by_key["tool_rim"].trigger()
     opened.window.actions_by_key["tool_section"].trigger()
     opened.stage.hint_changed.emit("A sentence that says what can be done here and now. " * 4)
+    news = JobProgress("insole", 0.5, "What is being done for a while " * 4, elapsed_s=0.5)
+    opened.jobs.progressed.emit(news)
+    bar = opened.window.status.findChild(QProgressBar)
+    assert bar is not None
+    qtbot.waitUntil(bar.isVisible)
     QApplication.processEvents()
     width, height = opened.window.minimumSizeHint().toTuple()
     assert width <= SMALLEST[0]
