@@ -48,8 +48,8 @@ from insole_studio.widgets.section_chart import SectionChart
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 
 
-SHARED = ("_section", "_rim", "_view")
-"""What tools hold that other panels hold as well."""
+SHARED = ("_section", "_rim", "_view", "ask_text")
+"""What tools hold that other panels hold as well, or that asks."""
 
 
 def shown(app: Application) -> list[str]:

@@ -21,6 +21,7 @@ from insole_core.cases.case_record import (
     Variant,
 )
 from insole_core.cases.scan_source import ScanSource
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
@@ -74,6 +75,9 @@ class MockView:
     def move_mesh(self, *arguments: Any) -> bool:
         self.shown["move_mesh"] = arguments
         return self.can_move
+
+    def right_of(self, outline: FloatArray, place_mm: FloatArray) -> FloatArray:
+        return np.append(outline[:, :2].max(axis=0), place_mm[2])
 
     def __getattr__(self, name: str) -> Callable[..., None]:
         if name not in ("clear", "forget_typed") and not name.startswith("show_"):
