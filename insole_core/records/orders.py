@@ -205,8 +205,8 @@ class Orders:
     ) -> Order:
         """Order what other versions of the same visit say, under the same number.
 
-        The files of earlier revisions stay. The order is designed again, whatever it was: the shop
-        does not have this revision yet.
+        The files of earlier revisions stay. The order is designed again: the shop does not have
+        this revision yet.
 
         Parameters
         ----------
@@ -218,7 +218,8 @@ class Orders:
         Raises
         ------
         InputError
-            When a field cannot be right, a file cannot be read, or the order has this revision.
+            When a field cannot be right, a file cannot be read, the order has this revision, or it
+            was delivered or cancelled.
         RecordsError, OutputError
             When it cannot be stored.
         """
@@ -239,6 +240,12 @@ class Orders:
                     "once more, under the next number.",
                     number=stored.number,
                     release=stored.release,
+                )
+            if stored.state not in OPEN_STATES:
+                raise InputError(
+                    "The order {number} was {state} meanwhile; export once more, as a new order.",
+                    number=stored.number,
+                    state=stored.state,
                 )
             locked_person(connection, stored.person_id)
             self._add_release(

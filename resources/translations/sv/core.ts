@@ -2932,6 +2932,10 @@
             <translation>Beställningen {number} är redan {state}; välj ett annat läge.</translation>
         </message>
         <message>
+            <source>The order {number} was {state} meanwhile; export once more, as a new order.</source>
+            <translation>Beställningen {number} har under tiden fått läget {state}; exportera en gång till, som en ny beställning.</translation>
+        </message>
+        <message>
             <source>The origin of {machine} lies outside the block: {place:g} mm along {axis}, and the block has {size:g} mm; correct its offset in the machine file.</source>
             <translation>Nollpunkten för {machine} ligger utanför blocket: {place:g} mm längs {axis}, och blocket har {size:g} mm; rätta dess förskjutning i maskinfilen.</translation>
         </message>

@@ -118,6 +118,16 @@ def test_what_is_exported_again_is_a_revision_and_the_first_one_stays(
     assert copy.read_bytes() == b"thicker"
 
 
+@pytest.mark.parametrize("final", [OrderState.CANCELLED, OrderState.DELIVERED])
+def test_an_order_that_was_closed_meanwhile_is_not_revised(
+    records: Records, order: Order, final: OrderState
+) -> None:
+    closed = records.orders.move(order.id, final, "", order.revision)
+    with pytest.raises(InputError, match=f"was {final} meanwhile; export once more"):
+        records.orders.revise(order.id, order.version_ids, release=2)
+    assert records.orders.get(order.id) == closed
+
+
 def test_the_next_export_revises_what_is_not_delivered_or_cancelled(
     records: Records, visit: Visit, order: Order
 ) -> None:

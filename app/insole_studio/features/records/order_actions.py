@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.order_note import OrderNote
+from insole_core.export.shop_order import OrderTerms
 from insole_core.records.order import Order, OrderState, OrderSummary
 from insole_core.workflows.order_package import Ordered
 from insole_studio.features.records.order_dialog import OrderDialog
@@ -31,7 +32,10 @@ class OrderActions(QObject):
         self._services = services
         self._clinic = services.clinic
         self._tell = services.messages.show_error
+        self._terms: dict[str, OrderTerms] = {}
+        """By visit, those of the last export, or as it was opened."""
         self._clinic.changed.connect(self._refresh_note)
+        services.case.opened.connect(self._note_terms)
 
     def note_export(self, exported: CaseRecord, ordered: Ordered, visit_id: str) -> None:
         """Store the order of the exported feet, once these are in the record as they were exported.
@@ -46,22 +50,27 @@ class OrderActions(QObject):
         if not visit_id:
             return
         sides = [foot.side for foot in exported.feet]
+        before = self._terms.get(visit_id, ordered.terms)
+        self._terms[visit_id] = ordered.terms
 
         def add(records: Records) -> Order:
             newest = [records.prescriptions.versions(visit_id, side)[0].id for side in sides]
-            terms = ordered.terms
-            due_on = terms.deliver_on or records.orders.usual_due_on(date.today())
-            remarks, files, place = terms.remarks, ordered.files, str(ordered.place)
+            terms, files, place = ordered.terms, ordered.files, str(ordered.place)
             known = records.orders.with_number(ordered.number) if ordered.revision > 1 else None
             if known is not None and known.visit_id == visit_id:
+                stored = records.orders.get(known.id)
+                is_moved = terms.deliver_on is not None and terms.deliver_on != before.deliver_on
                 return records.orders.revise(
                     known.id, newest,
-                    release=ordered.revision, due_on=terms.deliver_on or known.due_on or due_on,
-                    remarks=remarks, files=files, place=place,
+                    release=ordered.revision,
+                    due_on=terms.deliver_on if is_moved else stored.due_on,
+                    remarks=_merged(stored.remarks, before.remarks, terms.remarks),
+                    files=files, place=place,
                 )  # fmt: skip
             return records.orders.add(
                 visit_id, newest,
-                due_on=due_on, remarks=remarks, files=files, number=ordered.number,
+                due_on=terms.deliver_on or records.orders.usual_due_on(date.today()),
+                remarks=terms.remarks, files=files, number=ordered.number,
                 release=ordered.revision, place=place,
             )  # fmt: skip
 
@@ -100,6 +109,12 @@ class OrderActions(QObject):
             lambda _order: None,
             self._tell,
         )
+
+    def _note_terms(self) -> None:
+        """Note from where the terms of the opened visit are changed."""
+        case = self._services.case
+        if case.kept is not None:
+            self._terms[case.kept.visit.id] = case.record.order.terms
 
     def _refresh_note(self) -> None:
         """Let the open case know what has become of its order, here or at another station."""
@@ -144,3 +159,12 @@ class OrderActions(QObject):
             lambda _order: None,
             self._tell,
         )
+
+
+def _merged(stored: str, before: str, now: str) -> str:
+    """Return an order's remarks with a change of the visit's; what was written there stays."""
+    if now == before:
+        return stored
+    if before and before in stored:
+        return stored.replace(before, now, 1).strip()
+    return "\n".join(text for text in (stored, now) if text)

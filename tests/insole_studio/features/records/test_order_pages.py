@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
 
@@ -215,6 +216,33 @@ def test_a_visit_that_is_exported_again_is_one_order_with_two_revisions(
     settle()
     assert len(records.orders.of_person(visit.person_id)) == 2
     assert stage.view.form.terms.colour.text() == "black"
+
+
+def test_a_revision_keeps_what_was_agreed_with_the_shop_meanwhile(
+    clinic: Application, records: Records, visit: Visit, order: Order, rest: Callable[[], None],
+    qtbot: QtBot, tmp_path: Path,
+) -> None:  # fmt: skip
+    terms = OrderTerms(remarks="soft heel", deliver_on=SOON)
+    records.visits.change(replace(visit, terms=terms), visit.revision)
+    later = SOON + timedelta(days=5)
+    records.orders.change(order.id, "CNC", later, "soft heel\ncall on Monday", order.revision)
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    rest()
+    solid = tmp_path / "p-left.stl"
+    solid.write_bytes(b"solid")
+
+    def export(terms: OrderTerms, revision: int) -> Order:
+        ordered = Ordered((solid,), terms, order.number, revision)
+        clinic.features.export.exported_files.emit(clinic.case.record, ordered, visit.id)
+        qtbot.waitUntil(lambda: records.orders.get(order.id).release == revision)
+        return records.orders.get(order.id)
+
+    revised = export(terms, 2)
+    assert (revised.due_on, revised.remarks) == (later, "soft heel\ncall on Monday")
+    sooner = SOON + timedelta(days=1)
+    revised = export(OrderTerms(remarks="hard heel", deliver_on=sooner), 3)
+    assert (revised.due_on, revised.remarks) == (sooner, "hard heel\ncall on Monday")
 
 
 def test_a_revision_that_somebody_else_has_written_is_told(
