@@ -14,7 +14,7 @@ from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.days import read_day
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import InsoleError
-from insole_core.export.shop_order import Release, ShopOrder
+from insole_core.export.shop_order import OrderTerms, Release, ShopOrder
 from insole_core.export.solid_file import merged
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -554,6 +554,8 @@ class ExportPresenter:
         record, before = self._case.record, self._record
         if record.order != before.order:
             self._show_release()
+        if record.order.terms != before.order.terms:
+            self._take_terms(record.order.terms)
         if record.feet is before.feet and record.at_hand is before.at_hand:
             self._record = record
             self._panel.show_patient(patient_text(record.patient))
@@ -565,6 +567,13 @@ class ExportPresenter:
         }
         self._choice = replace(self._choice, own_materials=own)
         self.remake()
+
+    def _take_terms(self, terms: OrderTerms) -> None:
+        """Show terms that were changed elsewhere; those that were edited here are shown already."""
+        taken = terms.from_day(date.today())
+        if taken != self._choice.terms:
+            self._choice = replace(self._choice, terms=taken)
+            self._show_order()
 
     def _show_order(self) -> None:
         self._panel.show_choice(self._choice, self._has_pair)

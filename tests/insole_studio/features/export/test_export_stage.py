@@ -17,6 +17,7 @@ from pytestqt.qtbot import QtBot
 from read_pdf import text_of_pdf
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.order_note import OrderNote
 from insole_core.cases.scan_source import ScanSource
 from insole_core.export.order_verification import verify_order
 from insole_core.export.shop_order import OrderTerms
@@ -292,6 +293,19 @@ def test_what_the_shop_is_told_stays_with_the_case(
     settle()
     assert fields.deliver_on.text() == ""
     assert stage.view.export.isEnabled()
+
+
+def test_terms_of_another_station_are_shown_and_stay_when_more_is_typed(
+    stage: ExportStage, settle: Callable[[], None], case: Case, qtbot: QtBot
+) -> None:
+    theirs = OrderTerms(2, "", "", "soft heel", date.today() + timedelta(days=9))
+    case.note_stored_order(OrderNote(terms=theirs))
+    fields = stage.view.form.terms
+    assert fields.remarks.toPlainText() == "soft heel"
+    fields.colour.setFocus()
+    qtbot.keyClicks(fields.colour, "black")
+    settle()
+    assert case.record.order.terms == replace(theirs, colour="black")
 
 
 @pytest.mark.parametrize(
