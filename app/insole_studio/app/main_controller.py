@@ -24,6 +24,8 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.typed_text import commit_typed_text
 
+SCANNING = ("open_session", "open_archive", "capture")
+"""Actions that bring a foot, which belongs to a visit."""
 _STEP_ACTIONS = {"foot": "tool_key_point", "export": "export"}
 
 
@@ -229,6 +231,11 @@ class MainController(QObject):
         page = self._window.page
         return page is not None and page is self._features.records.person
 
+    @property
+    def _is_on_person_alone(self) -> bool:
+        """Whether a person's page is shown, and no visit is open."""
+        return self._is_on_person and self._case.is_empty
+
     def _tell_handed_over(self, name: str, conflicted: bool) -> None:
         if self._services.clinic.hides_patients:  # whoever was signed in has left meanwhile
             return
@@ -319,13 +326,15 @@ class MainController(QObject):
         window.show_action("add_to_record", on_panels and is_file)
         for key in OF_PERSON:
             window.show_action(key, self._is_on_person)
+        for key in SCANNING:  # else the foot would be nobody's
+            window.show_action(key, not self._is_on_person_alone)
         window.show_action("remove", on_panels and case.selection is not None)
         window.show_pads(on_panels and case.foot is not None)
 
     def _show_whose(self) -> None:
         """Show whose case is open, and how far it is; without one, whose page is shown."""
         case, steps = self._case, self._stage.steps
-        is_person_alone = self._is_on_person and case.is_empty
+        is_person_alone = self._is_on_person_alone
         record = case.record
         if is_person_alone:
             record = CaseRecord(Patient(self._features.records.name_on_page))

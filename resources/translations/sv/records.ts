@@ -428,6 +428,10 @@
             <translation>Nummer</translation>
         </message>
         <message>
+            <source>One order</source>
+            <translation>En beställning</translation>
+        </message>
+        <message>
             <source>Open a visit first.</source>
             <translation>Öppna ett besök först.</translation>
         </message>

@@ -25,6 +25,7 @@ from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.earlier_scan import on_earlier_scan
+from insole_core.workflows.starting_design import starting_device
 
 TODAY = date.today()
 TOMORROW = TODAY + timedelta(days=1)
@@ -262,7 +263,8 @@ def test_a_capture_is_kept_with_its_facts(
     later = records.visits.add(Visit(visit.person_id, TOMORROW))
     [scanned] = records.prescriptions.last_scanned(visit.person_id)
     assert (scanned.side, scanned.scanned_on) == (Side.LEFT, TODAY)
-    again = on_earlier_scan(records.prescriptions.read(scanned.version_id), scanned.scanned_on)
+    earlier = records.prescriptions.read(scanned.version_id)
+    again = on_earlier_scan(earlier, scanned.scanned_on, starting_device(tmp_path))
     base = records.prescriptions.save(later.id, again, None)
     [version] = records.prescriptions.versions(later.id, Side.LEFT)
     assert version.capture_id == capture.id

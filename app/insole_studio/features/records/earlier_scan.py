@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.records.prescription import ScannedFoot
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.features.records.same_prescription import SamePrescription
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -60,12 +61,17 @@ class EarlierScan(QObject):
     def take(self, found: Sequence[ScannedFoot]) -> None:
         """Begin a prescription on earlier scans; the day stands on screen, papers and record."""
         visit_id = self._services.keeper.visit_id
+        starting = starting_device(self._services.paths.settings_folder)
+        if starting.problem is not None:
+            self._services.messages.show_sentence(starting.problem)
 
         def read(records: Records) -> list[FootRecord]:
             from insole_core.workflows.earlier_scan import on_earlier_scan
 
             return [
-                on_earlier_scan(records.prescriptions.read(scan.version_id), scan.scanned_on)
+                on_earlier_scan(
+                    records.prescriptions.read(scan.version_id), scan.scanned_on, starting
+                )
                 for scan in found
             ]
 

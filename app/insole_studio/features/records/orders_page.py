@@ -101,7 +101,9 @@ class OrdersPage(QWidget):
         for part in (self.search, self.shown, self._days_label, self.days):
             part.setVisible(not of_person)
         self._count.setText(
-            tr("{count} orders").format(count=count)
+            tr("One order")
+            if count == 1
+            else tr("{count} orders").format(count=count)
             if len(rows) == count
             else tr("The first {shown} of {count} orders").format(shown=len(rows), count=count)
         )

@@ -27,7 +27,9 @@ from insole_core.records.person import Person
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.app.bootstrap import Application
+from insole_studio.app.main_controller import SCANNING
 from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
 from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
@@ -332,6 +334,19 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     )
 
 
+def test_nothing_is_scanned_on_the_page_of_a_person_without_a_visit(
+    page: PersonPage, clinic: Application, rest: Callable[[], None], qtbot: QtBot
+) -> None:
+    """The foot would be nobody's."""
+    rest()
+    assert clinic.window.page is page
+    actions = [clinic.window.actions_by_key[key] for key in SCANNING]
+    assert not any(action.isEnabled() for action in actions)
+    clinic.controller.run_action("new_visit", False)
+    qtbot.waitUntil(lambda: clinic.window.page is None)
+    assert all(action.isEnabled() for action in actions)
+
+
 @pytest.mark.parametrize("action", ["new_visit", "new_visit_same"])
 def test_a_visit_without_a_scan_takes_the_last_one_and_says_its_day(
     page: PersonPage,
@@ -364,6 +379,8 @@ def test_a_visit_without_a_scan_takes_the_last_one_and_says_its_day(
     assert taken.source.scanned_on == taken.foot.scanned_on == before.isoformat()
     assert bool(taken.design.corrections) == (action == "new_visit_same")
     assert taken.earlier is not None
+    starting = starting_device(clinic.services.paths.settings_folder).design(taken.foot)
+    assert (taken.design.device == starting.device) == (action != "new_visit_same")
     badges = [badge.text() for badge in clinic.window.findChildren(SideBadge)]
     assert f"LEFT · scan of {before.isoformat()}" in badges
     now = clinic.services.keeper.visit_id
