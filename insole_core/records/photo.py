@@ -22,7 +22,8 @@ MOST_PX: Final = 2400
 MOST_PHOTOS: Final = 50
 MOST_MARKS: Final = 200
 MOST_POINTS: Final = 2000
-_MOST_LETTERS: Final = 500
+MOST_LETTERS: Final = 500
+"""Of the text of a mark."""
 _QUALITY: Final = 88
 
 Point = tuple[float, float]
@@ -55,7 +56,7 @@ class PhotoMark:
             raise InputError("A mark must lie on the photo; draw it again.")
         points = tuple((round(x, 4), round(y, 4)) for x, y in self.points)
         return replace(
-            self, points=points, text=check_text(self.text, "text of the mark", _MOST_LETTERS)
+            self, points=points, text=check_text(self.text, "text of the mark", MOST_LETTERS)
         )
 
 

@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_core.records.photo import Photo, PhotoMark
+from insole_core.records.field_checks import MOST_NAME
+from insole_core.records.photo import MOST_LETTERS, Photo, PhotoMark
 from insole_studio.texts import tr
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.marked_picture import Line, MarkedPicture
@@ -26,7 +27,6 @@ from insole_studio.widgets.row_table import RowTable, TableRow
 
 _SIZE = (1040, 640)
 _SIDE_PX = 300
-_MOST_LETTERS = 500
 
 
 class PhotosDialog(QDialog):
@@ -57,8 +57,8 @@ class PhotosDialog(QDialog):
         self._none.setObjectName("quiet")
         self._none.setWordWrap(True)
         self.caption, self.text = QLineEdit(), QLineEdit()
-        for field in (self.caption, self.text):
-            field.setMaxLength(_MOST_LETTERS)
+        for field, most in ((self.caption, MOST_NAME), (self.text, MOST_LETTERS)):
+            field.setMaxLength(most)
             field.setReadOnly(not editable)
         self.caption.editingFinished.connect(self._edit_caption)
         self.text.editingFinished.connect(self._edit_text)

@@ -9,8 +9,9 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 from shiboken6 import isValid
 
-from insole_core.errors import Conflict
+from insole_core.errors import Conflict, InputError
 from insole_core.records.photo import Photo
+from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.records.photos_dialog import PhotosDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
@@ -23,55 +24,82 @@ _READ, _PICTURE = "records-photos", "records-photo"
 
 
 class VisitPhotos(QObject):
-    """Shows the photos of one visit at a time, and stores what is drawn on them."""
+    """Opens the photos of visits, one at a time."""
 
     def __init__(self, services: AppServices) -> None:
         super().__init__(services.window)
         self._services = services
+        self._visits: dict[str, _PhotosOfVisit] = {}
+
+    def open(self, visit_id: str) -> None:
+        """Show the photos of a visit."""
+
+        def show(photos: list[Photo]) -> None:
+            if visit_id not in self._visits:
+                self._visits[visit_id] = _PhotosOfVisit(visit_id, self._services, self)
+            self._visits[visit_id].show(photos)
+
+        self._services.clinic.ask(
+            _READ,
+            lambda r: r.photos.of_visit(visit_id),
+            show,
+            self._services.messages.show_error,
+        )
+
+
+class _PhotosOfVisit(QObject):
+    """Shows the photos of one visit, and stores what is drawn on them, also once they are closed.
+
+    A visit has one of its own, so that no late answer comes to the photos of another patient.
+    """
+
+    def __init__(self, visit_id: str, services: AppServices, parent: QObject) -> None:
+        super().__init__(parent)
+        self._services = services
         self._clinic = services.clinic
+        self._clinic.state_changed.connect(self._note_state)
         self._dialog: PhotosDialog | None = None
-        self._visit_id = ""
+        self._visit_id = visit_id
         self._stored: dict[str, Photo] = {}
         """As the record has them."""
         self._wanted: dict[str, Photo] = {}
         """As they are drawn here, while they are not stored so."""
         self._is_storing = False
+        self._told = ""
+        """Why nothing could be stored last; empty since something was."""
 
-    def open(self, visit_id: str) -> None:
-        """Show the photos of a visit."""
-        self._visit_id = visit_id
-
-        def show(photos: list[Photo]) -> None:
-            self._stored = {photo.id: photo for photo in photos}
-            dialog = PhotosDialog(
-                tr("Photos of the visit"),
-                self._services.window,
-                editable=not self._clinic.is_read_only,
-            )
-            dialog.finished.connect(dialog.deleteLater)
-            dialog.add_requested.connect(self._ask_to_add)
-            dialog.delete_requested.connect(self._ask_to_delete)
-            dialog.photo_chosen.connect(self._read_picture)
-            dialog.edited.connect(self._edit)
-            self._dialog = dialog
-            dialog.show_photos(photos)
-            dialog.open()
-
-        self._clinic.ask(_READ, lambda r: r.photos.of_visit(visit_id), show, self._tell)
+    def show(self, photos: Sequence[Photo]) -> None:
+        """Show photos as they were read, with what is not stored yet."""
+        self._stored = {
+            photo.id: max(photo, self._stored.get(photo.id, photo), key=lambda p: p.revision)
+            for photo in photos
+        }
+        self._wanted = {key: photo for key, photo in self._wanted.items() if key in self._stored}
+        dialog = PhotosDialog(
+            tr("Photos of the visit"),
+            self._services.window,
+            editable=not self._clinic.is_read_only,
+        )
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.add_requested.connect(self._ask_to_add)
+        dialog.delete_requested.connect(self._ask_to_delete)
+        dialog.photo_chosen.connect(self._read_picture)
+        dialog.edited.connect(self._edit)
+        self._dialog = dialog
+        dialog.show_photos(self._now)
+        dialog.open()
 
     def _ask_to_add(self) -> None:
         questions = self._services.messages.questions.on(self._over)
         path = questions.file_to_open(tr("Photos") + " (*.jpg *.jpeg *.png)", Kept.PICTURES)
-        visit_id = self._visit_id
         if path is None:
             return
 
         def added(photo: Photo) -> None:
-            if self._visit_id == visit_id:
-                self._stored[photo.id] = photo
-                self._show(photo.id)
+            self._stored[photo.id] = photo
+            self._show(photo.id)
 
-        self._clinic.write(lambda r: r.photos.add(visit_id, path), added, self._tell)
+        self._clinic.write(lambda r: r.photos.add(self._visit_id, path), added, self._tell)
 
     def _ask_to_delete(self, photo_id: str) -> None:
         photo = self._stored[photo_id]
@@ -100,9 +128,15 @@ class VisitPhotos(QObject):
         self._wanted[photo.id] = photo
         self._store_next()
 
+    def _note_state(self) -> None:
+        """Store what waited for the record to be back; one that was closed gives no answer."""
+        if self._clinic.state is RecordState.CLOSED:
+            self._is_storing = False
+        self._store_next()
+
     def _store_next(self) -> None:
         """Store one photo after the other; of several wishes for one only the last one counts."""
-        if self._is_storing or not self._wanted:
+        if self._is_storing or not self._wanted or not self._clinic.is_open:
             return
         self._is_storing = True
         wanted = next(iter(self._wanted.values()))
@@ -113,22 +147,43 @@ class VisitPhotos(QObject):
 
         def stored(photo: Photo) -> None:
             self._is_storing = False
-            self._stored[photo.id] = photo
-            if self._wanted.get(photo.id) is wanted:
-                del self._wanted[photo.id]
+            self._told = ""
+            if photo.id in self._stored:  # not deleted meanwhile
+                self._stored[photo.id] = photo
+            self._drop(wanted)
             self._store_next()
 
         self._clinic.write(change, stored, lambda error: self._miss(wanted, error))
 
     def _miss(self, wanted: Photo, error: Exception) -> None:
-        """Show a photo as the record has it: what was drawn here could not be stored."""
+        """Tell that a photo could not be stored; what can never be is shown as the record has it.
+
+        All else is kept, and stored with the next change or when the record is back.
+        """
         self._is_storing = False
-        self._wanted.pop(wanted.id, None)
-        if isinstance(error, Conflict):
+        if wanted.id not in self._stored:
+            self._store_next()
+        elif isinstance(error, Conflict):
             self._stored[wanted.id] = error.theirs
+            self._refuse(self._wanted[wanted.id], error)  # drawn over what is no longer so
+        elif isinstance(error, InputError):
+            self._refuse(wanted, error)
+        else:
+            self._wanted[wanted.id] = self._wanted.pop(wanted.id)  # after those of other photos
+            if self._told != str(error):
+                self._told = str(error)
+                self._tell(error)
+
+    def _refuse(self, wanted: Photo, error: Exception) -> None:
+        self._drop(wanted)
         self._show()
         self._tell(error)
         self._store_next()
+
+    def _drop(self, wanted: Photo) -> None:
+        """Drop a wish, unless a newer one has taken its place."""
+        if self._wanted.get(wanted.id) is wanted:
+            del self._wanted[wanted.id]
 
     def _show(self, chosen: str = "") -> None:
         if self._dialog is not None and isValid(self._dialog):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import date
 from pathlib import Path
 
 import pytest
@@ -14,10 +16,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
-from insole_core.records.photo import PhotoMark
+from insole_core.errors import InputError, Unreachable
+from insole_core.records.person import Person
+from insole_core.records.photo import Photo, PhotoMark
+from insole_core.records.photos import Photos
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
+from insole_studio.document import clinic_record
 from insole_studio.features.records.photos_dialog import PhotosDialog
 
 LEFT = Qt.MouseButton.LeftButton
@@ -126,3 +132,95 @@ def test_what_somebody_else_has_drawn_is_not_lost(
     qtbot.waitUntil(lambda: [row.cells[1] for row in dialog.marks.rows] == ["wart"])
     draw(dialog, (0.1, 0.9))
     qtbot.waitUntil(lambda: len(other_station.photos.of_visit(visit.id)[0].marks) == 2)
+
+
+def held_changes(
+    monkeypatch: pytest.MonkeyPatch, error: Exception | None = None
+) -> threading.Event:
+    """Let changes of photos wait for an event; the first of them then fails with an error."""
+    go_on, change, errors = threading.Event(), Photos.change, [] if error is None else [error]
+
+    def change_later(photos: Photos, photo: Photo, revision: int) -> Photo:
+        assert go_on.wait(60)
+        if errors:
+            raise errors.pop()
+        return change(photos, photo, revision)
+
+    monkeypatch.setattr(Photos, "change", change_later)
+    return go_on
+
+
+def test_a_late_answer_brings_no_photo_to_another_patient(
+    dialog: PhotosDialog, clinic: Application, records: Records, visit: Visit,
+    rest: Callable[[], None], monkeypatch: pytest.MonkeyPatch, qtbot: QtBot,
+) -> None:  # fmt: skip
+    eva = records.visits.add(Visit(records.persons.add(Person("Eva Holm")).id, date.today()))
+    go_on = held_changes(monkeypatch)
+    draw(dialog, (0.2, 0.2))
+    draw(dialog, (0.8, 0.8))
+    dialog.reject()
+    qtbot.waitUntil(lambda: not clinic.window.findChildren(PhotosDialog))
+    clinic.features.records.photos.open(eva.id)
+    qtbot.waitUntil(lambda: bool(clinic.window.findChildren(PhotosDialog)))
+    (of_eva,) = clinic.window.findChildren(PhotosDialog)
+    go_on.set()
+    rest()
+    qtbot.waitUntil(lambda: len(records.photos.of_visit(visit.id)[0].marks) == 2)
+    QTest.mouseClick(of_eva.add, LEFT)
+    rest()
+    qtbot.waitUntil(lambda: not of_eva.picture.picture_rect.isEmpty())
+    assert [row.key for row in of_eva.table.rows] == [p.id for p in records.photos.of_visit(eva.id)]
+    draw(of_eva, (0.5, 0.5))
+    qtbot.waitUntil(lambda: len(records.photos.of_visit(eva.id)[0].marks) == 1)
+
+
+def test_what_waits_to_be_stored_is_there_when_the_photos_are_opened_again(
+    dialog: PhotosDialog, clinic: Application, records: Records, visit: Visit,
+    monkeypatch: pytest.MonkeyPatch, qtbot: QtBot,
+) -> None:  # fmt: skip
+    go_on = held_changes(monkeypatch)
+    draw(dialog, (0.2, 0.2))
+    dialog.reject()
+    qtbot.waitUntil(lambda: not clinic.window.findChildren(PhotosDialog))
+    clinic.features.records.photos.open(visit.id)
+    qtbot.waitUntil(lambda: bool(clinic.window.findChildren(PhotosDialog)))
+    (again,) = clinic.window.findChildren(PhotosDialog)
+    assert len(again.marks.rows) == 1
+    qtbot.waitUntil(lambda: not again.picture.picture_rect.isEmpty())
+    draw(again, (0.8, 0.8))
+    go_on.set()
+    qtbot.waitUntil(lambda: len(records.photos.of_visit(visit.id)[0].marks) == 2)
+    assert clinic.services.messages.dialogs == []
+
+
+@pytest.mark.parametrize(
+    "error", [Unreachable("The database does not answer."), InputError("Draw it again.")]
+)
+def test_what_was_drawn_after_a_change_that_failed_is_stored(
+    dialog: PhotosDialog, clinic: Application, records: Records, visit: Visit, error: Exception,
+    monkeypatch: pytest.MonkeyPatch, qtbot: QtBot,
+) -> None:  # fmt: skip
+    monkeypatch.setattr(clinic_record, "RETRY_MS", 50)
+    go_on = held_changes(monkeypatch, error)
+    draw(dialog, (0.2, 0.2))
+    draw(dialog, (0.8, 0.8))
+    go_on.set()
+    qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs))
+    assert str(error) in clinic.services.messages.dialogs[0].text()
+    qtbot.waitUntil(lambda: len(records.photos.of_visit(visit.id)[0].marks) == 2)
+    assert len(dialog.marks.rows) == 2
+
+
+def test_no_text_can_be_typed_that_the_record_would_refuse(
+    dialog: PhotosDialog, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    draw(dialog, (0.2, 0.2))
+    QTest.keyClicks(dialog.text, "w" * 600)
+    QTest.keyClick(dialog.text, Qt.Key.Key_Return)
+    dialog.caption.setFocus()
+    QTest.keyClicks(dialog.caption, "c" * 600)
+    QTest.keyClick(dialog.caption, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: records.photos.of_visit(visit.id)[0].caption == dialog.caption.text())
+    (photo,) = records.photos.of_visit(visit.id)
+    assert photo.caption == "c" * len(photo.caption) != ""
+    assert photo.marks[0].text == dialog.text.text() != ""
