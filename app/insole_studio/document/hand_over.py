@@ -11,7 +11,6 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError, PersonErased, Unreachable
-from insole_core.export.shop_order import OrderTerms
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.document.journal import Recovered, find_recovered
 from insole_studio.texts import tr
@@ -169,7 +168,6 @@ def _keep(records: Records, journal: Recovered) -> KeptChange:
 
     visit = journal.visit
     assert visit is not None
-    terms = journal.record.order.terms
     change = CaseChange(
         visit.visit_id,
         visit.before,
@@ -177,7 +175,7 @@ def _keep(records: Records, journal: Recovered) -> KeptChange:
         visit.bases,
         visit.editing,
         visit.sent,
-        None if terms == OrderTerms() else terms,
+        visit.terms,
     )
     kept = keep_case(records, change)
     for conflict in kept.conflicts.values():

@@ -391,7 +391,6 @@ def _change(
 
     changed = (f for f in record.feet if all_feet or f is not before.of_side(f.side))
     bases = {foot.side: kept.bases.get(foot.side) for foot in changed}
-    terms = record.order.terms
     return CaseChange(
         kept.visit.id,
         before.patient,
@@ -399,5 +398,5 @@ def _change(
         bases,
         kept.editing,
         kept.sent,
-        None if terms == before.order.terms else terms,
+        before.order.terms,
     )

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.export.shop_order import OrderTerms, terms_from_json, terms_to_json
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
 from insole_core.records.prescription import Base
@@ -28,6 +29,8 @@ class UnkeptVisit:
         For each foot that has changed, the version it is based on; None for a new foot.
     editing, sent
         As in `KeptVisit`.
+    terms
+        What the shop was to be told, as it was stored last.
     """
 
     visit_id: str
@@ -35,13 +38,15 @@ class UnkeptVisit:
     bases: Mapping[Side, Base | None]
     editing: str = ""
     sent: tuple[Patient, ...] = ()
+    terms: OrderTerms = field(default_factory=OrderTerms)
 
     @classmethod
     def of(cls, kept: KeptVisit, before: CaseRecord, now: CaseRecord) -> UnkeptVisit:
         """Return what has changed between two states of a visit."""
         changed = (foot.side for foot in now.feet if foot is not before.of_side(foot.side))
         bases = {side: kept.bases.get(side) for side in changed}
-        return cls(kept.visit.id, before.patient, bases, kept.editing, kept.sent)
+        terms = before.order.terms
+        return cls(kept.visit.id, before.patient, bases, kept.editing, kept.sent, terms)
 
     def to_json(self) -> dict[str, Any]:
         """Return it as values for `json.dumps`."""
@@ -50,6 +55,7 @@ class UnkeptVisit:
             "before": _fields_of(self.before),
             "sent": [_fields_of(patient) for patient in self.sent],
             "editing": self.editing,
+            "terms": terms_to_json(self.terms),
             "bases": {
                 str(side): None
                 if base is None
@@ -73,7 +79,11 @@ class UnkeptVisit:
         if not stored.has("editing"):  # of a program of before 2026-11-26
             return cls(stored.text("id"), before, bases)
         sent = tuple(_patient(patient) for patient in stored.objects("sent"))
-        return cls(stored.text("id"), before, bases, stored.text("editing", empty=True), sent)
+        editing = stored.text("editing", empty=True)
+        if not stored.has("terms"):  # also of that day
+            return cls(stored.text("id"), before, bases, editing, sent)
+        terms = terms_from_json(stored.object("terms"))
+        return cls(stored.text("id"), before, bases, editing, sent, terms)
 
 
 def _fields_of(patient: Patient) -> dict[str, str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from datetime import date
 from typing import Final
 
@@ -14,7 +14,7 @@ from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, RecordsError
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
-from insole_core.records.field_merge import merge_fields
+from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
@@ -24,6 +24,7 @@ from insole_core.workflows.records.visit_measures import visit_measures
 
 FIELDS: Final = ("name", "born", "visit", "notes", "pseudonym")
 """Of a patient, as the window changes them."""
+_TERMS: Final = tuple(field.name for field in fields(OrderTerms))
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,8 +43,8 @@ class CaseChange:
         UUID of the editing, as for `Prescriptions.save`; empty for none.
     sent
         The patient's fields as this editing has sent them since `before`, without an answer.
-    terms
-        What the shop is to be told, where it has changed; None where it has not.
+    terms_before
+        What the shop is to be told, as it was stored last; None where that is not to be stored.
     """
 
     visit_id: str
@@ -52,7 +53,7 @@ class CaseChange:
     bases: Mapping[Side, Base | None]
     editing: str = ""
     sent: tuple[Patient, ...] = ()
-    terms: OrderTerms | None = None
+    terms_before: OrderTerms | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,12 +158,25 @@ def _keep_person(records: Records, person: Person, patient: Patient) -> Person:
 
 def _keep_visit(records: Records, visit: Visit, patient: Patient, change: CaseChange) -> Visit:
     day = date.fromisoformat(patient.visit) if patient.visit else visit.visited_on
-    terms = change.terms or visit.terms
+    terms = _merged_terms(change, visit.terms)
     visit = replace(visit, visited_on=day, findings=patient.notes, terms=terms)
     if change.bases:
         measures = {**visit.measures, **visit_measures(change.now.feet)}
         visit = replace(visit, measures=measures, capture_state=CaptureState.DONE)
     return records.visits.change(visit, visit.revision)
+
+
+def _merged_terms(change: CaseChange, stored: OrderTerms) -> OrderTerms:
+    """Return the stored terms with what was changed here; remarks of both stay."""
+    if change.terms_before is None:
+        return stored
+    now = change.now.order.terms
+    merged, collided = merge_fields(change.terms_before, now, stored, _TERMS)
+    choices = dict.fromkeys(collided, FieldChoice.MINE)
+    if "remarks" in collided and stored.remarks:
+        is_there = now.remarks in stored.remarks  # emptied, or stored though its answer was lost
+        choices["remarks"] = FieldChoice.THEIRS if is_there else FieldChoice.BOTH
+    return settle_fields(merged, now, choices)
 
 
 def add_case(records: Records, case: CaseRecord, person_id: str = "") -> Visit:

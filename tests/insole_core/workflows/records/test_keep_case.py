@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.order_note import OrderNote
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Unreachable
+from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
@@ -174,6 +176,27 @@ def test_the_same_change_at_two_stations_is_no_conflict(
     mine = replace(case.patient, name=" Anna Lind", notes="Flat foot\n")
     kept = keep_case(records, CaseChange(visit.id, case.patient, replace(case, patient=mine), {}))
     assert (kept.trouble, kept.collided) == (None, ())
+
+
+@pytest.mark.parametrize(
+    ("mine", "merged"),
+    [
+        (OrderTerms(), OrderTerms(2, "black", remarks="call")),
+        (OrderTerms(colour="red"), OrderTerms(2, "red", remarks="call")),
+        (OrderTerms(remarks="soft"), OrderTerms(2, "black", remarks="call\nsoft")),
+    ],
+)
+def test_terms_of_two_stations_are_put_together(
+    records: Records, visit: Visit, case: CaseRecord, mine: OrderTerms, merged: OrderTerms
+) -> None:
+    stored = records.visits.get(visit.id)
+    theirs = OrderTerms(2, "black", remarks="call")
+    records.visits.change(replace(stored, terms=theirs), stored.revision)
+    now = replace(case, order=OrderNote(terms=mine))
+    change = CaseChange(visit.id, case.patient, now, {}, terms_before=OrderTerms())
+    for _ in range(2):  # also when its answer was lost
+        assert keep_case(records, change).trouble is None
+        assert records.visits.get(visit.id).terms == merged
 
 
 @pytest.mark.parametrize("is_new", [True, False])

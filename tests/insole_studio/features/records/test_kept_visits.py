@@ -16,7 +16,9 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.order_note import OrderNote
 from insole_core.errors import RecordsError, Unreachable
+from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.records.field_merge import FieldChoice
 from insole_core.records.prescriptions import Prescriptions
@@ -318,6 +320,36 @@ def test_a_journal_left_by_a_crash_is_handed_over(
     opened.hand_over.take(find_recovered(paths.autosave_folder))
     qtbot.waitUntil(lambda: newest_mm(records, visit) == 5.5)
     qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")))
+
+
+def test_a_journal_changes_no_terms_but_those_that_were_changed_here(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    away: Callable[[bool], None],
+    paths: UserPaths,
+    qtbot: QtBot,
+) -> None:
+    def store_terms(terms: OrderTerms) -> None:
+        stored = records.visits.get(visit.id)
+        records.visits.change(replace(stored, terms=terms), stored.revision)
+        case = opened.case
+        qtbot.waitUntil(lambda: case.record.order.terms == case.saved_record.order.terms == terms)
+
+    store_terms(OrderTerms(2, "black", remarks="soft heel"))
+    away(True)
+    thicken(opened, 5.5)
+    opened.case.note_order(OrderNote(terms=OrderTerms(2, "black")))  # the remarks are emptied
+    opened.autosave.set_aside()
+    opened.case.open(CaseRecord(), None)
+    stored = records.visits.get(visit.id)
+    theirs = OrderTerms(2, "red", remarks="soft heel")
+    records.visits.change(replace(stored, terms=theirs), stored.revision)
+    away(False)
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")))
+    assert newest_mm(records, visit) == 5.5
+    assert records.visits.get(visit.id).terms == OrderTerms(2, "red")
 
 
 def test_a_journal_of_somebody_erased_meanwhile_goes_without_bringing_them_back(
