@@ -74,5 +74,10 @@ def _is_as_added(records: Records, sample: Person) -> bool:
         for version in records.prescriptions.versions(v.id, side)
     ]
     revisions = {sample.revision, *(v.revision for v in visits), *(v.revision for v in versions)}
-    is_used = bool(records.orders.of_person(sample.id))
-    return len(visits) == len(versions) == 1 and revisions == {1} and not is_used
+    tried = [
+        *records.orders.of_person(sample.id),
+        *records.follow_ups.of_person(sample.id),
+        *(photo for v in visits for photo in records.photos.of_visit(v.id)),
+        *(capture for v in visits for capture in records.captures.of_visit(v.id)),
+    ]
+    return len(visits) == len(versions) == 1 and revisions == {1} and not tried

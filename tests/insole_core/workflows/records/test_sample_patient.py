@@ -8,12 +8,15 @@ from datetime import date
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 from insole_core.cases.case_record import Patient
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.errors import InputError, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
+from insole_core.records.captures import MESH
+from insole_core.records.follow_up import FollowUp
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
@@ -79,6 +82,25 @@ def test_it_follows_the_language_until_something_was_tried_on_it(
     assert kept is not None
     assert kept.name == "Anna Exempel"
     assert verify_record(records.context).is_sound
+
+
+@pytest.mark.parametrize("tried", ["photo", "capture", "follow-up"])
+def test_it_stays_with_what_was_added_to_it(
+    records: Records, sample: Person, tmp_path: Path, tried: str
+) -> None:
+    (visit,) = records.visits.of_person(sample.id)
+    if tried == "photo":
+        Image.new("RGB", (60, 40)).save(tmp_path / "sole.png")
+        records.photos.add(visit.id, tmp_path / "sole.png")
+    elif tried == "capture":
+        (tmp_path / "foot.stl").write_bytes(b"solid foot")
+        records.captures.add(visit.id, MESH, tmp_path / "foot.stl")
+    else:
+        records.follow_ups.add(FollowUp(sample.id, date.today(), "better"))
+    renew_sample(records, "Anna Exempel", "Påhittad.", "Smärta.")
+    kept = records.persons.sample()
+    assert kept is not None
+    assert (kept.id, kept.name) == (sample.id, NAME)
 
 
 def test_its_label_cannot_be_lost(records: Records, sample: Person) -> None:
