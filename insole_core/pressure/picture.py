@@ -52,8 +52,13 @@ class Picture:
     dpi: float | None
 
 
-def read_picture_file(path: Path) -> Picture:
+def read_picture_file(path: Path, too_large: InputError | None = None) -> Picture:
     """Read a PNG, JPEG or TIFF.
+
+    Parameters
+    ----------
+    too_large
+        What to say of one with more than `MOST_PIXELS`; by default that it be scanned coarser.
 
     Raises
     ------
@@ -63,16 +68,19 @@ def read_picture_file(path: Path) -> Picture:
     content = read_given(path, MOST_BYTES)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("error")  # of Pillow, about damage and huge pictures
+            warnings.simplefilter("ignore")  # of Pillow, about tags that nothing here reads
+            warnings.simplefilter("error", Image.DecompressionBombWarning)
             with Image.open(io.BytesIO(content), formats=_KINDS) as image:
                 if image.width * image.height > MOST_PIXELS:
-                    raise _too_large(path)
+                    raise too_large or _too_large(path)
                 dpi = _dpi_of(image)
                 upright = ImageOps.exif_transpose(image)
                 colors = np.asarray(_on_white(upright), dtype=np.uint8)
     except InputError:
         raise
-    except (OSError, ValueError, SyntaxError, Warning, Image.DecompressionBombError) as error:
+    except (Image.DecompressionBombWarning, Image.DecompressionBombError) as error:
+        raise too_large or _too_large(path) from error
+    except (OSError, ValueError, SyntaxError) as error:
         raise InputError(
             "{path} is no readable PNG, JPEG or TIFF; save the picture again.", path=path
         ) from error

@@ -13,7 +13,7 @@ from PIL import Image
 
 from insole_core.errors import InputError
 from insole_core.json_object import JsonObject
-from insole_core.pressure.picture import read_picture_file
+from insole_core.pressure.picture import MOST_PIXELS, read_picture_file
 from insole_core.records.field_checks import check_line, check_text
 from insole_core.records.person import new_id
 
@@ -52,7 +52,11 @@ class PhotoMark:
             When it is beside the photo, or larger than anything drawn by hand.
         """
         inside = all(math.isfinite(v) and 0.0 <= v <= 1.0 for point in self.points for v in point)
-        if not inside or not 1 <= len(self.points) <= MOST_POINTS:
+        if len(self.points) > MOST_POINTS:
+            raise InputError(
+                "A line on a photo has at most {most} points; draw it in parts.", most=MOST_POINTS
+            )
+        if not inside or not self.points:
             raise InputError("A mark must lie on the photo; draw it again.")
         points = tuple((round(x, 4), round(y, 4)) for x, y in self.points)
         return replace(
@@ -112,7 +116,13 @@ def photo_jpeg(path: Path) -> bytes:
     InputError
         When it is no PNG, JPEG or TIFF, damaged, or far larger than cameras make them.
     """
-    colors = read_picture_file(path).colors
+    too_large = InputError(
+        "{path} has more than {most} million pixels; take the photo with fewer, or save it "
+        "smaller.",
+        path=path,
+        most=MOST_PIXELS // 1_000_000,
+    )
+    colors = read_picture_file(path, too_large).colors
     height, width = colors.shape[:2]
     shrunk = MOST_PX / max(height, width)
     if shrunk < 1.0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
@@ -9,11 +10,13 @@ from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from insole_core.records.photo import MOST_POINTS
+
 Line: TypeAlias = tuple[tuple[float, float], ...]
 """Points across and down, as parts of width and height; one alone is a place."""
 _COLOR, _CHOSEN = QColor("#ff5f00"), QColor("#1668b8")
 _WIDTH_PX, _HALO_PX, _RADIUS_PX = 3, 5, 8
-_LEAST_DRAG_PX = 6
+_LEAST_DRAG_PX, _LEAST_STEP_PX = 6, 2
 _LEAST = (360, 300)
 
 
@@ -71,8 +74,10 @@ class MarkedPicture(QWidget):
             rect = self.picture_rect
             x = min(max(event.position().x(), rect.left()), rect.right())
             y = min(max(event.position().y(), rect.top()), rect.bottom())
-            self._drag.append(QPointF(x, y))
-            self.update()
+            step = QPointF(x, y) - self._drag[-1]
+            if math.hypot(step.x(), step.y()) >= _LEAST_STEP_PX:
+                self._drag.append(QPointF(x, y))
+                self.update()
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
         """End the mark: a line that was hardly drawn is a place."""
@@ -103,6 +108,9 @@ class MarkedPicture(QWidget):
 
     def _parts(self, points: Sequence[QPointF]) -> Line:
         rect = self.picture_rect
+        most = min(len(points), MOST_POINTS)
+        ends = max(most - 1, 1)  # a long line keeps both ends, and as many points as are stored
+        points = [points[n * (len(points) - 1) // ends] for n in range(most)]
         return tuple(
             ((p.x() - rect.x()) / rect.width(), (p.y() - rect.y()) / rect.height()) for p in points
         )

@@ -152,6 +152,10 @@
             <translation>En fot på {length_mm:.0f} mm begärs, men fötter är {least:.0f} till {most:.0f} mm långa; rätta längden eller skostorleken.</translation>
         </message>
         <message>
+            <source>A line on a photo has at most {most} points; draw it in parts.</source>
+            <translation>En linje på ett foto har högst {most} punkter; rita den i delar.</translation>
+        </message>
+        <message>
             <source>A mark must lie on the photo; draw it again.</source>
             <translation>Ett märke måste ligga på fotot; rita det igen.</translation>
         </message>
@@ -7990,6 +7994,10 @@
         <message>
             <source>{path} has more than {most} million pixels; scan it with fewer dots per inch.</source>
             <translation>{path} har mer än {most} miljoner bildpunkter; skanna med färre punkter per tum.</translation>
+        </message>
+        <message>
+            <source>{path} has more than {most} million pixels; take the photo with fewer, or save it smaller.</source>
+            <translation>{path} har mer än {most} miljoner bildpunkter; ta fotot med färre eller spara det mindre.</translation>
         </message>
         <message>
             <source>{path} has more than {most} rows; divide it.</source>

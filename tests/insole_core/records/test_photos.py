@@ -17,7 +17,7 @@ from PIL import Image
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import Conflict, InputError, RecordsError
 from insole_core.records.person import Person
-from insole_core.records.photo import MOST_PX, Photo, PhotoMark
+from insole_core.records.photo import MOST_POINTS, MOST_PX, Photo, PhotoMark, photo_jpeg
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.row_report import verify_rows
@@ -97,14 +97,22 @@ def test_what_is_no_picture_is_refused(
     assert records.photos.of_visit(visit.id) == []
 
 
-def test_a_photo_of_too_many_pixels_is_refused(
-    records: Records, visit: Visit, tmp_path: Path
-) -> None:
+@pytest.mark.parametrize("side_px", [9_000, 12_000, 14_000])
+def test_a_photo_of_too_many_pixels_is_refused(tmp_path: Path, side_px: int) -> None:
     path = tmp_path / "bomb.png"
-    Image.new("1", (12_000, 12_000)).save(path)
+    Image.new("1", (side_px, side_px)).save(path)
     assert path.stat().st_size < 100_000
-    with pytest.raises(InputError):
-        records.photos.add(visit.id, path)
+    with pytest.raises(InputError, match="80 million pixels; take the photo with fewer"):
+        photo_jpeg(path)
+
+
+def test_a_photo_whose_camera_wrote_odd_facts_is_taken(tmp_path: Path) -> None:
+    path = tmp_path / "odd.jpg"
+    cut_off = b"Exif\0\0II*\0\x08\0\0\0\x05\0\x12\x01"
+    Image.new("RGB", (60, 40), (200, 150, 120)).save(path, exif=cut_off)
+    with pytest.warns(UserWarning, match="EXIF"), Image.open(path) as picture:
+        picture.getexif()
+    assert Image.open(io.BytesIO(photo_jpeg(path))).size == (60, 40)
 
 
 def test_marks_are_kept_and_who_marks_second_is_told(records: Records, photo: Photo) -> None:
@@ -117,6 +125,9 @@ def test_marks_are_kept_and_who_marks_second_is_told(records: Records, photo: Ph
     for beside in ((1.2, 0.5), (float("nan"), 0.5)):
         with pytest.raises(InputError, match="lie on the photo"):
             records.photos.change(replace(stored, marks=(PhotoMark((beside,)),)), stored.revision)
+    endless = PhotoMark(((0.5, 0.5),) * (MOST_POINTS + 1))
+    with pytest.raises(InputError, match="at most 2000 points"):
+        records.photos.change(replace(stored, marks=(endless,)), stored.revision)
     with records.context.database.reading() as connection:
         report = verify_rows(connection)
     assert (report.changed, report.unlogged) == ({}, {})

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 from canned_questions import CannedQuestions
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.errors import InputError, Unreachable
@@ -25,6 +25,7 @@ from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import clinic_record
 from insole_studio.features.records.photos_dialog import PhotosDialog
+from insole_studio.widgets.marked_picture import Line, MarkedPicture
 
 LEFT = Qt.MouseButton.LeftButton
 SKIN = "#c8a08c"
@@ -224,3 +225,35 @@ def test_no_text_can_be_typed_that_the_record_would_refuse(
     (photo,) = records.photos.of_visit(visit.id)
     assert photo.caption == "c" * len(photo.caption) != ""
     assert photo.marks[0].text == dialog.text.text() != ""
+
+
+@pytest.mark.parametrize(("step_px", "fewest", "most"), [(0.25, 200, 400), (5.0, 1900, 2000)])
+def test_a_long_line_of_a_fast_mouse_is_taken(
+    qtbot: QtBot, step_px: float, fewest: int, most: int
+) -> None:
+    picture = MarkedPicture()
+    qtbot.addWidget(picture)
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+    picture.show_picture(image)
+    lines: list[Line] = []
+    picture.drawn.connect(lines.append)
+    moved, rect = QEvent.Type.MouseMove, picture.picture_rect
+    places = [_wave(rect, step_px * n) for n in range(3000)]
+    for kind, place in [
+        (QEvent.Type.MouseButtonPress, places[0]),
+        *((moved, place) for place in places),
+        (QEvent.Type.MouseButtonRelease, places[-1]),
+    ]:
+        none = Qt.KeyboardModifier.NoModifier
+        QApplication.sendEvent(picture, QMouseEvent(kind, place, place, LEFT, LEFT, none))
+    (line,) = lines
+    assert fewest < len(PhotoMark(line).checked().points) <= most
+    for part, place in ((line[0], places[0]), (line[-1], places[-1])):
+        drawn = QPointF(rect.x() + part[0] * rect.width(), rect.y() + part[1] * rect.height())
+        assert (drawn - place).manhattanLength() < 4
+
+
+def _wave(rect: QRectF, along_px: float) -> QPointF:
+    """Return a point so far along a line that goes to and fro on a picture."""
+    there = along_px % (2 * (rect.width() - 2))
+    return QPointF(rect.left() + 1 + min(there, 2 * (rect.width() - 2) - there), rect.center().y())
