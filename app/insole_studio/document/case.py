@@ -138,7 +138,13 @@ class Case(QObject):
             self._set(replace(self._record, order=order))
 
     def note_stored_order(self, order: OrderNote) -> None:
-        """Note an order as the clinic's record has it; what is being changed here stays."""
+        """Note an order as the clinic's record has it; what is being changed here stays.
+
+        So does a later revision that the shop has already, and the record not yet.
+        """
+        if order.number == self._record.order.number:
+            revision = max(order.revision, self._record.order.revision)
+            order = replace(order, revision=revision)
         terms = self._record.order.terms
         if terms == self._saved_record.order.terms:
             terms = order.terms

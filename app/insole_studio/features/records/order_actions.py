@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
@@ -9,9 +10,12 @@ from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.order_note import OrderNote
+from insole_core.errors import Conflict, Unreachable
 from insole_core.export.shop_order import OrderTerms
+from insole_core.geometry.side import Side
 from insole_core.records.order import Order, OrderState, OrderSummary
 from insole_core.workflows.order_package import Ordered
+from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.records.order_dialog import OrderDialog
 from insole_studio.features.records.order_rows import state_text
 from insole_studio.features.records.record_texts import day_text
@@ -24,6 +28,22 @@ if TYPE_CHECKING:
 NOTICE = "record-order"
 
 
+@dataclass(frozen=True)
+class _Export:
+    """An order that is not in the record yet.
+
+    Parameters
+    ----------
+    before
+        The terms from which those of the order were changed.
+    """
+
+    visit_id: str
+    sides: tuple[Side, ...]
+    ordered: Ordered
+    before: OrderTerms
+
+
 class OrderActions(QObject):
     """Adds an order for each export of a visit, with the files as they were written."""
 
@@ -34,7 +54,11 @@ class OrderActions(QObject):
         self._tell = services.messages.show_error
         self._terms: dict[str, OrderTerms] = {}
         """By visit, those of the last export, or as it was opened."""
+        self._waiting: list[_Export] = []
+        self._under_way: _Export | None = None
         self._clinic.changed.connect(self._refresh_note)
+        self._clinic.changed.connect(self._go_on)
+        self._clinic.state_changed.connect(self._go_on)
         services.case.opened.connect(self._note_terms)
 
     def note_export(self, exported: CaseRecord, ordered: Ordered, visit_id: str) -> None:
@@ -49,38 +73,51 @@ class OrderActions(QObject):
         """
         if not visit_id:
             return
-        sides = [foot.side for foot in exported.feet]
+        files = set(ordered.files)
+        waiting = (export for export in self._waiting if files.isdisjoint(export.ordered.files))
         before = self._terms.get(visit_id, ordered.terms)
+        sides = tuple(foot.side for foot in exported.feet)
+        # Files that were written over are none of what they were exported for.
+        self._waiting = [*waiting, _Export(visit_id, sides, ordered, before)]
         self._terms[visit_id] = ordered.terms
+        self._store_when_saved()
 
-        def add(records: Records) -> Order:
-            newest = [records.prescriptions.versions(visit_id, side)[0].id for side in sides]
-            terms, files, place = ordered.terms, ordered.files, str(ordered.place)
-            known = records.orders.with_number(ordered.number) if ordered.revision > 1 else None
-            if known is not None and known.visit_id == visit_id:
-                stored = records.orders.get(known.id)
-                is_moved = terms.deliver_on is not None and terms.deliver_on != before.deliver_on
-                return records.orders.revise(
-                    known.id, newest,
-                    release=ordered.revision,
-                    due_on=terms.deliver_on if is_moved else stored.due_on,
-                    remarks=_merged(stored.remarks, before.remarks, terms.remarks),
-                    files=files, place=place,
-                )  # fmt: skip
-            return records.orders.add(
-                visit_id, newest,
-                due_on=terms.deliver_on or records.orders.usual_due_on(date.today()),
-                remarks=terms.remarks, files=files, number=ordered.number,
-                release=ordered.revision, place=place,
-            )  # fmt: skip
+    def _go_on(self) -> None:
+        """Store what could not be stored before, once the record can be asked."""
+        if self._clinic.state is RecordState.CLOSED and self._under_way is not None:
+            self._waiting.insert(0, self._under_way)  # its answer does not arrive any more
+            self._under_way = None
+        if self._waiting and self._clinic.state is RecordState.OPEN:
+            self._store_when_saved()
 
-        def store() -> None:
-            self._clinic.write(add, self._offer, self._tell)
+    def _store_when_saved(self) -> None:
+        keeper = self._services.keeper
+        if any(export.visit_id == keeper.visit_id for export in self._waiting):
+            keeper.leave(self._store_next)
+        else:  # the visits were saved when they were left
+            self._store_next()
 
-        if visit_id == self._services.keeper.visit_id:
-            self._services.keeper.leave(store)
-        else:  # the visit was saved when it was left
-            store()
+    def _store_next(self) -> None:
+        """Store one order after the other, for a later one may be its revision."""
+        if self._under_way is not None or not self._waiting:
+            return
+        export = self._under_way = self._waiting.pop(0)
+
+        def stored(order: Order) -> None:
+            self._under_way = None
+            self._offer(order)
+            self._store_next()
+
+        def missed(error: Exception) -> None:
+            self._under_way = None
+            if isinstance(error, Unreachable | Conflict):
+                self._waiting.insert(0, export)
+            if not isinstance(error, Conflict):  # of a change between reading and writing
+                self._tell(error)
+            if not isinstance(error, Unreachable):
+                self._store_next()
+
+        self._clinic.write(lambda records: _store(records, export), stored, missed)
 
     def ask(self, order_id: str) -> None:
         """Ask for shop and due date of an order."""
@@ -123,7 +160,7 @@ class OrderActions(QObject):
             return
 
         def take(note: OrderNote) -> None:
-            if self._services.keeper.visit_id == visit_id:
+            if self._services.keeper.visit_id == visit_id and not self._waiting:
                 self._services.case.note_stored_order(note)
 
         # Whatever goes wrong, the next change asks again; saving tells of it.
@@ -159,6 +196,30 @@ class OrderActions(QObject):
             lambda _order: None,
             self._tell,
         )
+
+
+def _store(records: Records, export: _Export) -> Order:
+    """Store an order, or a revision of the order of its number."""
+    visit_id, ordered, before = export.visit_id, export.ordered, export.before
+    newest = [records.prescriptions.versions(visit_id, side)[0].id for side in export.sides]
+    terms, files, place = ordered.terms, ordered.files, str(ordered.place)
+    known = records.orders.with_number(ordered.number) if ordered.revision > 1 else None
+    if known is not None and known.visit_id == visit_id:
+        stored = records.orders.get(known.id)
+        is_moved = terms.deliver_on is not None and terms.deliver_on != before.deliver_on
+        return records.orders.revise(
+            known.id, newest,
+            release=ordered.revision,
+            due_on=terms.deliver_on if is_moved else stored.due_on,
+            remarks=_merged(stored.remarks, before.remarks, terms.remarks),
+            files=files, place=place,
+        )  # fmt: skip
+    return records.orders.add(
+        visit_id, newest,
+        due_on=terms.deliver_on or records.orders.usual_due_on(date.today()),
+        remarks=terms.remarks, files=files, number=ordered.number,
+        release=ordered.revision, place=place,
+    )  # fmt: skip
 
 
 def _merged(stored: str, before: str, now: str) -> str:

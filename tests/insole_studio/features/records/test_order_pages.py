@@ -15,14 +15,18 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 from sqlalchemy import insert
 
+from insole_core.cases.order_note import OrderNote
+from insole_core.errors import Unreachable
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.records import schema
 from insole_core.records.order import Order, OrderState
+from insole_core.records.orders import Orders
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_core.workflows.order_package import Ordered
 from insole_studio.app.bootstrap import Application
+from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.records.order_files import OrderFiles
 from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
 
@@ -243,6 +247,40 @@ def test_a_revision_keeps_what_was_agreed_with_the_shop_meanwhile(
     sooner = SOON + timedelta(days=1)
     revised = export(OrderTerms(remarks="hard heel", deliver_on=sooner), 3)
     assert (revised.due_on, revised.remarks) == (sooner, "hard heel\ncall on Monday")
+
+
+def test_a_revision_exported_while_the_record_is_away_is_stored_when_it_is_back(
+    clinic: Application, records: Records, visit: Visit, order: Order, rest: Callable[[], None],
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    solid = tmp_path / "p-left.stl"
+    solid.write_bytes(b"solid")
+
+    def fail(*_given: object, **_named: object) -> Order:
+        raise Unreachable("The database does not answer.")
+
+    state = clinic.services.clinic
+    with monkeypatch.context() as away:
+        away.setattr(Orders, "revise", fail)
+        clinic.case.note_order(OrderNote(order.number, 2))
+        ordered = Ordered((solid,), OrderTerms(), order.number, 2)
+        clinic.features.export.exported_files.emit(clinic.case.record, ordered, visit.id)
+        qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs))
+        assert state.state is RecordState.AWAY
+    records.orders.change(order.id, "CNC", SOON, "call", order.revision)  # at another station
+    qtbot.waitUntil(lambda: records.orders.get(order.id).release == 2)
+    rest()
+    assert clinic.case.record.order.revision == 2
+
+
+def test_a_stored_order_does_not_take_back_a_revision_that_is_out(clinic: Application) -> None:
+    clinic.case.note_order(OrderNote("26-7KQ4M", 2))
+    clinic.case.note_stored_order(OrderNote("26-7KQ4M", 1))
+    assert clinic.case.record.order.revised().revision == 3
+    clinic.case.note_stored_order(OrderNote())
+    assert clinic.case.record.order.number == ""
 
 
 def test_a_revision_that_somebody_else_has_written_is_told(
