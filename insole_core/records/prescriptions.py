@@ -227,6 +227,12 @@ class Prescriptions:
         days = {word_of(Side, row.side): _scan_day(row) for row in rows}
         return {side: day for side, day in days.items() if day is not None}
 
+    def mirrored_feet(self, visit_id: str) -> frozenset[Side]:
+        """Return which feet of a visit are mirror images of the other one's scan."""
+        with self._context.reading() as connection:
+            rows = self.newest_of(connection, visit_id)
+        return frozenset(word_of(Side, row.side) for row in rows if _is_mirrored(row))
+
     def packed_surface(self, version_id: str) -> bytes:
         """Return the surface of a version's foot as it is stored: an ``.npz`` of a case file.
 
@@ -422,6 +428,12 @@ def _scan_day(row: Row[Any]) -> date | None:
     """Return of which day the scan of a version is, where an earlier visit had it already."""
     source = _document_of(row).object("source")
     return date.fromisoformat(source.date("scanned_on")) if source.has("scanned_on") else None
+
+
+def _is_mirrored(row: Row[Any]) -> bool:
+    """Return whether the foot of a version is the mirror image of the other one."""
+    source = _document_of(row).object("source")
+    return source.has("mirrored") and source.flag("mirrored")
 
 
 def _chosen_design(document: JsonObject) -> InsoleDesign:

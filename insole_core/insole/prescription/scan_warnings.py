@@ -17,22 +17,23 @@ _SHOWN_DEG = 0.1
 
 def scan_warnings(insole: Insole) -> Iterator[DesignWarning]:
     """Warn of a foot that is the other one's mirror image, of an older scan, or not level."""
-    if insole.foot.scanned_on:
+    foot = insole.foot
+    if foot.scanned_on:
         yield DesignWarning(
             Message(
                 "The scan of the {side} foot is that of the visit of {day}, used once more; scan "
                 "the foot again if it has changed.",
-                side=insole.foot.side,
-                day=insole.foot.scanned_on,
+                side=foot.side.other if foot.mirrored else foot.side,
+                day=foot.scanned_on,
             )
         )
-    if insole.foot.mirrored:
+    if foot.mirrored:
         yield DesignWarning(
             Message(
                 "The {side} foot was not scanned: foot and insole are mirrored from the {other} "
                 "foot.",
-                side=insole.foot.side,
-                other=insole.foot.side.other,
+                side=foot.side,
+                other=foot.side.other,
             )
         )
     yield from _tilt_warnings(insole)

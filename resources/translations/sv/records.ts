@@ -324,6 +324,10 @@
             <translation>Senaste besök</translation>
         </message>
         <message>
+            <source>Left foot not scanned: mirrored from the right</source>
+            <translation>Vänster fot inte skannad: speglad från höger</translation>
+        </message>
+        <message>
             <source>Make a foot of it</source>
             <translation>Gör en fot av den</translation>
         </message>
@@ -586,6 +590,10 @@
         <message>
             <source>Revision</source>
             <translation>Revision</translation>
+        </message>
+        <message>
+            <source>Right foot not scanned: mirrored from the left</source>
+            <translation>Höger fot inte skannad: speglad från vänster</translation>
         </message>
         <message>
             <source>Sample patient</source>

@@ -1,7 +1,8 @@
-"""Warnings about a foot that is not level."""
+"""Warnings about a foot that is not level, or was not scanned for this."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,8 @@ def warnings(foot: Foot) -> list[str]:
     """The sentences about the pose, as the window and the command line show them."""
     insole = build_insole(foot, InsoleDesign(foot.side, grid_mm=2.0))
     found = design_warnings(insole, find_landmarks(foot), load_rules())
-    return [str(w.sentence) for w in found if "not level" in w.sentence]
+    about = ("not level", "scan of the", "not scanned")
+    return [str(w.sentence) for w in found if any(part in w.sentence for part in about)]
 
 
 def pitched(foot: Foot, by_deg: float) -> Foot:
@@ -31,6 +33,12 @@ def pitched(foot: Foot, by_deg: float) -> Foot:
 
 def test_a_level_foot_is_no_reason_to_warn(left_foot: Foot, right_foot: Foot) -> None:
     assert warnings(left_foot) == warnings(right_foot) == []
+
+
+def test_a_mirror_image_of_an_earlier_scan_names_the_foot_that_was_scanned(right_foot: Foot):
+    reused, mirrored = warnings(replace(right_foot, mirrored=True, scanned_on="2026-05-02"))
+    assert reused.startswith("The scan of the left foot is that of the visit of 2026-05-02")
+    assert mirrored.startswith("The right foot was not scanned")
 
 
 @pytest.mark.parametrize(

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from datetime import date
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, InputError, InsoleError
@@ -30,6 +30,7 @@ from insole_studio.features.records.record_texts import (
     capture_text,
     day_text,
     measures_text,
+    mirrored_text,
     prescribed_text,
     reused_scan_text,
     scan_text,
@@ -54,6 +55,8 @@ _MOST_SCANS = 3
 _MOST_PICTURED = 12
 """Visits with pictures: further ones are old, and far down."""
 
+_Told = TypeVar("_Told")
+
 
 @dataclass(frozen=True)
 class VisitView:
@@ -64,6 +67,8 @@ class VisitView:
     captures: tuple[Capture, ...]
     reused_scans: Mapping[Side, date]
     """Of which day those scans are that an earlier visit had already."""
+    mirrored_feet: Set[Side]
+    """Those that were not scanned."""
     others: tuple[str, ...]
     designs: Mapping[str, InsoleDesign]
     """What versions prescribe, by their ids."""
@@ -258,30 +263,22 @@ def _visit_view(
         visit,
         tuple(version for newest in versions for version in newest),
         tuple(records.captures.of_visit(visit.id)),
-        _reused_scans(records, visit),
+        _of_versions(records.prescriptions.reused_scans, visit, {}),
+        _of_versions(records.prescriptions.mirrored_feet, visit, frozenset()),
         tuple(f"{present.author}, {present.station}" for present in others),
-        _designs(records, visit),
+        _of_versions(records.prescriptions.newest_designs, visit, {}),
         tuple(order for order in orders if order.visit_id == visit.id),
         photos.get(visit.id, 0),
     )
 
 
-def _designs(records: Records, visit: Visit) -> Mapping[str, InsoleDesign]:
-    """Return what was prescribed; a damaged design costs its card these words, not the page."""
+def _of_versions(ask: Callable[[str], _Told], visit: Visit, none: _Told) -> _Told:
+    """Return what the versions of a visit tell; a damaged one costs its card these words only."""
     try:
-        return records.prescriptions.newest_designs(visit.id)
-    except InsoleError as error:
-        log.warning("a design of visit %s cannot be read: %s", visit.id, error)
-        return {}
-
-
-def _reused_scans(records: Records, visit: Visit) -> Mapping[Side, date]:
-    """Return what `Prescriptions.reused_scans` does; a damaged version costs these words only."""
-    try:
-        return records.prescriptions.reused_scans(visit.id)
+        return ask(visit.id)
     except InsoleError as error:
         log.warning("a version of visit %s cannot be read: %s", visit.id, error)
-        return {}
+        return none
 
 
 def _fields_of(person: Person) -> dict[str, str]:
@@ -359,6 +356,7 @@ def _row(shown: VisitView) -> VisitRow:
         (
             *map(scan_text, shown.captures[:_MOST_SCANS]),
             *(reused_scan_text(day) for day in sorted(set(shown.reused_scans.values()))),
+            *(mirrored_text(side) for side in Side if side in shown.mirrored_feet),
         ),
         tuple(
             translate_core_message(line)

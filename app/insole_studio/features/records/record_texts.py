@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from datetime import date, datetime
 
+from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import corrections_in_words
 from insole_core.records.capture import Capture
@@ -53,6 +54,13 @@ def scan_text(capture: Capture) -> str:
 def reused_scan_text(day: date) -> str:
     """Return that a visit has the scan of an earlier one."""
     return tr("Scan of the visit of {day}, used once more").format(day=day.isoformat())
+
+
+def mirrored_text(side: Side) -> str:
+    """Return that a foot was not scanned."""
+    if side is Side.LEFT:
+        return tr("Left foot not scanned: mirrored from the right")
+    return tr("Right foot not scanned: mirrored from the left")
 
 
 def visit_time_text(visit: Visit) -> str:

@@ -27,6 +27,7 @@ from insole_core.records.person import Person
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.workflows.mirrored_foot import mirrored_foot
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.main_controller import SCANNING
@@ -394,6 +395,17 @@ def test_a_visit_without_a_scan_takes_the_last_one_and_says_its_day(
     third = records.visits.add(Visit(visit.person_id, date.today()))
     (again,) = records.prescriptions.last_scanned(third.person_id)
     assert again.scanned_on == before
+
+
+def test_the_card_says_which_foot_was_not_scanned(
+    page: PersonPage, records: Records, visit: Visit, rest: Callable[[], None], qtbot: QtBot
+) -> None:
+    (scanned,) = records.visits.open_case(visit.id).record.feet
+    image = mirrored_foot(scanned, lambda correction: correction)
+    rest()
+    records.prescriptions.save(visit.id, image, None)
+    told = "Right foot not scanned: mirrored from the left"
+    qtbot.waitUntil(lambda: visit.id in page.cards and told in page.cards[visit.id].row.scan)
 
 
 def test_two_visits_are_compared(
