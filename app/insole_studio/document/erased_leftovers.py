@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import logging
+import shutil
 import time
 import uuid
 from collections.abc import Callable, Iterator, Mapping
@@ -128,7 +129,7 @@ class ErasedLeftovers:
 
 
 def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings | None = None) -> None:
-    """Remove unsaved work, copies of captures, and names of files and folders of the person.
+    """Remove unsaved work, copies of captures and papers, and names of files and folders.
 
     What another window is writing is its own: it is dropped when that hands it over to the record.
 
@@ -150,6 +151,7 @@ def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings | None
     for copy in paths.fetched_folder.glob("*-????????.*"):
         if any(capture.startswith(copy.stem[-8:]) for capture in traces.capture_ids):
             remove_files(copy)
+    shutil.rmtree(paths.papers_folder, ignore_errors=True)  # whose they are is not known
     if settings is not None:
         for name, value in _nameless(vars(settings), traces).items():
             setattr(settings, name, value)

@@ -48,6 +48,9 @@ def test_the_leftovers_of_one_person_go_and_those_of_others_stay(paths: UserPath
     leave(paths, Patient("Eva Berg"))
     for capture in (CAPTURE, CAPTURE.replace("0a", "ff")):
         (paths.fetched_folder / f"mesh-{capture[:8]}.stl").write_bytes(NAME.encode())
+    printed = paths.papers_folder / "1" / "prescription.pdf"
+    printed.parent.mkdir(parents=True)
+    printed.write_bytes(NAME.encode())
     settings = Settings(recent=[f"/home/{NAME}.insole", "/home/eva.insole"])
     for name in folder_names():
         setattr(settings, name, f"/home/{NAME}/{name}")
@@ -57,6 +60,7 @@ def test_the_leftovers_of_one_person_go_and_those_of_others_stay(paths: UserPath
     left = find_recovered(paths.autosave_folder)
     assert [journal.record.patient.name for journal in left] == ["Eva Berg", "Eva Berg"]
     assert [path.name for path in paths.fetched_folder.iterdir()] == ["mesh-ff1b2c3d.stl"]
+    assert not printed.exists()
     assert NAME.encode() not in bytes_of(paths.settings_folder)
     assert NAME.encode() not in bytes_of(paths.autosave_folder)
     stored = load_settings(paths.settings_file)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shutil
+import time
+import uuid
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
     from insole_core.records.records import Records
 
 Open = Callable[[Path], bool]
+_LEFT_S = 86_400.0
+"""Age from which copies are of a window that crashed: another one may be printing newer ones."""
 
 
 class OrderFiles(QObject):
@@ -39,20 +43,23 @@ class OrderFiles(QObject):
         self._services = services
         self._open = open_path
         self._tell = services.messages.show_error
+        self._printed: list[Path] = []
+        _remove_old(services.paths.papers_folder)
 
     def close(self) -> None:
-        """Remove the copies that were printed."""
-        shutil.rmtree(self._services.paths.papers_folder, ignore_errors=True)
+        """Remove the copies that were printed from this window."""
+        while self._printed:
+            shutil.rmtree(self._printed.pop(), ignore_errors=True)
 
     def open_papers(self, order_id: str) -> None:
         """Open the papers of the newest revision, from where they are printed."""
-        folder = self._services.paths.papers_folder
+        folder = self._services.paths.papers_folder / uuid.uuid4().hex
+        self._printed.append(folder)
 
         def copy(records: Records) -> tuple[Path, ...]:
             from insole_core.workflows.records.order_papers import copy_papers
 
             with output_errors(folder):
-                shutil.rmtree(folder, ignore_errors=True)  # of the order before
                 make_private_folder(folder)
             return copy_papers(records, order_id, folder)
 
@@ -103,6 +110,17 @@ class OrderFiles(QObject):
                         path=visible_line(str(path)),
                     )
                 )
+
+
+def _remove_old(papers: Path) -> None:
+    """Remove the copies that a window has left behind which did not end by itself."""
+    for folder in papers.glob("*"):
+        try:
+            is_left = time.time() - folder.stat().st_mtime > _LEFT_S
+        except OSError:  # another window has just removed it
+            continue
+        if is_left:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def _holds(place: Path, order: Order) -> bool:

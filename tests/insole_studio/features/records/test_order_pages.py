@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import zipfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -182,8 +183,14 @@ def test_papers_are_printed_again_and_the_folder_is_opened(
     rest()
     assert opened == [tmp_path / order.number]
     assert (opened[0] / "p-left.stl").read_bytes() == b"solid"
+    papers = clinic.services.paths.papers_folder
+    for left in (papers / "left", papers / "printing"):  # by other windows
+        left.mkdir()
+    os.utime(papers / "left", (0, 0))
     OrderFiles.close(clinic.features.records.order_files)
     assert not any(path.exists() for path in copies)
+    OrderFiles(clinic.services)
+    assert [path.name for path in papers.iterdir()] == ["printing"]
 
 
 def test_a_visit_that_is_exported_again_is_one_order_with_two_revisions(
