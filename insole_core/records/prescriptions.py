@@ -212,10 +212,10 @@ class Prescriptions:
     def last_scanned(self, person_id: str) -> list[ScannedFoot]:
         """Return the versions that hold the last scan of each foot of a person, the left one first.
 
-        No surface is read.
+        A mirror image is one only for a foot that was never scanned. No surface is read.
         """
         last: dict[Side, ScannedFoot] = {}
-        for row in self._newest_of_person(person_id):
+        for row in sorted(self._newest_of_person(person_id), key=_is_mirrored):
             side, day = word_of(Side, row.side), _scan_day(row) or row.visited_on
             last.setdefault(side, ScannedFoot(side, row.id, day))
         return [last[side] for side in Side if side in last]

@@ -273,6 +273,20 @@ def test_a_capture_is_kept_with_its_facts(
     assert (scanned.version_id, scanned.scanned_on) == (base.version_id, TODAY)
 
 
+def test_a_mirror_image_is_the_last_scan_only_of_a_foot_that_was_never_scanned(
+    records: Records, visit: Visit, foot_record: FootRecord, right_record: FootRecord
+) -> None:
+    later = records.visits.add(Visit(visit.person_id, TOMORROW))
+    mirrored = replace(right_record.source, mirrored=True)
+    image = replace(foot_record, foot=replace(foot_record.foot, mirrored=True), source=mirrored)
+    of_image = records.prescriptions.save(later.id, image, None)
+    [scanned] = records.prescriptions.last_scanned(visit.person_id)
+    assert (scanned.version_id, scanned.scanned_on) == (of_image.version_id, TOMORROW)
+    of_scan = records.prescriptions.save(visit.id, foot_record, None)
+    [scanned] = records.prescriptions.last_scanned(visit.person_id)
+    assert (scanned.version_id, scanned.scanned_on) == (of_scan.version_id, TODAY)
+
+
 def test_the_name_of_a_patient_is_no_part_of_a_path(
     records: Records, visit: Visit, tmp_path: Path
 ) -> None:
