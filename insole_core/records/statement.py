@@ -19,7 +19,7 @@ from insole_core.errors import RecordsError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
-from insole_core.messages import Translate, joined
+from insole_core.messages import Message, Translate, joined
 from insole_core.records.capture import NOT_RECORDED, CaptureFacts
 from insole_core.records.context import RecordsContext
 from insole_core.records.person_rows import person_of
@@ -55,6 +55,8 @@ class FootStatement:
         Of the version, see `signing`.
     scanned_on
         Day of the earlier visit that the scan is of; empty for one of the order's own visit.
+    mirrored
+        Whether this foot was not scanned: scan and capture are those of the other one.
     capture
         What is known about the scan; its calibration is empty where a session does not tell it.
     """
@@ -71,6 +73,7 @@ class FootStatement:
     scan: str = ""
     scan_sha256: str = ""
     scanned_on: str = ""
+    mirrored: bool = False
     capture: CaptureFacts = field(default_factory=CaptureFacts)
 
     def provenance(self) -> dict[str, str]:
@@ -80,11 +83,13 @@ class FootStatement:
         """
         capture = self.capture
         unknown = NOT_RECORDED if capture.sensor_serials else ""
+        image = Message("mirror image of the {side} foot", side=self.side.other)
         facts = {
             "version": str(self.version),
             "designed by": self.author,
             "signed by": f"{self.signed_by}, {self.signed_at[:10]}",
             "signature": self.signature,
+            "made from": image if self.mirrored else "",
             "scan": self.scan,
             "SHA-256 of the scan": self.scan_sha256,
             "SHA-256 of the foot": self.mesh_sha256,
@@ -251,6 +256,7 @@ def _foot(connection: Connection, context: RecordsContext, row: Row[Any]) -> Foo
         mesh_sha256=row.mesh_sha256,
         program_version=row.program_version,
         scanned_on=foot.source.scanned_on,
+        mirrored=foot.source.mirrored,
     )
     query = select(captures).where(captures.c.id == row.capture_id)
     capture = connection.execute(query).one_or_none()

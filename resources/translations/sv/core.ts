@@ -5632,6 +5632,10 @@
             <translation>nere till höger</translation>
         </message>
         <message>
+            <source>made from</source>
+            <translation>gjord av</translation>
+        </message>
+        <message>
             <source>made with Insole Studio {version}</source>
             <translation>gjord med Insole Studio {version}</translation>
         </message>
@@ -5738,6 +5742,10 @@
         <message>
             <source>millimetres</source>
             <translation>millimeter</translation>
+        </message>
+        <message>
+            <source>mirror image of the {side} foot</source>
+            <translation>spegelbild av den andra foten ({side})</translation>
         </message>
         <message>
             <source>mirrored, {how}</source>

@@ -99,6 +99,25 @@ def test_the_paper_holds_it(records: Records, order: Order, tmp_path: Path) -> N
         assert words in printed
 
 
+def test_a_scan_of_the_other_foot_is_said_to_be_one(
+    records: Records, order: Order, foot_record: FootRecord, tmp_path: Path
+) -> None:
+    [scan] = records.captures.of_visit(order.visit_id)
+    source = replace(foot_record.source, sha256=scan.source_sha256, mirrored=True)
+    image = replace(foot_record, source=source)
+    later = records.visits.add(Visit(order.person_id, TODAY))
+    version = records.prescriptions.save(later.id, image, None)
+    again = records.orders.add(later.id, [version.version_id], number="26-8KQ4M")
+    sign_all(records, again)
+    statement = stated(records, again)
+    assert statement.feet[0].provenance()["made from"] == "mirror image of the right foot"
+    write_statement_paper(statement, tmp_path / "statement.pdf", TODAY)
+    printed = " ".join(text_of_pdf(tmp_path / "statement.pdf").split())
+    assert "mirror image of the right foot" in printed
+    sign_all(records, order)
+    assert all("made from" not in foot.provenance() for foot in stated(records, order).feet)
+
+
 def test_a_prescription_that_is_not_signed_is_told(records: Records, order: Order) -> None:
     with pytest.raises(RecordsError, match="left foot is not signed"):
         stated(records, order)
