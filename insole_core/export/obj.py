@@ -10,7 +10,7 @@ from insole_core.export.atomic import replacing_file
 from insole_core.geometry.mesh import TriangleMesh
 
 
-def write_obj(mesh: TriangleMesh, path: Path) -> None:
+def write_obj(mesh: TriangleMesh, path: Path, note: str = "") -> None:
     """Write a mesh as OBJ, atomically.
 
     Colours follow the coordinates of their vertex, a common extension.
@@ -18,6 +18,8 @@ def write_obj(mesh: TriangleMesh, path: Path) -> None:
     Parameters
     ----------
     mesh : mm
+    note
+        A further comment, one line of ASCII.
 
     Raises
     ------
@@ -31,5 +33,6 @@ def write_obj(mesh: TriangleMesh, path: Path) -> None:
     vertices = form * len(numbers) % tuple(numbers.ravel().tolist())
     corners = (mesh.triangles + 1).ravel().tolist()
     triangles = "f %d %d %d\n" * len(mesh.triangles) % tuple(corners)
+    comment = f"# {note}\n" if note else ""
     with replacing_file(path) as beside, beside.open("w", encoding="utf-8", newline="\n") as file:
-        file.write(f"# Insole Studio, unit mm\n{vertices}{triangles}")
+        file.write(f"# Insole Studio, unit mm\n{comment}{vertices}{triangles}")

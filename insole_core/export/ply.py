@@ -16,7 +16,7 @@ _COLOR = [("color", "u1", 3)]
 _TRIANGLE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 
 
-def write_ply(mesh: TriangleMesh, path: Path) -> None:
+def write_ply(mesh: TriangleMesh, path: Path, note: str = "") -> None:
     """Write a mesh as little-endian binary PLY, atomically.
 
     Contour constraints become an element of their own.
@@ -24,6 +24,8 @@ def write_ply(mesh: TriangleMesh, path: Path) -> None:
     Parameters
     ----------
     mesh : mm
+    note
+        A further comment, one line of ASCII.
 
     Raises
     ------
@@ -40,7 +42,8 @@ def write_ply(mesh: TriangleMesh, path: Path) -> None:
     triangles["corners"] = mesh.triangles
     touches = _touches(mesh)
     with replacing_file(path) as beside, beside.open("wb") as file:
-        file.write(_header(len(vertices), len(triangles), colors is not None, len(touches)))
+        colored = colors is not None
+        file.write(_header(len(vertices), len(triangles), colored, len(touches), note))
         file.write(vertices.tobytes())
         file.write(triangles.tobytes())
         file.write(touches.tobytes())
@@ -53,11 +56,12 @@ def _touches(mesh: TriangleMesh) -> Float32Array:
     return np.hstack([mesh.touches.points, mesh.touches.normals]).astype("<f4")
 
 
-def _header(vertices: int, triangles: int, colored: bool, touches: int) -> bytes:
+def _header(vertices: int, triangles: int, colored: bool, touches: int, note: str) -> bytes:
     lines = [
         "ply",
         "format binary_little_endian 1.0",
         "comment Insole Studio, unit mm",
+        *([f"comment {note}"] if note else []),
         f"element vertex {vertices}",
         *(f"property float {axis}" for axis in "xyz"),
         *(f"property uchar {name}" for name in ("red", "green", "blue") if colored),

@@ -42,7 +42,12 @@ def check_suffix(path: Path, what: str = "the insole") -> None:
 
 
 def write_solids(
-    parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = False, label: str = ""
+    parts: Sequence[ThreeMfPart],
+    path: Path,
+    *,
+    ascii_stl: bool = False,
+    label: str = "",
+    note: str = "",
 ) -> None:
     """Write parts in the format that the suffix of `path` selects.
 
@@ -58,6 +63,8 @@ def write_solids(
         Whether STL is written as ASCII.
     label
         Identifies the order, in the header of a binary STL and the title of a 3MF.
+    note
+        ASCII, one line: what the files without a label have to say as well.
 
     Raises
     ------
@@ -74,13 +81,13 @@ def write_solids(
     mesh = merged([part.mesh for part in parts])
     if kind == ".stl":
         if ascii_stl:
-            write_ascii_stl(mesh, path)
+            write_ascii_stl(mesh, path, note)
         else:
             write_stl(mesh, path, label)
     elif kind == ".obj":
-        write_obj(mesh, path)
+        write_obj(mesh, path, note)
     else:
-        write_ply(merged([_painted(part) for part in parts]), path)
+        write_ply(merged([_painted(part) for part in parts]), path, note)
 
 
 def _painted(part: ThreeMfPart) -> TriangleMesh:

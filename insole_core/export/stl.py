@@ -45,13 +45,15 @@ def write_stl(mesh: TriangleMesh, path: Path, label: str = "") -> None:
         file.write(facets.data)
 
 
-def write_ascii_stl(mesh: TriangleMesh, path: Path) -> None:
+def write_ascii_stl(mesh: TriangleMesh, path: Path, note: str = "") -> None:
     """Write a mesh as ASCII STL, atomically, with enough digits to read the same numbers back.
 
     Parameters
     ----------
     mesh : mm
         Its coordinates are written in single precision.
+    note
+        Follows the name of the solid: one line of ASCII.
 
     Raises
     ------
@@ -61,8 +63,9 @@ def write_ascii_stl(mesh: TriangleMesh, path: Path) -> None:
     facets = _facets(mesh)
     numbers = np.concatenate([facets["normal"], facets["corners"].reshape(-1, 9)], axis=1)
     text = _ASCII_FACET * len(facets) % tuple(numbers.ravel().tolist())
+    name = " ".join(filter(None, ("insole_mm", note)))
     with replacing_file(path) as beside, beside.open("w", encoding="ascii", newline="\n") as file:
-        file.write(f"solid insole_mm\n{text}endsolid insole_mm\n")
+        file.write(f"solid {name}\n{text}endsolid {name}\n")
 
 
 def _facets(mesh: TriangleMesh) -> np.ndarray[tuple[int], np.dtype[np.void]]:

@@ -309,10 +309,11 @@ def run_export_job(
 
 
 def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> None:
-    label = ", ".join(filter(None, (job.identification.get("pseudonym", ""), *_mirrored(job))))
+    mirrored = ", ".join(_mirrored(job))
+    label = ", ".join(filter(None, (mirrored, job.identification.get("pseudonym", ""))))
     if job.printing is None:
         objects = [layer for each in placed for layer in each.objects(job.shop)]
-        write_solids(objects, path, ascii_stl=job.ascii_stl, label=label)
+        write_solids(objects, path, ascii_stl=job.ascii_stl, label=label, note=mirrored)
         return
     prints = [
         placed_print(job.printing.zoned[each.part.side].printed, each.insole2file)

@@ -103,7 +103,7 @@ def test_papers_and_solids_say_it_of_the_mirrored_foot_alone(
     scanned: FootRecord, mirrored: FootRecord, tmp_path: Path
 ) -> None:
     record = CaseRecord(PATIENT, (scanned, mirrored), Side.LEFT)
-    choice = OrderChoice(both=True, prescription=True, pseudonym="26-7KQ4M")
+    choice = OrderChoice(both=True, prescription=True, pseudonym="26-7KQ4M " + 40 * "x")
     parts = make_parts(record, choice, ExportRules({}, {}))
     write_order(
         parts, choice, tmp_path / "o.stl",
@@ -116,6 +116,15 @@ def test_papers_and_solids_say_it_of_the_mirrored_foot_alone(
             assert (said in text) is is_said, (side, paper)
         header = (tmp_path / f"o-{side}.stl").read_bytes()[:80]
         assert (b"mirrored from left" in header) is is_said
+    plain = replace(choice, job_sheet=False, prescription=False)
+    text_stl = replace(plain, ascii_stl=True)
+    formats = (replace(plain, suffix=".obj"), replace(plain, suffix=".ply"), text_stl)
+    for chosen in formats:
+        name = f"plain{chosen.suffix}"
+        write_order(parts, chosen, tmp_path / name, shop=read_shop(), patient=PATIENT)
+        for side, is_said in (("left", False), ("right", True)):
+            path = tmp_path / name.replace(".", f"-{side}.")
+            assert (b"right mirrored from left" in path.read_bytes()[:200]) is is_said, path
 
 
 def test_the_order_of_a_shop_says_it(
