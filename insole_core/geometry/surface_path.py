@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import scipy
 
@@ -15,12 +17,17 @@ _STEPS, _PULL = 40, 8.0
 """How often a way is pulled tight with each number of points, and how much at once."""
 _FACES = 12
 """Nearest triangles, by their centres, among which is the one on which a point comes to lie."""
+_AWAY = -0.3
+"""Cosine of the angle to the sides of both ends, below which a triangle is the back of a shell."""
 _LIKELY = 1.6
 """A way is rarely longer than this, relative to the straight one; others are looked for later."""
 
 
 def shortest_path(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> FloatArray | None:
     """Return the shortest way along a surface, found from the shortest one along its edges.
+
+    A way between two places of the same side stays on it, where it can: what is pulled tight over
+    the arch of a thin shell would else come to lie on its back.
 
     Parameters
     ----------
@@ -36,10 +43,27 @@ def shortest_path(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> Flo
     """
     if np.array_equal(start, end):
         return np.stack([start, end])
-    rough = _along_edges(mesh, start, end)
-    if rough is None:
-        return None
-    surface = _Surface(mesh)
+    for part in (_same_side(mesh, start, end), mesh):
+        rough = _along_edges(part, start, end)
+        if rough is not None:
+            return _shortened(_Surface(part), rough)
+    return None
+
+
+def _same_side(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> TriangleMesh:
+    """Return the mesh without what faces away from both ends; the whole if they face apart."""
+    first, last = mesh.vertex_normals[_nearest_corners(mesh, start, end)]
+    side = (first + last) / 2
+    if first @ last < 0:
+        return mesh
+    corners = mesh.vertices[mesh.triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    sizes = np.linalg.norm(normals, axis=1) * np.linalg.norm(side)
+    return replace(mesh, triangles=mesh.triangles[normals @ side > _AWAY * sizes])
+
+
+def _shortened(surface: _Surface, rough: FloatArray) -> FloatArray:
+    """Return the shortest way near a rough one, its points at most 1 mm apart."""
     count = _FIRST_POINTS
     way = _resampled(rough, count)
     while True:
@@ -117,7 +141,7 @@ def _resampled(way: FloatArray, count: int) -> FloatArray:
 
 def _along_edges(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> FloatArray | None:
     """Return the shortest way along edges, between the corners nearest to start and end."""
-    first, last = (int(((mesh.vertices - p) ** 2).sum(axis=1).argmin()) for p in (start, end))
+    first, last = _nearest_corners(mesh, start, end)
     corners = mesh.triangles
     a, b = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]).T
     lengths = np.linalg.norm(mesh.vertices[a] - mesh.vertices[b], axis=1)
@@ -132,6 +156,11 @@ def _along_edges(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> Floa
             between = mesh.vertices[_steps(before[0], first, last)]
             return np.concatenate([start[None], between, end[None]])
     return None
+
+
+def _nearest_corners(mesh: TriangleMesh, *places: FloatArray) -> list[int]:
+    """Return the numbers of the corners nearest to places."""
+    return [int(((mesh.vertices - place) ** 2).sum(axis=1).argmin()) for place in places]
 
 
 def _steps(before: IntArray, first: int, last: int) -> list[int]:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+import trimesh
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
@@ -41,6 +42,24 @@ def test_the_way_is_as_long_as_known(
     assert path_length_mm(way) == pytest.approx(known_mm, abs=0.01)
     steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
     assert steps.max() < 1.01
+
+
+def test_over_the_arch_of_a_thin_shell_the_way_stays_on_its_side() -> None:
+    top, faces = rolled(FLAT.nodes), FLAT.triangles()
+    back = rolled(FLAT.nodes) * (1 - 1.2 / RADIUS_MM, 1.0, 1 - 1.2 / RADIUS_MM)
+    round_edge = trimesh.Trimesh(FLAT.nodes, faces).outline().entities[0].points
+    a, b = round_edge[:-1], round_edge[1:]
+    wall = np.concatenate(
+        [np.stack([a, a + len(top), b], 1), np.stack([b, a + len(top), b + len(top)], 1)]
+    )
+    shell = TriangleMesh(
+        np.concatenate([top, back]),
+        np.concatenate([faces, faces[:, ::-1] + len(top), wall]).astype(np.int32),
+    )
+    ends = rolled(np.array([(20.0, 60.0, 0.0), (75.0, 60.0, 0.0)]))
+    way = shortest_path(shell, *ends)
+    assert way is not None
+    assert path_length_mm(way) == pytest.approx(55.0, abs=0.01)
 
 
 def test_the_way_goes_round_a_foot_and_never_through_it(left_foot: Foot) -> None:
