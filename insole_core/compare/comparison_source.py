@@ -58,10 +58,8 @@ class ComparisonSource:
         """
         if self.side is None or other.side is None or self.side is other.side:
             return self
-        vertices = self.mesh.vertices * MIRROR
-        mirrored = TriangleMesh(vertices, self.mesh.triangles, self.mesh.colors).flipped()
         note = Message("{name} is of the other foot, so that it is mirrored.", name=self.name)
-        return replace(self, mesh=mirrored, notes=(*self.notes, note), is_mirrored=True)
+        return replace(self, mesh=self.mesh.mirrored(), notes=(*self.notes, note), is_mirrored=True)
 
     def points_like(self, picked: PickedPoints) -> PickedPoints:
         """Return points picked on another surface and on this one before it was mirrored."""

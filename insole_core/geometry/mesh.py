@@ -157,6 +157,10 @@ class TriangleMesh:
         colors = None if self.colors is None else self.colors[keep]
         return TriangleMesh(self.vertices[keep], index[triangles], colors, self.touches)
 
+    def mirrored(self) -> TriangleMesh:
+        """Return the mirror image in x, facing outwards as this one; without `touches`."""
+        return replace(self, vertices=self.vertices * [-1.0, 1.0, 1.0], touches=None).flipped()
+
     def flipped(self) -> TriangleMesh:
         """Turn the mesh inside out."""
         return replace(self, triangles=np.ascontiguousarray(self.triangles[:, ::-1]))

@@ -279,7 +279,7 @@ def positive_solid(
     )
     upright = Prism(plan, field, distance, options.draft_deg).between(faces)
     # Heights were measured down from the level, a mirror in z; with one in x it is a rotation.
-    return replace(upright, vertices=upright.vertices * [-1, 1, 1]).flipped()
+    return upright.mirrored()
 
 
 def _made(insole: Insole) -> Insole:

@@ -34,10 +34,9 @@ def mirrored_foot(record: FootRecord, stamp: Callable[[Correction], Correction])
         When the landmarks are in an impossible order.
     """
     foot, source = record.foot, record.source
-    mesh = replace(foot.mesh, vertices=foot.mesh.vertices * [-1.0, 1.0, 1.0], touches=None)
     mirror_image = Foot(
         foot.side.other,
-        mesh.flipped(),  # mirroring turns it inside out
+        foot.mesh.mirrored(),
         _MIRROR @ foot.source2insole @ _MIRROR,  # that of the mirrored scan
         foot.length_mm,
         form=foot.form,
