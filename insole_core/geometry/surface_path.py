@@ -9,6 +9,7 @@ import scipy
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.point_tree import point_tree
 
 _PITCH_MM = 1.0
 """Between points of a way at most: a chord of this length is as long as its arc on a foot."""
@@ -56,22 +57,20 @@ def _same_side(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> Triang
     side = (first + last) / 2
     if first @ last < 0:
         return mesh
-    corners = mesh.vertices[mesh.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    sizes = np.linalg.norm(normals, axis=1) * np.linalg.norm(side)
-    return replace(mesh, triangles=mesh.triangles[normals @ side > _AWAY * sizes])
+    is_seen = mesh.triangle_normals @ side > _AWAY * np.linalg.norm(side)
+    return replace(mesh, triangles=mesh.triangles[is_seen])
 
 
 def _shortened(surface: _Surface, rough: FloatArray) -> FloatArray:
     """Return the shortest way near a rough one, its points at most 1 mm apart."""
     count = _FIRST_POINTS
-    way = _resampled(rough, count)
+    way = resampled(rough, count)
     while True:
         way = _pulled_tight(surface, way)
         if path_length_mm(way) <= _PITCH_MM * (count - 1):
             return way
         count = 2 * count - 1
-        way = surface.nearest(_resampled(way, count))
+        way = surface.nearest(resampled(way, count))
 
 
 def path_length_mm(path: FloatArray) -> float:
@@ -84,7 +83,7 @@ class _Surface:
 
     def __init__(self, mesh: TriangleMesh) -> None:
         self._corners = mesh.vertices[mesh.triangles]
-        self._centres = scipy.spatial.KDTree(self._corners.mean(axis=1))
+        self._centres = point_tree(self._corners.mean(axis=1))
 
     def nearest(self, points: FloatArray) -> FloatArray:
         """Return the points of the surface (n, 3) nearest to given ones; both ends stay."""
@@ -131,19 +130,18 @@ def _pulled_tight(surface: _Surface, way: FloatArray) -> FloatArray:
     return way
 
 
-def _resampled(way: FloatArray, count: int) -> FloatArray:
-    """Return a number of points at equal distances along a polyline (n, 3)."""
+def resampled(way: FloatArray, count: int) -> FloatArray:
+    """Return a number of points at equal distances along a polyline (n, d), mm."""
     steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
     at = np.concatenate([[0.0], np.cumsum(steps)])
     stops = np.linspace(0.0, at[-1], count)
-    return np.stack([np.interp(stops, at, way[:, i]) for i in range(3)], axis=1)
+    return np.stack([np.interp(stops, at, axis) for axis in way.T], axis=1)
 
 
 def _along_edges(mesh: TriangleMesh, start: FloatArray, end: FloatArray) -> FloatArray | None:
     """Return the shortest way along edges, between the corners nearest to start and end."""
     first, last = _nearest_corners(mesh, start, end)
-    corners = mesh.triangles
-    a, b = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]).T
+    a, b = mesh.links.edges[0].T
     lengths = np.linalg.norm(mesh.vertices[a] - mesh.vertices[b], axis=1)
     shape = (len(mesh.vertices),) * 2
     graph = scipy.sparse.csr_array((lengths, (a, b)), shape=shape)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.surface_path import path_length_mm, resampled
 from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
 from insole_core.insole.prescription.design import Pelott, Place
 from insole_studio.document.case import Case
@@ -83,7 +84,7 @@ class FreeHandTool(Tool):
 
 def why_no_pad(drawn: FloatArray) -> str:
     """Return what is wrong with a drawing (n, 2); empty if nothing is."""
-    if len(drawn) < 3 or _way(drawn)[-1] < LEAST_LENGTH_MM:
+    if len(drawn) < 3 or path_length_mm(drawn) < LEAST_LENGTH_MM:
         return tr("That outline is too small for a pad; draw round its place")
     corners = _corners(drawn)
     if crosses_itself(corners):
@@ -103,16 +104,7 @@ def drawn_pad(drawn: FloatArray) -> Pelott:
 
 def _corners(drawn: FloatArray) -> FloatArray:
     """Return a few points at equal distances along the closed drawing."""
-    closed = np.concatenate([drawn, drawn[:1]])
-    way = _way(closed)
-    stops = np.linspace(0, way[-1], CORNERS, endpoint=False)
-    return np.stack([np.interp(stops, way, closed[:, i]) for i in range(2)], axis=1)
-
-
-def _way(drawn: FloatArray) -> FloatArray:
-    """Return the arc length of the drawing up to each of its points."""
-    steps = np.hypot(*np.diff(drawn, axis=0).T)
-    return np.concatenate([[0.0], np.cumsum(steps)])
+    return resampled(np.concatenate([drawn, drawn[:1]]), CORNERS + 1)[:-1]
 
 
 def _middle(corners: FloatArray) -> FloatArray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.surface_path import path_length_mm
+from insole_core.geometry.surface_path import path_length_mm, resampled
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import (
     ContextMenuItem,
@@ -66,9 +66,7 @@ class TapeTool(Tool):
         """Return the tape as it lies on a surface, and its length."""
         if not self._ways or not self._is_on(case, surface.subject):
             return None
-        way = np.concatenate(self._ways)
-        at_mm = np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1))
-        middle = way[np.searchsorted(at_mm, at_mm[-1] / 2)]
+        middle = resampled(np.concatenate(self._ways), 3)[1]
         return Measure(self._ways, f"{localised(self._along_mm)} mm", middle)
 
     def own_step(self, case: Case) -> str:
