@@ -109,7 +109,8 @@ class Prism:
             np.concatenate([top, faces.tips[:, 2]]),
             np.concatenate([bottom, faces.tips[:, 3]]),
         )
-        lean = _without_folds(plan.triangles, places, lean)
+        if len(faces.tips):
+            lean = _without_folds(plan.triangles, places, lean)
         if shaped is not None:
             draft = fans.with_tips(draft)
             moved = np.flatnonzero((lean != 0).any(axis=1))

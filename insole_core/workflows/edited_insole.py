@@ -56,7 +56,6 @@ class EditedInsole:
         self.mesh = replace(bare.solid, vertices=bare.solid.vertices.copy())
         """Its vertices are overwritten by the next change."""
         self.normals: FloatArray = bare.solid.vertex_normals.copy()
-        self._body = _copy_of(bare.body)
         self._is_settled = False
         self._move_all()
         self.moved: IntArray | None = None
@@ -224,12 +223,14 @@ class EditedInsole:
 
     def _move_all(self) -> IntArray:
         """Move all vertices, and only where pads make the body another one if it is exact."""
+        self._body = _copy_of(self.bare.body)
         if not self.is_exact:
             return self._move_vertices(_whole(self.contact))
-        self._body = _copy_of(self.bare.body)
         self.mesh.vertices[:] = self.bare.solid.vertices
         self.normals[:] = self.bare.solid.vertex_normals
-        self._move_vertices(self._window_of_pads())
+        window = self._window_of_pads()
+        self._is_settled = window.is_empty  # then it is the bare insole
+        self._move_vertices(window)
         return np.arange(len(self.mesh.vertices))
 
     def _move_vertices(self, window: Window) -> IntArray:
@@ -263,10 +264,10 @@ class EditedInsole:
         self._body.top_mm[at], self._body.bottom_mm[at] = body.top_mm[inner], body.bottom_mm[inner]
         moved = bare.vertices_in(window)
         top, bottom = moved[moved < bare.top_count], moved[moved >= bare.top_count]
-        self._move_face(top, around, self._body.top_mm - bare.body.top_mm)
+        self._move_face(top, around, body.top_mm[inner] - bare.body.top_mm[at])
         if bare.plan.is_plain:
             return top
-        self._move_face(bottom, around, self._body.bottom_mm - bare.body.bottom_mm)
+        self._move_face(bottom, around, body.bottom_mm[inner] - bare.body.bottom_mm[at])
         return moved
 
     def _move_face(self, moved: IntArray, window: Window, rise_mm: FloatArray) -> None:
@@ -275,7 +276,7 @@ class EditedInsole:
         Parameters
         ----------
         window
-            Around all vertices that move.
+            Of the nodes around all vertices that move, where the differences are.
         """
         solid, rise = self.bare.solid, _part(self.contact, rise_mm, window)
         risen = rise.height_at(solid.vertices[moved, :2])
