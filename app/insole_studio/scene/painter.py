@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import pyvista as pv
-import scipy
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
@@ -488,9 +487,12 @@ class Painter:
         share = 1.0
         if len(self._handles) > 1:
             at_px = look.pixels_of(np.array([handle.position_mm for handle in self._handles]))
-            nearest_px = np.asarray(scipy.spatial.KDTree(at_px).query(at_px, k=2)[0])
-            apart_px = float(np.median(nearest_px[:, 1]))
-            share = float(np.clip(HANDLE_SHARE * apart_px / HANDLE_PX["size"], LEAST_HANDLES, 1.0))
+            apart_px = np.linalg.norm(at_px[:, None] - at_px, axis=2)
+            np.fill_diagonal(apart_px, np.inf)
+            nearest_px = float(np.median(apart_px.min(axis=1)))
+            share = float(
+                np.clip(HANDLE_SHARE * nearest_px / HANDLE_PX["size"], LEAST_HANDLES, 1.0)
+            )
         for kind, size_px in HANDLE_PX.items():
             for name, part in (("rim", share), ("handles", share * UNRIMMED)):
                 actor = self._plotter.actors.get(f"{name}-{kind}")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import lru_cache
 
 import numpy as np
 
@@ -148,6 +149,7 @@ class ViewTransform:
         return np.stack([x, y], axis=1)
 
 
+@lru_cache(maxsize=16)  # each move of the pointer asks several times
 def look(
     camera: ViewCamera, subject: Subject, side: Side, size_px: tuple[int, int]
 ) -> ViewTransform:
