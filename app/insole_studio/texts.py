@@ -46,8 +46,8 @@ def fill(template: str, **values: object) -> str:
     return _Localised().vformat(template, (), shown)
 
 
-def localised(value: float, spec: str = ".1f") -> str:
-    """Write a number as the language of the window does; `spec` as for `format`."""
+def localised(value: float, spec: str = "z.1f") -> str:
+    """Write a number as the language of the window does; `spec` as for `format`: no "-0.0"."""
     return _Localised().format_field(float(value), spec)
 
 

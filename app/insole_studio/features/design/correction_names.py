@@ -111,8 +111,8 @@ def from_heel() -> str:
 
 def place_text(side: Side, x_mm: float, y_mm: float) -> str:
     """Say a place of the insole frame as the fields of a pad do."""
-    medial = localised(side.medial_sign * x_mm + 0.0)
-    return f"{from_axis()} {medial}   {from_heel()} {localised(y_mm + 0.0)}"
+    medial = localised(side.medial_sign * x_mm)
+    return f"{from_axis()} {medial}   {from_heel()} {localised(y_mm)}"
 
 
 def device_name(design: InsoleDesign) -> str:

@@ -18,7 +18,7 @@ LEVELS: dict[str, Callable[[], str]] = {
 
 def station_text(placed: PlacedStation) -> str:
     """Return place and height of a station in one line."""
-    height = localised(round(placed.station.height_mm, 1) + 0.0)
+    height = localised(placed.station.height_mm)
     level = LEVELS[placed.station.over]()
     return f"{place_text(placed)}: {height} mm {level}"
 

@@ -415,4 +415,4 @@ class DesignStage(QObject):
         if event.surface_mm is None or side is None:
             return ""
         x, y, z = event.surface_mm
-        return f"{place_text(side, x, y)}   {tr('Height')} {localised(z + 0.0)} mm"
+        return f"{place_text(side, x, y)}   {tr('Height')} {localised(z)} mm"
