@@ -168,16 +168,7 @@ def _keep(records: Records, journal: Recovered) -> KeptChange:
 
     visit = journal.visit
     assert visit is not None
-    change = CaseChange(
-        visit.visit_id,
-        visit.before,
-        journal.record,
-        visit.bases,
-        visit.editing,
-        visit.sent,
-        visit.terms,
-    )
-    kept = keep_case(records, change)
+    kept = keep_case(records, visit.change_to(journal.record))
     for conflict in kept.conflicts.values():
         theirs = records.prescriptions.read(conflict.theirs.id)
         records.prescriptions.settle(visit.visit_id, conflict.mine, conflict.theirs, theirs)

@@ -16,13 +16,14 @@ from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.document.kept_visit import KeptVisit
+from insole_studio.document.unkept_visit import UnkeptVisit
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.records.prescription import Base
     from insole_core.records.records import Records
     from insole_core.records.visit import OpenedCase
-    from insole_core.workflows.records.keep_case import CaseChange, KeptChange
+    from insole_core.workflows.records.keep_case import KeptChange
 
 SAVE_AFTER_MS, RETRY_MS = 1000, 3000
 Then = Callable[[], None]
@@ -279,7 +280,8 @@ class RecordKeeper(QObject):
             from insole_core.workflows.records.keep_case import keep_case
 
             keep_journal()
-            return keep_case(records, _change(kept, before, record, all_feet=bool(reason)), reason)
+            unkept = UnkeptVisit.of(kept, before, record, all_feet=bool(reason))
+            return keep_case(records, unkept.change_to(record), reason)
 
         self._clinic.write(
             keep,
@@ -381,22 +383,3 @@ def _patient_conflict(mine: Patient, change: KeptChange) -> PatientConflict | No
     if not change.collided or change.theirs is None:
         return None
     return PatientConflict(mine, change.theirs, change.collided)
-
-
-def _change(
-    kept: KeptVisit, before: CaseRecord, record: CaseRecord, *, all_feet: bool
-) -> CaseChange:
-    """Return what has changed in a case since it was stored last."""
-    from insole_core.workflows.records.keep_case import CaseChange
-
-    changed = (f for f in record.feet if all_feet or f is not before.of_side(f.side))
-    bases = {foot.side: kept.bases.get(foot.side) for foot in changed}
-    return CaseChange(
-        kept.visit.id,
-        before.patient,
-        record,
-        bases,
-        kept.editing,
-        kept.sent,
-        before.order.terms,
-    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.export.shop_order import OrderTerms, terms_from_json, terms_to_json
@@ -12,6 +12,9 @@ from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
 from insole_core.records.prescription import Base
 from insole_studio.document.kept_visit import KeptVisit
+
+if TYPE_CHECKING:
+    from insole_core.workflows.records.keep_case import CaseChange
 
 _FIELDS = ("name", "born", "visit", "notes", "pseudonym")
 _MOST_REVISIONS = 2**53
@@ -41,12 +44,22 @@ class UnkeptVisit:
     terms: OrderTerms = field(default_factory=OrderTerms)
 
     @classmethod
-    def of(cls, kept: KeptVisit, before: CaseRecord, now: CaseRecord) -> UnkeptVisit:
-        """Return what has changed between two states of a visit."""
-        changed = (foot.side for foot in now.feet if foot is not before.of_side(foot.side))
+    def of(
+        cls, kept: KeptVisit, before: CaseRecord, now: CaseRecord, *, all_feet: bool = False
+    ) -> UnkeptVisit:
+        """Return what has changed between two states of a visit; for `all_feet` each has."""
+        changed = (f.side for f in now.feet if all_feet or f is not before.of_side(f.side))
         bases = {side: kept.bases.get(side) for side in changed}
         terms = before.order.terms
         return cls(kept.visit.id, before.patient, bases, kept.editing, kept.sent, terms)
+
+    def change_to(self, now: CaseRecord) -> CaseChange:
+        """Return what is to be stored of the visit as it is now."""
+        from insole_core.workflows.records.keep_case import CaseChange
+
+        return CaseChange(
+            self.visit_id, self.before, now, self.bases, self.editing, self.sent, self.terms
+        )
 
     def to_json(self) -> dict[str, Any]:
         """Return it as values for `json.dumps`."""
