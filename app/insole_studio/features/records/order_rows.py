@@ -11,6 +11,11 @@ from insole_studio.features.records.record_texts import day_text, moment_text
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import TableRow
 
+COLUMNS: Final[tuple[OrderKey, ...]] = (
+    "person_name", "number", "release", "state", "due_on", "shop", "ordered_on",
+)  # fmt: skip
+"""What the columns of the list of orders show, and are sorted by."""
+
 
 def state_text(state: OrderState) -> str:
     """Return the name of a state."""
@@ -26,42 +31,28 @@ def state_text(state: OrderState) -> str:
     }[state]
 
 
-def order_rows(orders: Sequence[OrderSummary], today: date) -> list[TableRow]:
-    """Return the rows of orders: patient, number, state, due date; what is late is marked."""
+def order_rows(
+    orders: Sequence[OrderSummary], today: date, columns: Sequence[OrderKey] = COLUMNS
+) -> list[TableRow]:
+    """Return the rows of orders, a cell for each column; what is late is marked."""
     return [
         TableRow(
             order.id,
-            (order.person_name, order.number, state_text(order.state), due_text(order, today)),
+            tuple(_cell(order, column, today) for column in columns),
             attention=order.is_overdue(today),
         )
         for order in orders
     ]
 
 
-def full_order_rows(orders: Sequence[OrderSummary], today: date) -> list[TableRow]:
-    """Return the rows of orders with all that a summary tells, in the order of `COLUMNS`."""
-    return [
-        TableRow(
-            order.id,
-            (
-                order.person_name,
-                order.number,
-                str(order.release),
-                state_text(order.state),
-                due_text(order, today),
-                order.shop,
-                day_text(order.ordered_on),
-            ),
-            attention=order.is_overdue(today),
-        )
-        for order in orders
-    ]
-
-
-COLUMNS: Final[tuple[OrderKey, ...]] = (
-    "person_name", "number", "release", "state", "due_on", "shop", "ordered_on",
-)  # fmt: skip
-"""What the columns of the list of orders show, and are sorted by."""
+def _cell(order: OrderSummary, column: OrderKey, today: date) -> str:
+    if column == "state":
+        return state_text(order.state)
+    if column == "due_on":
+        return due_text(order, today)
+    if column == "ordered_on":
+        return day_text(order.ordered_on)
+    return str(getattr(order, column))
 
 
 def event_text(event: OrderEvent) -> str:

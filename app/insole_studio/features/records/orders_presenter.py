@@ -11,7 +11,7 @@ from insole_core.records.order import OPEN_STATES, OrderSearch, OrderState, Orde
 from insole_core.records.person import Person
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.order_actions import OrderActions
-from insole_studio.features.records.order_rows import COLUMNS, full_order_rows
+from insole_studio.features.records.order_rows import COLUMNS, order_rows
 from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import Sorting
@@ -137,7 +137,7 @@ class OrdersPresenter:
         person = self._person
         title = tr("Orders") if person is None else tr("Orders of {name}").format(name=person.name)
         self._page.show_orders(
-            title, full_order_rows(orders, date.today()), count, of_person=person is not None
+            title, order_rows(orders, date.today()), count, of_person=person is not None
         )
 
     def _move(self, order_id: str, word: str) -> None:

@@ -26,8 +26,8 @@ MOST_FOUND, MOST_RECENT, MOST_ORDERS = 50, 20, 100
 _PERSON_KEYS: Final[tuple[PersonKey, ...]] = (
     "name", "birth_date", "personal_number", "last_visit",
 )  # fmt: skip
-_ORDER_KEYS: Final[tuple[OrderKey, ...]] = ("person_name", "number", "state", "due_on")
-"""What the columns of the lists are sorted by."""
+"""What the columns of the list of patients are sorted by."""
+_ORDER_COLUMNS: Final[tuple[OrderKey, ...]] = ("person_name", "number", "state", "due_on")
 
 
 @dataclass(frozen=True)
@@ -122,8 +122,8 @@ class StartPresenter:
         self._search()
 
     def _sort_orders(self, sorting: Sorting | None) -> None:
-        sorting = sorting or Sorting(_ORDER_KEYS.index("due_on"))
-        key = _ORDER_KEYS[sorting.column]
+        sorting = sorting or Sorting(_ORDER_COLUMNS.index("due_on"))
+        key = _ORDER_COLUMNS[sorting.column]
         self._orders = replace(self._orders, sorted_by=key, is_descending=sorting.is_descending)
         self._wanted_orders = MOST_ORDERS
         self._ask_lists()
@@ -179,7 +179,9 @@ class StartPresenter:
     def _show_lists(self, lists: _Lists) -> None:
         if not self._clinic.may_show_patients:
             return
-        self._page.show_day(visit_rows(lists.today), order_rows(lists.orders, date.today()))
+        today = date.today()
+        orders = order_rows(lists.orders, today, _ORDER_COLUMNS)
+        self._page.show_day(visit_rows(lists.today), orders)
 
     def _forget(self) -> None:
         """Show no names to somebody who may not see them."""
