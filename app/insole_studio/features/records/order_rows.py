@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from datetime import date
 from typing import Final
 
-from insole_core.records.order import OrderEvent, OrderKey, OrderState, OrderSummary
+from insole_core.records.order import OrderEvent, OrderKey, OrderSearch, OrderState, OrderSummary
 from insole_studio.features.records.record_texts import day_text, moment_text
 from insole_studio.texts import tr
-from insole_studio.widgets.row_table import TableRow
+from insole_studio.widgets.row_table import Sorting, TableRow
 
 COLUMNS: Final[tuple[OrderKey, ...]] = (
     "person_name", "number", "release", "state", "due_on", "shop", "ordered_on",
@@ -53,6 +54,15 @@ def _cell(order: OrderSummary, column: OrderKey, today: date) -> str:
     if column == "ordered_on":
         return day_text(order.ordered_on)
     return str(getattr(order, column))
+
+
+def sorted_as(
+    search: OrderSearch, columns: Sequence[OrderKey], sorting: Sorting | None
+) -> OrderSearch:
+    """Return a search sorted by one of the columns; for None, what is due first comes first."""
+    sorting = sorting or Sorting(columns.index("due_on"))
+    key = columns[sorting.column]
+    return replace(search, sorted_by=key, is_descending=sorting.is_descending)
 
 
 def event_text(event: OrderEvent) -> str:

@@ -11,7 +11,7 @@ from insole_core.records.order import OPEN_STATES, OrderSearch, OrderState, Orde
 from insole_core.records.person import Person
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.order_actions import OrderActions
-from insole_studio.features.records.order_rows import COLUMNS, order_rows
+from insole_studio.features.records.order_rows import COLUMNS, order_rows, sorted_as
 from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import Sorting
@@ -83,17 +83,11 @@ class OrdersPresenter:
         self._begin()
 
     def _choose_sorting(self, sorting: Sorting | None) -> None:
-        sorting = sorting or Sorting(COLUMNS.index("due_on"))
-        self._search = replace(
-            self._search,
-            sorted_by=COLUMNS[sorting.column],
-            is_descending=sorting.is_descending,
-        )
+        self._search = sorted_as(self._search, COLUMNS, sorting)
         self._begin()
 
     def _show_more(self) -> None:
-        is_waiting = len(self.orders) < min(self._wanted, self._count)
-        if not is_waiting and len(self.orders) < self._count:
+        if self._wanted <= len(self.orders) < self._count:
             self._wanted *= 2
             self._read()
 

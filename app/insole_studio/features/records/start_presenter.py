@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING, Final
 
@@ -11,7 +11,7 @@ from insole_core.records.order import OPEN_STATES, OrderKey, OrderSearch
 from insole_core.records.person import PersonKey, PersonSummary
 from insole_core.records.visit import VisitSummary
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
-from insole_studio.features.records.order_rows import order_rows
+from insole_studio.features.records.order_rows import order_rows, sorted_as
 from insole_studio.features.records.record_texts import person_rows, visit_rows
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.texts import tr
@@ -122,9 +122,7 @@ class StartPresenter:
         self._search()
 
     def _sort_orders(self, sorting: Sorting | None) -> None:
-        sorting = sorting or Sorting(_ORDER_COLUMNS.index("due_on"))
-        key = _ORDER_COLUMNS[sorting.column]
-        self._orders = replace(self._orders, sorted_by=key, is_descending=sorting.is_descending)
+        self._orders = sorted_as(self._orders, _ORDER_COLUMNS, sorting)
         self._wanted_orders = MOST_ORDERS
         self._ask_lists()
 
