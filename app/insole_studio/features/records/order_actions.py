@@ -17,7 +17,7 @@ from insole_core.records.order import Order, OrderState, OrderSummary
 from insole_core.workflows.order_package import Ordered
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.records.order_dialog import OrderDialog
-from insole_studio.features.records.order_rows import state_text
+from insole_studio.features.records.order_rows import name_of, state_text
 from insole_studio.features.records.record_texts import day_text
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -169,16 +169,12 @@ class OrderActions(QObject):
         )
 
     def _offer(self, order: Order) -> None:
-        number = tr("Order {number}").format(number=order.number)
-        if order.release > 1:
-            revision = tr("{number}, revision {revision}")
-            number = revision.format(number=number, revision=order.release)
         sentence = tr("{order} is in the record, with its files.")
         if order.due_on is not None:
             sentence = tr("{order} is in the record, with its files; it is due {day}.")
         self._services.notices.put(
             NOTICE,
-            sentence.format(order=number, day=day_text(order.due_on)),
+            sentence.format(order=name_of(order), day=day_text(order.due_on)),
             (tr("Shop and due date…"), lambda: self.ask(order.id)),
         )
 

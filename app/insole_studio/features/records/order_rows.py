@@ -7,7 +7,14 @@ from dataclasses import replace
 from datetime import date
 from typing import Final
 
-from insole_core.records.order import OrderEvent, OrderKey, OrderSearch, OrderState, OrderSummary
+from insole_core.records.order import (
+    Order,
+    OrderEvent,
+    OrderKey,
+    OrderSearch,
+    OrderState,
+    OrderSummary,
+)
 from insole_studio.features.records.record_texts import day_text, moment_text
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import Sorting, TableRow
@@ -65,23 +72,28 @@ def sorted_as(
     return replace(search, sorted_by=key, is_descending=sorting.is_descending)
 
 
+def with_revision(text: str, release: int) -> str:
+    """Return a text with the revision that it is about; the first one is not said."""
+    if release <= 1:
+        return text
+    return tr("{number}, revision {revision}").format(number=text, revision=release)
+
+
+def name_of(order: Order | OrderSummary) -> str:
+    """Return what an order is called in a sentence: by its number and a later revision."""
+    return with_revision(tr("Order {number}").format(number=order.number), order.release)
+
+
 def event_text(event: OrderEvent) -> str:
     """Return a step of an order: when, what became of it, who did it."""
-    state = state_text(event.to_state)
-    if event.release > 1:
-        revision = tr("{number}, revision {revision}")
-        state = revision.format(number=state, revision=event.release)
+    state = with_revision(state_text(event.to_state), event.release)
     return f"{moment_text(event.at)}  {state}, {event.author}"
 
 
 def order_text(order: OrderSummary, today: date) -> str:
     """Return an order as a line of its visit: number, state, due date."""
-    number = tr("Order {number}").format(number=order.number)
-    if order.release > 1:
-        revision = tr("{number}, revision {revision}")
-        number = revision.format(number=number, revision=order.release)
     parts = (
-        number,
+        name_of(order),
         state_text(order.state),
         tr("due {day}").format(day=due_text(order, today)) if order.due_on else "",
     )
