@@ -1,9 +1,10 @@
-"""Names of files that every system takes as they are."""
+"""Names of files and folders that every system takes as they are."""
 
 from __future__ import annotations
 
 import re
-from pathlib import PurePosixPath
+from itertools import chain, count
+from pathlib import Path, PurePosixPath
 from typing import Final
 
 _PLAIN: Final = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]{0,99}")
@@ -21,3 +22,10 @@ def plain_name(name: str, otherwise: str) -> str:
         return name
     suffix = PurePosixPath(name).suffix
     return f"{otherwise}{suffix}" if _PLAIN.fullmatch(suffix[1:]) else otherwise
+
+
+def free_folder(parent: Path, name: str, otherwise: str) -> Path:
+    """Return a folder that is not there yet, named by `plain_name`, and numbered if need be."""
+    plain = plain_name(name, otherwise)
+    names = chain((plain,), (f"{plain}-{number}" for number in count(2)))
+    return next(parent / name for name in names if not (parent / name).exists())

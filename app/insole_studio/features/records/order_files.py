@@ -16,6 +16,7 @@ from insole_core.export.atomic import make_output_folder, make_private_folder
 from insole_core.export.write_errors import output_errors
 from insole_core.records.order import Order
 from insole_core.visible_text import visible_line
+from insole_core.workflows.records.plain_name import free_folder
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.other_programs import open_file
@@ -89,7 +90,7 @@ class OrderFiles(QObject):
         within = questions.folder_to_open(title.format(number=order.number), Kept.EXPORTS)
         if within is None:
             return
-        folder = _new_folder(within, order.number)
+        folder = free_folder(within, order.number, "order")
 
         def copy(records: Records) -> tuple[Path, ...]:
             make_output_folder(folder)
@@ -131,12 +132,3 @@ def _holds(place: Path, order: Order) -> bool:
         )
     except OSError:  # a share that does not answer, or a path of another system
         return False
-
-
-def _new_folder(within: Path, number: str) -> Path:
-    """Return a folder that is not there yet, named after an order."""
-    folder, count = within / number, 1
-    while folder.exists():
-        count += 1
-        folder = within / f"{number}-{count}"
-    return folder

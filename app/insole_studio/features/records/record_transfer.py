@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
-from itertools import chain, count
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -29,7 +28,7 @@ from insole_core.records.records import Records
 from insole_core.records.text_table import TextTable, UnclearCharacterSet, read_table
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.workflows.records.import_cases import CaseLine, CasePlan, import_cases, plan_cases
-from insole_core.workflows.records.plain_name import plain_name
+from insole_core.workflows.records.plain_name import free_folder
 from insole_studio.features.records.character_set_dialog import CharacterSetDialog
 from insole_studio.features.records.import_dialog import ImportDialog, ImportRow
 from insole_studio.features.records.person_export_dialog import PersonExportDialog
@@ -159,7 +158,7 @@ class RecordTransfer(QObject):
         def write(progress: Progress) -> PersonExport:
             wording = Wording(language_code(language), translation_into(language))
             pseudonym = records.persons.get(person_id).pseudonym
-            folder = _free_folder(parent, pseudonym)
+            folder = free_folder(parent, pseudonym, "patient")
             return export_person(
                 records,
                 person_id,
@@ -291,10 +290,3 @@ def _table_row(line: ImportLine) -> ImportRow:
 
 def _case_row(line: CaseLine) -> ImportRow:
     return ImportRow(line.path, line.outcome, line.name, line.reason)
-
-
-def _free_folder(parent: Path, name: str) -> Path:
-    """Return a new folder named after a pseudonym, or after nobody where that is no file's name."""
-    plain = plain_name(name, "patient")
-    names = chain((plain,), (f"{plain}-{number}" for number in count(2)))
-    return next(parent / name for name in names if not (parent / name).exists())
