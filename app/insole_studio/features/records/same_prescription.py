@@ -58,11 +58,9 @@ class SamePrescription(QObject):
 
     def prescribed(self, foot: FootRecord) -> FootRecord:
         """Return a foot with the prescription that its visit expects, if it is to get one."""
-        coming = self._coming
-        if coming is None or self._services.keeper.visit_id != coming.visit_id:
-            return foot
-        template = coming.templates.get(foot.side)
-        if template is None or not coming.applied:
+        coming = self._of_visit
+        template = None if coming is None else coming.templates.get(foot.side)
+        if coming is None or template is None or not coming.applied:
             return foot
         try:
             return foot.with_design(fitted(template, foot, self._case.stamped))
@@ -70,12 +68,17 @@ class SamePrescription(QObject):
             self._services.messages.show_error(error)
             return foot
 
+    @property
+    def _of_visit(self) -> _Coming | None:
+        """What the open visit begins with; None for one that nothing is expected of."""
+        coming = self._coming
+        is_open = coming is not None and self._services.keeper.visit_id == coming.visit_id
+        return coming if is_open else None
+
     def _tell(self) -> None:
         """Say what the scans of the visit will be prescribed, while it has none."""
-        coming = self._coming
-        if coming is None or self._services.keeper.visit_id != coming.visit_id:
-            return
-        if not coming.applied or self._case.record.feet:
+        coming = self._of_visit
+        if coming is None or not coming.applied or self._case.record.feet:
             return
         side = {Side.LEFT: tr("left: {words}"), Side.RIGHT: tr("right: {words}")}
         feet = [
@@ -91,18 +94,19 @@ class SamePrescription(QObject):
         self._services.notices.put(NOTICE, sentence.format(feet=";  ".join(feet)))
 
     def _begin_foot(self) -> None:
-        coming, foot = self._coming, self._case.record.current
-        if coming is None or foot is None or self._services.keeper.visit_id != coming.visit_id:
+        coming, foot = self._of_visit, self._case.record.current
+        if coming is None or foot is None:
             return
         self._services.notices.drop(NOTICE)
         template = coming.templates.get(foot.side)
         if template is None or foot.earlier is not None or foot.design.corrections:
             return
-        foot = replace(foot, earlier=template)
-        if not coming.applied:
-            self._case.apply(foot, tr("Remember the last prescription"))
-            return
-        self._case.apply(self.prescribed(foot), tr("Prescribe as on the last visit"))
+        step = (
+            tr("Prescribe as on the last visit")
+            if coming.applied
+            else tr("Remember the last prescription")
+        )
+        self._case.apply(self.prescribed(replace(foot, earlier=template)), step)
 
 
 def last_prescriptions(records: Records, person_id: str) -> dict[Side, Template]:
