@@ -1,30 +1,21 @@
-"""A photo of a visit with what is marked on it, as values, and the picture itself."""
+"""A photo of a visit with what is marked on it, as values."""
 
 from __future__ import annotations
 
-import io
 import math
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any, Final
-
-import cv2
-from PIL import Image
 
 from insole_core.errors import InputError
 from insole_core.json_object import JsonObject
-from insole_core.pressure.picture import MOST_PIXELS, read_picture_file
 from insole_core.records.field_checks import check_line, check_text
 from insole_core.records.person import new_id
 
-MOST_PX: Final = 2400
-"""Greatest width and height of a stored photo."""
 MOST_PHOTOS: Final = 50
 MOST_MARKS: Final = 200
 MOST_POINTS: Final = 2000
 MOST_LETTERS: Final = 500
 """Of the text of a mark."""
-_QUALITY: Final = 88
 
 Point = tuple[float, float]
 
@@ -106,31 +97,6 @@ class Photo:
             caption=check_line(self.caption, "caption of the photo"),
             marks=tuple(mark.checked() for mark in self.marks),
         )
-
-
-def photo_jpeg(path: Path) -> bytes:
-    """Return a picture of a file as it is stored: upright, not too large, and nothing but pixels.
-
-    Raises
-    ------
-    InputError
-        When it is no PNG, JPEG or TIFF, damaged, or far larger than cameras make them.
-    """
-    too_large = InputError(
-        "{path} has more than {most} million pixels; take the photo with fewer, or save it "
-        "smaller.",
-        path=path,
-        most=MOST_PIXELS // 1_000_000,
-    )
-    colors = read_picture_file(path, too_large).colors
-    height, width = colors.shape[:2]
-    shrunk = MOST_PX / max(height, width)
-    if shrunk < 1.0:
-        size = max(round(width * shrunk), 1), max(round(height * shrunk), 1)
-        colors = cv2.resize(colors, size, interpolation=cv2.INTER_AREA)
-    written = io.BytesIO()
-    Image.fromarray(colors).save(written, "JPEG", quality=_QUALITY)
-    return written.getvalue()
 
 
 def marks_to_json(marks: tuple[PhotoMark, ...]) -> list[dict[str, Any]]:

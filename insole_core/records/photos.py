@@ -16,8 +16,8 @@ from insole_core.records.photo import (
     Photo,
     marks_from_text,
     marks_to_json,
-    photo_jpeg,
 )
+from insole_core.records.photo_picture import photo_jpeg
 from insole_core.records.rights import Right
 from insole_core.records.schema import visit_photos
 from insole_core.records.stored_contents import refer_to

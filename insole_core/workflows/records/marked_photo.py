@@ -9,6 +9,7 @@ from typing import Final
 from PIL import Image, ImageDraw, ImageFont
 
 from insole_core.records.photo import PhotoMark
+from insole_core.records.photo_picture import jpeg_of
 
 COLOR: Final = "#ff5f00"
 """Stands out from skin, and from the red and green of the sides."""
@@ -32,6 +33,4 @@ def with_marks(picture: bytes, marks: Sequence[PhotoMark]) -> bytes:
             drawn.circle((x, y), 3 * width, outline=COLOR, width=width)
         place = (x + 4 * width, y)
         drawn.text(place, str(number), fill=COLOR, font=font, stroke_width=1, stroke_fill="white")
-    written = io.BytesIO()
-    image.save(written, "JPEG", quality=88)
-    return written.getvalue()
+    return jpeg_of(image)

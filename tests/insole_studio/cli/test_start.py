@@ -8,7 +8,7 @@ import sys
 
 HEAVY = {"numpy", "scipy", "PySide6", "pyvista", "vtkmodules", "cv2", "matplotlib", "trimesh"}
 SCIPY = {f"scipy.{part}" for part in ("interpolate", "linalg", "ndimage", "sparse", "spatial")}
-LATER = {"pyvista", "pyvistaqt", "vtkmodules", "trimesh", "sqlalchemy", *SCIPY}
+LATER = {"pyvista", "pyvistaqt", "vtkmodules", "trimesh", "sqlalchemy", "PIL", *SCIPY}
 TOLD = "print(json.dumps(sorted(sys.modules)))"
 
 
