@@ -19,9 +19,9 @@ from insole_core.records.row_seals import ROW, SEALED, all_digests
 from insole_core.records.schema import audit
 
 SWITCHED_ON, SWITCHED_OFF = "switched on", "switched off"
-_PROVEN_OTHERWISE = (ACCOUNTS_ON, IDENTITY_VALUE, ERASING)
-"""How the keys of settings without a digest begin: the log tells of the first and the last, the
-folder of the files of the other."""
+_PROVEN_OTHERWISE = (ACCOUNTS_ON, IDENTITY_VALUE)
+"""Settings without a digest, as those of an erasure: the log tells the one, the folder of the files
+the other."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,8 @@ def verify_rows(connection: Connection, progress: Progress = SILENT) -> RowRepor
         for id_, digest in all_digests(connection, table):
             checked += 1
             logged = known[kind].pop(id_, None)
-            if logged is None and not id_.startswith(_PROVEN_OTHERWISE):
+            is_proven = id_ in _PROVEN_OTHERWISE or id_.startswith(ERASING)
+            if logged is None and not is_proven:
                 unlogged.setdefault(kind, []).append(id_)
             elif logged not in (None, digest):
                 changed.setdefault(kind, []).append(id_)
