@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from datetime import date
 from typing import Any, Final
 
-from sqlalchemy import ColumnElement, Connection, Row, Select, case, or_, select
+from sqlalchemy import ColumnElement, Connection, Row, Select, case, func, or_, select
 
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import RecordsError
@@ -27,6 +27,7 @@ from insole_core.records.visit import Visit
 _SORT_COLUMNS: Final[dict[str, ColumnElement[Any]]] = {
     "person_name": persons.c.sort_key,
     "ordered_on": orders.c.created_at,
+    "shop": func.nullif(orders.c.shop, ""),
     "state": case({str(state): n for n, state in enumerate(OrderState)}, value=orders.c.state),
 }
 """What an order is sorted by in place of the column of the same name."""
@@ -127,9 +128,5 @@ def _sorting(search: OrderSearch) -> Iterator[ColumnElement[Any]]:
     """Yield what to sort by: what is empty comes last, and equal ones always in the same order."""
     key = search.sorted_by
     column = _SORT_COLUMNS[key] if key in _SORT_COLUMNS else orders.c[key]
-    if key == "due_on":
-        yield column.is_(None)
-    if key == "shop":
-        yield column == ""
-    yield column.desc() if search.is_descending else column
+    yield (column.desc() if search.is_descending else column.asc()).nulls_last()
     yield orders.c.number
