@@ -133,7 +133,7 @@ def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
         raise foot.fail("variants", "must hold at least one prescription")
     if len(set(names)) < len(names):
         raise foot.fail("variants", "have the same name twice")
-    source = _source(foot.object("source"))
+    source = source_from_json(foot.object("source"))
     return FootRecord(
         foot=_foot(foot, side, source, mesh_of),
         source=source,
@@ -218,7 +218,14 @@ def _annotations(annotations: JsonObject) -> Annotations:
     return Annotations(points, ReferencePlane(plane.triple("origin_mm", _MOST_MM), pitch, roll))
 
 
-def _source(source: JsonObject) -> ScanSource:
+def source_from_json(source: JsonObject) -> ScanSource:
+    """Read what a foot was made from.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key of the first violation.
+    """
     return ScanSource(
         source.choice("kind", ["session", "mesh"]),
         source.path_text("path"),

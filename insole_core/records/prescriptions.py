@@ -9,15 +9,17 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, replace
 from datetime import date
+from functools import cached_property
 from threading import Lock
 from typing import Any, Final
 from uuid import UUID, uuid5
 from weakref import WeakKeyDictionary
 
-from sqlalchemy import Connection, Row, Select, insert, or_, select, update
+from sqlalchemy import Connection, Row, Select, exists, insert, or_, select, update
 
-from insole_core.cases.case_json import foot_from_json, foot_to_json
+from insole_core.cases.case_json import foot_from_json, foot_to_json, source_from_json
 from insole_core.cases.case_record import FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.cases.stored_mesh import pack_mesh, unpack_mesh
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.mesh import TriangleMesh
@@ -58,7 +60,56 @@ _SUMMARY: Final = (
     _VERSIONS.signature,
     _VERSIONS.capture_id,
 )
+_LATER: Final = prescription_versions.alias("later")
+_IS_NEWEST: Final = ~exists().where(
+    _LATER.c.visit_id == _VERSIONS.visit_id,
+    _LATER.c.side == _VERSIONS.side,
+    _LATER.c.number > _VERSIONS.number,
+)
+"""Whether no other version of the foot on that visit came after it."""
 _IN_CONFLICT: Final = "Kept beside the version of another station"
+
+
+@dataclass(frozen=True)
+class NewestVersion:
+    """The newest version of a foot on a visit.
+
+    What its document says is read only when it is asked for, so that a damaged one costs no more.
+
+    Parameters
+    ----------
+    document
+        JSON.
+    """
+
+    summary: VersionSummary
+    document: str
+
+    @property
+    def design(self) -> InsoleDesign:
+        """What it prescribes.
+
+        Raises
+        ------
+        InsoleError
+            When it cannot be read.
+        """
+        return _chosen_design(self._content)
+
+    @cached_property
+    def source(self) -> ScanSource:
+        """What the foot was made from.
+
+        Raises
+        ------
+        InsoleError
+            When it cannot be read.
+        """
+        return source_from_json(self._content.object("source"))
+
+    @cached_property
+    def _content(self) -> JsonObject:
+        return _document(self.summary.side, self.summary.number, self.document)
 
 
 class Prescriptions:
@@ -179,19 +230,14 @@ class Prescriptions:
             raise _gone()
         return self.foot_of(row)
 
-    def newest_designs(self, visit_id: str) -> dict[str, InsoleDesign]:
-        """Return what the newest version of each foot of a visit prescribes, by the version's id.
+    def newest(self, visit_id: str) -> list[NewestVersion]:
+        """Return the newest version of each foot of a visit, the left one first.
 
         No surface is read.
-
-        Raises
-        ------
-        InsoleError
-            When a design cannot be read.
         """
         with self._context.reading() as connection:
             rows = self.newest_of(connection, visit_id)
-        return {row.id: _chosen_design(_document_of(row)) for row in rows}
+            return [NewestVersion(summary_of(row), row.document) for row in rows]
 
     def last_prescribed(self, person_id: str) -> list[FootRecord]:
         """Return for each foot of a person the last version that prescribes something.
@@ -214,24 +260,16 @@ class Prescriptions:
 
         A mirror image is one only for a foot that was never scanned. No surface is read.
         """
-        last: dict[Side, ScannedFoot] = {}
-        for row in sorted(self._newest_of_person(person_id), key=_is_mirrored):
-            side, day = word_of(Side, row.side), _scan_day(row) or row.visited_on
-            last.setdefault(side, ScannedFoot(side, row.id, day))
+        scanned: dict[Side, ScannedFoot] = {}
+        images: dict[Side, ScannedFoot] = {}
+        for row in self._newest_of_person(person_id):
+            side = word_of(Side, row.side)
+            source = source_from_json(_document_of(row).object("source"))
+            day = date.fromisoformat(source.scanned_on) if source.scanned_on else row.visited_on
+            kind = images if source.mirrored else scanned
+            kind.setdefault(side, ScannedFoot(side, row.id, day))
+        last = images | scanned
         return [last[side] for side in Side if side in last]
-
-    def reused_scans(self, visit_id: str) -> dict[Side, date]:
-        """Return of which day the scans of a visit are that an earlier one had already."""
-        with self._context.reading() as connection:
-            rows = self.newest_of(connection, visit_id)
-        days = {word_of(Side, row.side): _scan_day(row) for row in rows}
-        return {side: day for side, day in days.items() if day is not None}
-
-    def mirrored_feet(self, visit_id: str) -> frozenset[Side]:
-        """Return which feet of a visit are mirror images of the other one's scan."""
-        with self._context.reading() as connection:
-            rows = self.newest_of(connection, visit_id)
-        return frozenset(word_of(Side, row.side) for row in rows if _is_mirrored(row))
 
     def packed_surface(self, version_id: str) -> bytes:
         """Return the surface of a version's foot as it is stored: an ``.npz`` of a case file.
@@ -291,24 +329,20 @@ class Prescriptions:
 
     def newest_of(self, connection: Connection, visit_id: str) -> list[Row[Any]]:
         """Return the rows of the newest version of each foot of a visit, the left one first."""
-        query = select(prescription_versions).where(_VERSIONS.visit_id == visit_id)
-        rows = connection.execute(query.order_by(_VERSIONS.side, _VERSIONS.number)).all()
-        return list({row.side: row for row in rows}.values())
+        query = select(prescription_versions).where(_VERSIONS.visit_id == visit_id, _IS_NEWEST)
+        return list(connection.execute(query.order_by(_VERSIONS.side)).all())
 
     def _newest_of_person(self, person_id: str) -> list[Row[Any]]:
         """Return the newest version of each foot of each visit, those of the latest visit first."""
         query = (
             select(prescription_versions, visits.c.visited_on)
             .join(visits, visits.c.id == _VERSIONS.visit_id)
-            .where(visits.c.person_id == person_id)
+            .where(visits.c.person_id == person_id, _IS_NEWEST)
             .order_by(visits.c.visited_on.desc(), visits.c.created_at.desc())
             .order_by(_VERSIONS.number.desc())
         )
-        newest: dict[tuple[str, str], Row[Any]] = {}
         with self._context.reading() as connection:
-            for row in connection.execute(query):
-                newest.setdefault((row.visit_id, row.side), row)
-        return list(newest.values())
+            return list(connection.execute(query).all())
 
     def _content(self, foot: FootRecord) -> _Content:
         kept = replace(foot, source=foot.source.with_needed_place())
@@ -421,19 +455,11 @@ class _StoredMeshes:
 
 
 def _document_of(row: Row[Any]) -> JsonObject:
-    return JsonObject.parse(f"{row.side}, version {row.number}", row.document.encode())
+    return _document(row.side, row.number, row.document)
 
 
-def _scan_day(row: Row[Any]) -> date | None:
-    """Return of which day the scan of a version is, where an earlier visit had it already."""
-    source = _document_of(row).object("source")
-    return date.fromisoformat(source.date("scanned_on")) if source.has("scanned_on") else None
-
-
-def _is_mirrored(row: Row[Any]) -> bool:
-    """Return whether the foot of a version is the mirror image of the other one."""
-    source = _document_of(row).object("source")
-    return source.has("mirrored") and source.flag("mirrored")
+def _document(side: str, number: int, text: str) -> JsonObject:
+    return JsonObject.parse(f"{side}, version {number}", text.encode())
 
 
 def _chosen_design(document: JsonObject) -> InsoleDesign:

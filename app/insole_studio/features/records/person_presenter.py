@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from functools import partial
@@ -65,9 +65,9 @@ class VisitView:
     visit: Visit
     newest: tuple[VersionSummary, ...]
     captures: tuple[Capture, ...]
-    reused_scans: Mapping[Side, date]
-    """Of which day those scans are that an earlier visit had already."""
-    mirrored_feet: Set[Side]
+    reused_scans: Sequence[str]
+    """Of which days those scans are that an earlier visit had already."""
+    mirrored_feet: Sequence[Side]
     """Those that were not scanned."""
     others: tuple[str, ...]
     designs: Mapping[str, InsoleDesign]
@@ -257,28 +257,28 @@ def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView
 def _visit_view(
     records: Records, visit: Visit, orders: Sequence[OrderSummary], photos: Mapping[str, int]
 ) -> VisitView:
-    versions = (records.prescriptions.versions(visit.id, side)[:1] for side in Side)
+    newest = records.prescriptions.newest(visit.id)
     others = records.presence.others(visit.id)
     return VisitView(
         visit,
-        tuple(version for newest in versions for version in newest),
+        tuple(version.summary for version in newest),
         tuple(records.captures.of_visit(visit.id)),
-        _of_versions(records.prescriptions.reused_scans, visit, {}),
-        _of_versions(records.prescriptions.mirrored_feet, visit, frozenset()),
+        _of_versions(visit, lambda: [v.source.scanned_on for v in newest if v.source.scanned_on]),
+        _of_versions(visit, lambda: [v.summary.side for v in newest if v.source.mirrored]),
         tuple(f"{present.author}, {present.station}" for present in others),
-        _of_versions(records.prescriptions.newest_designs, visit, {}),
+        dict(_of_versions(visit, lambda: [(v.summary.id, v.design) for v in newest])),
         tuple(order for order in orders if order.visit_id == visit.id),
         photos.get(visit.id, 0),
     )
 
 
-def _of_versions(ask: Callable[[str], _Told], visit: Visit, none: _Told) -> _Told:
+def _of_versions(visit: Visit, told: Callable[[], list[_Told]]) -> list[_Told]:
     """Return what the versions of a visit tell; a damaged one costs its card these words only."""
     try:
-        return ask(visit.id)
+        return told()
     except InsoleError as error:
         log.warning("a version of visit %s cannot be read: %s", visit.id, error)
-        return none
+        return []
 
 
 def _fields_of(person: Person) -> dict[str, str]:
@@ -355,8 +355,8 @@ def _row(shown: VisitView) -> VisitRow:
         shown.photos,
         (
             *map(scan_text, shown.captures[:_MOST_SCANS]),
-            *(reused_scan_text(day) for day in sorted(set(shown.reused_scans.values()))),
-            *(mirrored_text(side) for side in Side if side in shown.mirrored_feet),
+            *(reused_scan_text(day) for day in sorted(set(shown.reused_scans))),
+            *map(mirrored_text, shown.mirrored_feet),
         ),
         tuple(
             translate_core_message(line)

@@ -51,9 +51,9 @@ def scan_text(capture: Capture) -> str:
     return tr("Captured {time}; sensors calibrated {day}").format(time=time, day=day)
 
 
-def reused_scan_text(day: date) -> str:
+def reused_scan_text(day: str) -> str:
     """Return that a visit has the scan of an earlier one."""
-    return tr("Scan of the visit of {day}, used once more").format(day=day.isoformat())
+    return tr("Scan of the visit of {day}, used once more").format(day=day)
 
 
 def mirrored_text(side: Side) -> str:

@@ -387,7 +387,8 @@ def test_a_visit_without_a_scan_takes_the_last_one_and_says_its_day(
     now = clinic.services.keeper.visit_id
     qtbot.waitUntil(lambda: bool(records.prescriptions.versions(now, Side.LEFT)))
     rest()
-    assert records.prescriptions.reused_scans(now) == {Side.LEFT: before}
+    (version,) = records.prescriptions.newest(now)
+    assert (version.summary.side, version.source.scanned_on) == (Side.LEFT, before.isoformat())
     assert records.visits.get(now).measures == {}
     clinic.features.records.show_person(visit.person_id)
     told = f"Scan of the visit of {before.isoformat()}, used once more"
