@@ -744,32 +744,12 @@
             <translation>Ditt eget lösenord</translation>
         </message>
         <message>
-            <source>adjusted</source>
-            <translation>justerad</translation>
-        </message>
-        <message>
-            <source>administrator</source>
-            <translation>administratör</translation>
-        </message>
-        <message>
-            <source>backup service</source>
-            <translation>säkerhetskopiering</translation>
-        </message>
-        <message>
             <source>birth date</source>
             <translation>födelsedatum</translation>
         </message>
         <message>
-            <source>cancelled</source>
-            <translation>makulerad</translation>
-        </message>
-        <message>
             <source>captures</source>
             <translation>avbildningar</translation>
-        </message>
-        <message>
-            <source>checked</source>
-            <translation>kontrollerad</translation>
         </message>
         <message>
             <source>consent</source>
@@ -786,14 +766,6 @@
         <message>
             <source>day of the visit</source>
             <translation>besöksdag</translation>
-        </message>
-        <message>
-            <source>delivered</source>
-            <translation>levererad</translation>
-        </message>
-        <message>
-            <source>designed</source>
-            <translation>utformad</translation>
         </message>
         <message>
             <source>digest</source>
@@ -822,10 +794,6 @@
         <message>
             <source>has a user of the system</source>
             <translation>har en systemanvändare</translation>
-        </message>
-        <message>
-            <source>in production</source>
-            <translation>i produktion</translation>
         </message>
         <message>
             <source>kept until</source>
@@ -884,10 +852,6 @@
             <translation>beställningar</translation>
         </message>
         <message>
-            <source>orthopedist</source>
-            <translation>ortopedingenjör</translation>
-        </message>
-        <message>
             <source>password</source>
             <translation>lösenord</translation>
         </message>
@@ -920,10 +884,6 @@
             <translation>borttagna</translation>
         </message>
         <message>
-            <source>returned</source>
-            <translation>returnerad</translation>
-        </message>
-        <message>
             <source>revision</source>
             <translation>revision</translation>
         </message>
@@ -938,10 +898,6 @@
         <message>
             <source>sample patient</source>
             <translation>provpatient</translation>
-        </message>
-        <message>
-            <source>sent</source>
-            <translation>skickad</translation>
         </message>
         <message>
             <source>shoe size</source>
@@ -966,10 +922,6 @@
         <message>
             <source>state of the capture</source>
             <translation>avbildningens läge</translation>
-        </message>
-        <message>
-            <source>technician</source>
-            <translation>tekniker</translation>
         </message>
         <message>
             <source>terms of the order</source>

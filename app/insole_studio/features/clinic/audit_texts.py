@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Final
 
-from insole_studio.texts import tr
+from insole_core.geometry.side import Side
+from insole_core.records.author import Role
+from insole_core.records.order import OrderState
+from insole_studio.texts import tr, translate_core_message
 
 NAMES: Final[Mapping[str, Callable[[], str]]] = {
     "audit_seq": lambda: tr("last line"),
@@ -44,25 +48,16 @@ WORDS: Final[Mapping[str, Callable[[], str]]] = {
     "True": lambda: tr("yes"),
     "False": lambda: tr("no"),
     "None": lambda: tr("none"),
-    "left": lambda: tr("left"),
-    "right": lambda: tr("right"),
     "request": lambda: tr("on request"),
     "retention over": lambda: tr("time of keeping over"),
     "sample": lambda: tr("sample patient"),
     "password": lambda: tr("password"),
     "system user": lambda: tr("user of the system"),
-    "orthopedist": lambda: tr("orthopedist"),
-    "technician": lambda: tr("technician"),
-    "administrator": lambda: tr("administrator"),
-    "backup service": lambda: tr("backup service"),
-    "designed": lambda: tr("designed"),
-    "checked": lambda: tr("checked"),
-    "sent": lambda: tr("sent"),
-    "in production": lambda: tr("in production"),
-    "delivered": lambda: tr("delivered"),
-    "adjusted": lambda: tr("adjusted"),
-    "returned": lambda: tr("returned"),
-    "cancelled": lambda: tr("cancelled"),
+    **{
+        str(word): partial(translate_core_message, str(word))
+        for kind in (Side, Role, OrderState)
+        for word in kind
+    },
 }
 """Values that are words."""
 FIELDS: Final[Mapping[str, Callable[[], str]]] = {
