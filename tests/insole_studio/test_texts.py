@@ -75,6 +75,10 @@ def test_every_text_has_a_swedish_one() -> None:
     assert [text for text in texts if not translated.get(text)] == []
 
 
+def test_no_swedish_text_is_left_of_one_that_nobody_says() -> None:
+    assert catalogue().keys() - set(texts_of_the_code()) == set()
+
+
 def test_names_in_braces_stay_what_they_are() -> None:
     for source, translation in catalogue().items():
         for part in source.split("{")[1:]:

@@ -84,10 +84,6 @@
             <translation>Efter material och kroppsvikt</translation>
         </message>
         <message>
-            <source>By what the shop knows the patient, whose name stays here</source>
-            <translation>Vad verkstaden känner patienten under; namnet stannar här</translation>
-        </message>
-        <message>
             <source>By which day the shop is to deliver</source>
             <translation>Till vilken dag verkstaden ska leverera</translation>
         </message>
@@ -754,10 +750,6 @@
         <message>
             <source>warns</source>
             <translation>varnar</translation>
-        </message>
-        <message>
-            <source>{count} walls</source>
-            <translation>{count} väggar</translation>
         </message>
         <message>
             <source>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles</source>

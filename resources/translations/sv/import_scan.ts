@@ -123,13 +123,5 @@
             <source>leg cut off at {mm:.0f} mm</source>
             <translation>benet avskuret vid {mm:.0f} mm</translation>
         </message>
-        <message>
-            <source>toes missing</source>
-            <translation>tårna saknas</translation>
-        </message>
-        <message>
-            <source>{length_mm:.0f} mm long</source>
-            <translation>{length_mm:.0f} mm lång</translation>
-        </message>
     </context>
 </TS>

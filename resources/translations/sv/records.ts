@@ -656,10 +656,6 @@
             <translation>Signerad</translation>
         </message>
         <message>
-            <source>Sign…</source>
-            <translation>Signera…</translation>
-        </message>
-        <message>
             <source>Somebody else has changed the left foot of this visit while you worked on it.</source>
             <translation>Någon annan har ändrat besökets vänstra fot medan du arbetade med den.</translation>
         </message>

@@ -212,10 +212,6 @@
             <translation>Bas</translation>
         </message>
         <message>
-            <source>Begin</source>
-            <translation>Börja</translation>
-        </message>
-        <message>
             <source>Begin with an empty case</source>
             <translation>Börja med ett tomt fall</translation>
         </message>
@@ -1998,10 +1994,6 @@
         <message>
             <source>The graphics card draws from the next start on.</source>
             <translation>Grafikkortet ritar från nästa start.</translation>
-        </message>
-        <message>
-            <source>The insole</source>
-            <translation>Inlägget</translation>
         </message>
         <message>
             <source>The insole appears here as soon as there is a foot.</source>

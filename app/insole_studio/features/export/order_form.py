@@ -391,7 +391,6 @@ class OrderForm(QWidget):
             (self.limited, tr("A smaller file: larger triangles where the surface is flat")),
             (self.triangles, tr("How many triangles the file has at most")),
             (self.deviation, tr("How far the surface may move where triangles are left out")),
-            (self.pseudonym, tr("By what the shop knows the patient, whose name stays here")),
             (self.relief, tr("Whether a text is cut into the underside, or stands out of it")),
             (self.text, tr("The text on the underside")),
             (self.job_sheet, tr("A drawing with sections and all values, without the name")),
