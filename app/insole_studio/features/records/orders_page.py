@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Signal, SignalInstance
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from insole_core.records.order import MOST_DAYS_UNTIL_DUE, OrderState
@@ -69,23 +69,20 @@ class OrdersPage(QWidget):
         self.move_button.clicked.connect(self._request_move)
         self.cancel_button = QPushButton(tr("Cancel the order"))
         self.cancel_button.clicked.connect(self._request_cancel)
-        self._requests = {
-            tr("Open the visit"): self.order_chosen,
-            tr("Shop and due date…"): self.edit_requested,
-            tr("Print the papers…"): self.papers_requested,
-            tr("Open the folder"): self.folder_requested,
-        }
-        self.buttons = [QPushButton(text) for text in self._requests]
-        self.open_button, self.edit_button, self.papers_button, self.folder_button = self.buttons
-        for button in self.buttons:
-            button.clicked.connect(self._request)
+        self.open_button = self._button(tr("Open the visit"), self.order_chosen)
+        self.edit_button = self._button(tr("Shop and due date…"), self.edit_requested)
+        self.papers_button = self._button(tr("Print the papers…"), self.papers_requested)
+        self.folder_button = self._button(tr("Open the folder"), self.folder_requested)
         self._lay_out()
         self._show_chosen()
 
     @property
     def _of_chosen(self) -> tuple[QWidget, ...]:
         """The widgets that need a chosen order."""
-        return *self.buttons, self.to_state, self.move_button, self.cancel_button
+        return (
+            self.open_button, self.edit_button, self.papers_button, self.folder_button,
+            self.to_state, self.move_button, self.cancel_button,
+        )  # fmt: skip
 
     def show_orders(
         self, title: str, rows: Sequence[TableRow], count: int, *, of_person: bool
@@ -113,6 +110,12 @@ class OrdersPage(QWidget):
     def show_days(self, days: int) -> None:
         """Show after how many days new orders are due."""
         self.days.show_value(days)
+
+    def _button(self, text: str, request: SignalInstance) -> QPushButton:
+        """Return a button that asks for something with the chosen order."""
+        button = QPushButton(text)
+        button.clicked.connect(lambda: request.emit(self.table.current_key))
+        return button
 
     def _lay_out(self) -> None:
         back = QPushButton(tr("Patients"))
@@ -151,8 +154,3 @@ class OrdersPage(QWidget):
 
     def _request_cancel(self) -> None:
         self.move_requested.emit(self.table.current_key, OrderState.CANCELLED.value)
-
-    def _request(self) -> None:
-        button = self.sender()
-        assert isinstance(button, QPushButton)
-        self._requests[button.text()].emit(self.table.current_key)
