@@ -57,8 +57,15 @@ class SamplePatient(QObject):
 
     def show(self) -> None:
         """Show the page of the sample; bring it back where it was removed."""
+        texts = _texts()
+
+        def ensure(records: Records) -> Person:
+            from insole_core.workflows.records.sample_patient import ensure_sample
+
+            return ensure_sample(records, *texts)
+
         self._clinic.write(
-            _ensure(),
+            ensure,
             lambda person: self._show_person(person.id),
             self._services.messages.show_error,
         )
@@ -118,18 +125,6 @@ def _texts() -> tuple[str, str, str]:
         tr("Invented, to try the program with: nothing here concerns a real person."),
         tr("Forefoot pain when walking."),
     )
-
-
-def _ensure() -> Callable[[Records], Person]:
-    """Return what adds the sample, in the language of the window."""
-    texts = _texts()
-
-    def ensure(records: Records) -> Person:
-        from insole_core.workflows.records.sample_patient import ensure_sample
-
-        return ensure_sample(records, *texts)
-
-    return ensure
 
 
 def _note_failure(error: Exception) -> None:
