@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton, QWidget
 
 
@@ -16,10 +16,8 @@ class Fold(QToolButton):
     text
         What is below it.
     content
-        The widgets that it shows and hides; what else depends on it follows `opened`.
+        The widgets that it shows and hides; what else depends on it follows `toggled`.
     """
-
-    opened = Signal(bool)
 
     def __init__(
         self, text: str, content: Sequence[QWidget] = (), parent: QWidget | None = None
@@ -36,13 +34,7 @@ class Fold(QToolButton):
         self.toggled.connect(self._show)
         self._show(False)
 
-    @property
-    def is_open(self) -> bool:
-        """Whether what is below it is shown."""
-        return self.isChecked()
-
     def _show(self, is_open: bool) -> None:
         self.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
         for widget in self._content:
             widget.setVisible(is_open)
-        self.opened.emit(is_open)

@@ -367,7 +367,7 @@ class OrderForm(QWidget):
         for field in (self.draft, self.chamfer, self.triangles, self.deviation):
             field.edited.connect(self._pass_on)
         self.machine.edited.connect(self._pass_on)
-        self.more.opened.connect(self._fit_more)
+        self.more.toggled.connect(self._fit_more)
         for box, _ in self._boxes(self._choice):
             box.toggled.connect(self._pass_on)
         for side, material in self.materials.items():
@@ -401,7 +401,7 @@ class OrderForm(QWidget):
 
     def _fit_more(self) -> None:
         """Show what decides the size of the file only where it is asked for."""
-        is_open = self.more.is_open
+        is_open = self.more.isChecked()
         self._form.setRowVisible(self.limited, is_open)
         for field in (self.triangles, self.deviation):
             self._form.setRowVisible(field, is_open and self._choice.most_triangles is not None)

@@ -185,7 +185,7 @@ class ParametersView(QScrollArea):
         """Return the heading of a group for experts, which stays open once it was opened."""
         fold = Fold(group.title, (content,))
         fold.setChecked(group.title in self._open)
-        fold.opened.connect(partial(self._note_fold, group.title))
+        fold.toggled.connect(partial(self._note_fold, group.title))
         row = QHBoxLayout()
         row.addWidget(fold)
         row.addStretch(1)
