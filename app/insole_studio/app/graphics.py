@@ -9,13 +9,14 @@ from typing import cast
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
+from insole_studio.widgets.screen_room import UNSEEN
+
 LEAST_OPENGL = (3, 2)
 """What VTK draws with."""
 _RENDERER = 0x1F01
 _SOFTWARE = (
     "llvmpipe", "softpipe", "swrast", "software", "gdi generic", "basic render", "swiftshader",
 )  # fmt: skip
-_NO_PICTURES = ("offscreen", "minimal")
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ def examine_graphics(platform: str) -> Graphics | None:
     Graphics or None
         None where Qt draws for no screen, and has no OpenGL to ask.
     """
-    if platform in _NO_PICTURES:
+    if platform in UNSEEN:
         return None
     surface = QOffscreenSurface()
     surface.create()

@@ -7,7 +7,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFrame, QScrollArea, QStyle, QWidget
 
 UNSEEN = ("offscreen", "minimal")
-"""Platforms that draw for no screen: a window may have any size there."""
+"""Platforms that draw for no screen: a window may have any size there, and has no OpenGL."""
 _FRAMED = (Qt.WindowType.Window, Qt.WindowType.Dialog, Qt.WindowType.Sheet, Qt.WindowType.Tool)
 
 
