@@ -30,6 +30,7 @@ from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
@@ -128,11 +129,11 @@ class AccountsDialog(RecordDialog):
         self.table.current_changed.connect(self._allow)
         row = QHBoxLayout()
         row.setSpacing(8)
-        self.add = _button(tr("Add account…"), self._open_new)
-        self.edit = _button(tr("Change…"), self._open_change)
-        self.reset = _button(tr("New password…"), self._open_reset)
-        self.unlock = _button(tr("Unlock"), self._unlock)
-        self.switch_off = _button(tr("Switch accounts off"), self._switch_off)
+        self.add = plain_button(tr("Add account…"), self._open_new)
+        self.edit = plain_button(tr("Change…"), self._open_change)
+        self.reset = plain_button(tr("New password…"), self._open_reset)
+        self.unlock = plain_button(tr("Unlock"), self._unlock)
+        self.switch_off = plain_button(tr("Switch accounts off"), self._switch_off)
         for button in (self.add, self.edit, self.reset, self.unlock):
             row.addWidget(button)
         row.addStretch(1)
@@ -254,10 +255,3 @@ def _row(account: Account) -> TableRow:
         state = tr("wrong passwords: {count}").format(count=account.failures)
     cells = (account.name, account.full_name, translate_core_message(account.role), state)
     return TableRow(account.id, cells, attention=bool(account.failures))
-
-
-def _button(text: str, run: object) -> QPushButton:
-    button = QPushButton(text)
-    button.setAutoDefault(False)
-    button.clicked.connect(run)
-    return button

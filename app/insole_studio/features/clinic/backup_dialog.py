@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QSpinBox,
     QWidget,
 )
@@ -37,6 +36,7 @@ from insole_studio.texts import fill, tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import ProgressBar
+from insole_studio.widgets.plain_button import plain_button
 
 if TYPE_CHECKING:
     from insole_core.records.backup.back_up import BackupReport
@@ -65,9 +65,7 @@ class BackupDialog(RecordDialog):
         self.folder = QLineEdit(settings.backup_folder)
         self.folder.setPlaceholderText(tr("A folder on another disk, or on a share"))
         self.folder.editingFinished.connect(self._keep_plan)
-        self.choose = QPushButton(tr("Choose…"))
-        self.choose.setAutoDefault(False)
-        self.choose.clicked.connect(self._choose_folder)
+        self.choose = plain_button(tr("Choose…"), self._choose_folder)
         self.day = ComboBox(_days())
         self.day.setAccessibleName(tr("Day of the backup"))
         self.day.show_value(settings.backup_day)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QSpinBox, QWidget
 
 from insole_core.records.retention import LEAST_YEARS, YEARS_VALUE, ErasureReason
 from insole_studio.document.clinic_record import ClinicRecord
@@ -16,6 +16,7 @@ from insole_studio.texts import fill, tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
@@ -74,9 +75,7 @@ class EraseDialog(RecordDialog):
         self.pseudonym.setPlaceholderText(tr("As it stands on the patient's page: P-…"))
         self.pseudonym.textEdited.connect(lambda _text: self._forget())
         self.pseudonym.returnPressed.connect(self.look_up)
-        self.find_button = QPushButton(tr("Show what is erased"))
-        self.find_button.setAutoDefault(False)
-        self.find_button.clicked.connect(self.look_up)
+        self.find_button = plain_button(tr("Show what is erased"), self.look_up)
         self.reason = ComboBox(
             [
                 (_NO_REASON, tr("Choose why")),

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLineEdit,
-    QPushButton,
     QRadioButton,
     QVBoxLayout,
     QWidget,
@@ -29,6 +28,7 @@ from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.plain_button import plain_button
 
 if TYPE_CHECKING:
     from insole_core.records.place_check import PlaceReport
@@ -67,9 +67,7 @@ class PlaceDialog(RecordDialog):
         self.password.setPlaceholderText(tr("Empty: from PostgreSQL's own password file"))
         self.contents = QLineEdit(present.contents)
         self.contents.setPlaceholderText(tr("A folder on a share that all stations reach"))
-        self.choose = QPushButton(tr("Choose…"))
-        self.choose.setAutoDefault(False)
-        self.choose.clicked.connect(self._choose_folder)
+        self.choose = plain_button(tr("Choose…"), self._choose_folder)
         self.test = self.add_button(tr("Test the connection"), self._test)
         self.use = self.buttons.addButton(
             tr("Use this record"), QDialogButtonBox.ButtonRole.AcceptRole

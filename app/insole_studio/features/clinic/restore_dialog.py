@@ -9,7 +9,7 @@ from threading import Event
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit
 
 from insole_core.progress import Progress
 from insole_studio.document.record_location import RecordLocation, settings_for
@@ -23,6 +23,7 @@ from insole_studio.services.last_folders import Kept
 from insole_studio.texts import fill, tr, translate_core_message
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
@@ -73,9 +74,7 @@ class RestoreDialog(RecordDialog):
         self._stop = Event()
         self.folder = QLineEdit(folder)
         self.folder.editingFinished.connect(self._note_folder)
-        self.choose = QPushButton(tr("Choose…"))
-        self.choose.setAutoDefault(False)
-        self.choose.clicked.connect(self._choose_folder)
+        self.choose = plain_button(tr("Choose…"), self._choose_folder)
         self.table = RowTable((tr("Backup"), tr("Made")), stretched=1)
         self.table.setAccessibleName(tr("Backups in the folder"))
         self.table.current_changed.connect(lambda _key: self._forget_opened())

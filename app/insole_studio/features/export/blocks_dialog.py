@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -24,6 +23,7 @@ from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.plain_button import plain_button
 
 _WIDTH_PX = 620
 _NAME_PX, _LENGTH_PX, _REMOVE_PX, _GAP_PX = 200, 96, 28, 6
@@ -55,9 +55,7 @@ class BlocksDialog(QDialog):
         self._list = QVBoxLayout()
         self._list.setSpacing(4)
         self.problem = MessageLabel("warning")
-        self.add = QPushButton(tr("Add a block"))
-        self.add.setAutoDefault(False)
-        self.add.clicked.connect(self._add_first)
+        self.add = plain_button(tr("Add a block"), self._add_first)
         self.buttons = QDialogButtonBox()
         self.keep = self.buttons.addButton(
             tr("Save the blocks"), QDialogButtonBox.ButtonRole.AcceptRole

@@ -32,6 +32,7 @@ from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
+from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.side_badge import COLORS
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
@@ -72,9 +73,9 @@ class ImportDialog(QDialog):
         self._units = QVBoxLayout()
         self.candidates = _list(tr("How it lies"))
         self.candidates.currentRowChanged.connect(self.candidate_chosen)
-        self.clicks = _button(tr("Click heel, toes and sole"), self.clicks_wanted.emit)
+        self.clicks = plain_button(tr("Click heel, toes and sole"), self.clicks_wanted.emit)
         self.clicks.setCheckable(True)
-        self.take_back = _button(tr("Take the last click back"), self.click_taken_back.emit)
+        self.take_back = plain_button(tr("Take the last click back"), self.click_taken_back.emit)
         self.size_fields = SizeFields()
         self.size_fields.edited.connect(self.reading_changed)
         self.form = ComboBox(form_options())
@@ -211,10 +212,10 @@ class ImportDialog(QDialog):
             super().keyPressEvent(event)
 
     def _unit_button(self, unit: Unit, text: str) -> QPushButton:
-        return _button(text, lambda: self.unit_chosen.emit(unit))
+        return plain_button(text, lambda: self.unit_chosen.emit(unit))
 
     def _side_button(self, side: Side) -> QPushButton:
-        button = _button(side_text(side), lambda: self.side_chosen.emit(side))
+        button = plain_button(side_text(side), lambda: self.side_chosen.emit(side))
         button.setCheckable(True)
         return button
 
@@ -273,10 +274,3 @@ def _fit(rows: QListWidget) -> None:
     """Make a list as high as its rows, up to a few."""
     shown = max(1, min(rows.count(), _ROWS))
     rows.setFixedHeight(shown * rows.sizeHintForRow(0) + 2 * rows.frameWidth())
-
-
-def _button(text: str, run: object) -> QPushButton:
-    button = QPushButton(text)
-    button.setAutoDefault(False)  # Enter opens the scan
-    button.clicked.connect(run)
-    return button

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
@@ -23,6 +22,7 @@ from insole_core.records.photo import MOST_LETTERS, Photo, PhotoMark
 from insole_studio.texts import tr
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.marked_picture import Line, MarkedPicture
+from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 _SIZE = (1040, 640)
@@ -65,14 +65,10 @@ class PhotosDialog(QDialog):
         self.marks = RowTable((tr("No."), tr("Text")), stretched=1)
         self.marks.setAccessibleName(tr("Marks"))
         self.marks.current_changed.connect(self._choose_mark)
-        self.add = _button(tr("Add a photo…"))
-        self.add.clicked.connect(self.add_requested)
-        self.delete = _button(tr("Delete the photo…"))
-        self.delete.clicked.connect(self._request_delete)
-        self.remove = _button(tr("Remove the mark"))
-        self.remove.clicked.connect(self._remove_mark)
-        self.leave = _button(tr("Close"))
-        self.leave.clicked.connect(self.reject)
+        self.add = plain_button(tr("Add a photo…"), self.add_requested)
+        self.delete = plain_button(tr("Delete the photo…"), self._request_delete)
+        self.remove = plain_button(tr("Remove the mark"), self._remove_mark)
+        self.leave = plain_button(tr("Close"), self.reject)
         self._lay_out()
         self._show_chosen()
 
@@ -219,10 +215,3 @@ class PhotosDialog(QDialog):
 
     def _request_delete(self) -> None:
         self.delete_requested.emit(self.table.current_key)
-
-
-def _button(text: str) -> QPushButton:
-    """Return a button that Enter in a field does not press."""
-    button = QPushButton(text)
-    button.setAutoDefault(False)
-    return button

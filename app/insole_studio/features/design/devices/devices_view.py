@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.texts import tr
+from insole_studio.widgets.plain_button import plain_button
 
 SIZE_PX = QSize(820, 480)
 LIST_PX = 300
@@ -99,12 +100,9 @@ class DevicesView(QDialog):
         self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setWidget(self.details)
-        self.more = QPushButton(tr("More"))
-        self.more.setAutoDefault(False)
+        self.more = plain_button(tr("More"))
         self.more.setMenu(QMenu(self.more))
-        self.close_button = QPushButton(tr("Close"))
-        self.close_button.setAutoDefault(False)
-        self.close_button.clicked.connect(self.reject)
+        self.close_button = plain_button(tr("Close"), self.reject)
         self.apply_button = QPushButton(tr("Apply"))
         self.apply_button.setObjectName("primary")
         self.apply_button.setDefault(True)

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QListWidget,
     QMenu,
-    QPushButton,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -39,6 +38,7 @@ from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.plain_button import plain_button
 
 SIZE_PX = QSize(760, 500)
 _LIST_PX, _FIELD_PX, _REMOVE_PX, _GAP_PX = 220, 96, 28, 6
@@ -74,10 +74,8 @@ class MaterialsDialog(QDialog):
         self.list.setAccessibleName(tr("Materials"))
         self.list.setFixedWidth(_LIST_PX)
         self.list.currentRowChanged.connect(self._show_chosen)
-        self.add = _button(tr("Add a material"))
-        self.add.clicked.connect(self._add)
-        self.remove = _button(tr("Remove"))
-        self.remove.clicked.connect(self._remove)
+        self.add = plain_button(tr("Add a material"), self._add)
+        self.remove = plain_button(tr("Remove"), self._remove)
         self.name = QLineEdit()
         self.least = _millimetres()
         self.least_edge = _millimetres()
@@ -89,7 +87,7 @@ class MaterialsDialog(QDialog):
             field.edited.connect(self._take_edit)
         self.steps.edited.connect(self._take_edit)
         self.problem = MessageLabel("warning")
-        self.more = _button(tr("More"))
+        self.more = plain_button(tr("More"))
         self.more.setMenu(self._menu())
         self.buttons = QDialogButtonBox()
         self.keep = self.buttons.addButton(
@@ -249,8 +247,7 @@ class StepsEditor(QWidget):
         self.weights: list[NumberField] = []
         self.thicknesses: list[NumberField] = []
         self.removes: list[QToolButton] = []
-        self.add = _button(tr("Add a body weight"))
-        self.add.clicked.connect(self._add)
+        self.add = plain_button(tr("Add a body weight"), self._add)
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._rows = QWidget()
@@ -326,12 +323,6 @@ class StepsEditor(QWidget):
         row, steps = self.removes.index(button), self.steps()
         self.show_steps((*steps[:row], *steps[row + 1 :]))
         self.edited.emit()
-
-
-def _button(text: str) -> QPushButton:
-    button = QPushButton(text)
-    button.setAutoDefault(False)
-    return button
 
 
 def _millimetres() -> NumberField:
