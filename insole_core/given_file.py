@@ -51,8 +51,13 @@ def given_errors(path: Path, most_bytes: int) -> Iterator[None]:
                 path=path,
                 limit_mb=most_bytes // 2**20,
             ) from error
-        raise InputError(
-            "{path} cannot be read: {reason}; check the name of the file.",
-            path=path,
-            reason=str(getattr(error, "strerror", error)),
-        ) from error
+        raise unreadable(path, error) from error
+
+
+def unreadable(path: Path | str, error: OSError | ValueError) -> InputError:
+    """Return the error of a file that cannot be opened or read."""
+    return InputError(
+        "{path} cannot be read: {reason}; check the name of the file.",
+        path=path,
+        reason=str(getattr(error, "strerror", error)),
+    )

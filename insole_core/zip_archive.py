@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from insole_core.errors import InputError
+from insole_core.given_file import unreadable
 from insole_core.regular_file import open_regular
 
 _LOCAL_HEADER = struct.Struct("<4s22xHH")
@@ -55,11 +56,7 @@ class ZipArchive:
             with self._opened() as file, zipfile.ZipFile(file) as archive:
                 entries = [entry for entry in archive.infolist() if not entry.is_dir()]
         except _ABSENT as error:
-            raise InputError(
-                "{path} cannot be read: {reason}; check the name of the file.",
-                path=name,
-                reason=str(error.strerror),
-            ) from error
+            raise unreadable(name, error) from error
         except _UNREADABLE as error:
             raise DamagedArchiveError(
                 "{archive} is not a readable zip archive; copy it again from its source.",

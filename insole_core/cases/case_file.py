@@ -20,6 +20,7 @@ from insole_core.export.atomic import replacing_file
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.given_file import unreadable
 from insole_core.json_object import JsonObject
 from insole_core.strict_json import MOST_BYTES
 from insole_core.zip_archive import DamagedArchiveError, ZipArchive
@@ -97,11 +98,7 @@ def digest_of_case(path: Path) -> str:
     except FileNotFoundError:
         return ""
     except OSError as error:
-        raise InputError(
-            "{path} cannot be read: {reason}; check the name of the file.",
-            path=path,
-            reason=str(error.strerror),
-        ) from error
+        raise unreadable(path, error) from error
 
 
 def _case_of(parts: dict[str, bytes], path: Path) -> CaseRecord:
