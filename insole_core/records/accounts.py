@@ -23,6 +23,7 @@ from insole_core.errors import FirstPassword, InputError, NotAllowed, RecordsErr
 from insole_core.records import schema
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author, Proof, Role, system_user
+from insole_core.records.checked_values import word_of
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase
 from insole_core.records.passwords import (
@@ -256,7 +257,7 @@ class Accounts:
             self._require_management(connection)
             found = _get(connection, account_id)
             self._set_password(connection, found, password)
-            must_change = Role(found.role) is not Role.BACKUP_SERVICE
+            must_change = word_of(Role, found.role) is not Role.BACKUP_SERVICE
             _change(connection, account_id, must_change_password=must_change)
             self._log(connection, "reset password", account_id)
         self._forgive_here(account_id)

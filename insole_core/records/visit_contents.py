@@ -25,6 +25,15 @@ _HELD: Final = {
 }
 
 
+def held_by(connection: Connection, visit_id: str) -> dict[str, int]:
+    """Return how many things of each kind were scanned, prescribed or ordered on a visit."""
+    counts = {}
+    for name, table in _HELD.items():
+        query = select(func.count()).select_from(table).where(table.c.visit_id == visit_id)
+        counts[name] = int(connection.execute(query).scalar_one())
+    return counts
+
+
 def check_empty(connection: Connection, visit: Visit) -> None:
     """Check that a visit holds nothing that somebody has found, scanned, prescribed or ordered.
 
@@ -34,10 +43,7 @@ def check_empty(connection: Connection, visit: Visit) -> None:
         Says what it holds.
     """
     day = visit.visited_on.isoformat()
-    counts = {}
-    for name, table in _HELD.items():
-        query = select(func.count()).select_from(table).where(table.c.visit_id == visit.id)
-        counts[name] = int(connection.execute(query).scalar_one())
+    counts = held_by(connection, visit.id)
     if any(counts.values()):
         raise RecordsError(
             "The visit of {day} holds scans ({scans}), photos ({photos}), versions of "

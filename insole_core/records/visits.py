@@ -13,6 +13,7 @@ from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.records.audit import AuditLog
+from insole_core.records.checked_values import word_of
 from insole_core.records.context import RecordsContext
 from insole_core.records.order_rows import note_of_visit
 from insole_core.records.person import Person
@@ -24,7 +25,7 @@ from insole_core.records.rights import Right
 from insole_core.records.schema import persons, presence, visits
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
-from insole_core.records.visit_contents import check_empty
+from insole_core.records.visit_contents import check_empty, held_by
 from insole_core.records.visit_rows import all_visits, visit_from, visit_of, visit_values
 
 _EDITED: Final = (
@@ -132,6 +133,11 @@ class Visits:
             )
             return visit_of(connection, visit.id)
 
+    def held(self, visit_id: str) -> dict[str, int]:
+        """Return how many scans, photos, versions, orders and follow-ups a visit holds."""
+        with self._context.reading() as connection:
+            return held_by(connection, visit_id)
+
     def delete(self, visit_id: str) -> None:
         """Delete a visit that holds nothing, which the audit log tells.
 
@@ -171,13 +177,13 @@ class Visits:
             visit = visit_of(connection, visit_id)
             person = person_of(connection, visit.person_id)
             rows = self._prescriptions.newest_of(connection, visit_id)
+            bases = {word_of(Side, row.side): Base(row.id, row.revision) for row in rows}
             order = note_of_visit(connection, visit)
         record = CaseRecord(patient_of(person, visit), order=order)
         with ThreadPoolExecutor(len(Side)) as pool:  # unpacking takes most of the time
             feet = list(pool.map(self._prescriptions.foot_of, rows))
         for foot in reversed(feet):  # the left foot is shown first
             record = record.with_foot(foot)
-        bases = {Side(row.side): Base(row.id, row.revision) for row in rows}
         return OpenedCase(record, bases, person, visit)
 
     def _summaries(self, query: Select[Any]) -> list[VisitSummary]:

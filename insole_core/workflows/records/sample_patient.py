@@ -74,10 +74,8 @@ def _is_as_added(records: Records, sample: Person) -> bool:
         for version in records.prescriptions.versions(v.id, side)
     ]
     revisions = {sample.revision, *(v.revision for v in visits), *(v.revision for v in versions)}
-    tried = [
-        *records.orders.of_person(sample.id),
-        *records.follow_ups.of_person(sample.id),
-        *(photo for v in visits for photo in records.photos.of_visit(v.id)),
-        *(capture for v in visits for capture in records.captures.of_visit(v.id)),
+    tried: list[object] = [
+        *(kind for v in visits for kind, count in records.visits.held(v.id).items() if count),
+        *records.follow_ups.of_person(sample.id),  # also those of no visit
     ]
-    return len(visits) == len(versions) == 1 and revisions == {1} and not tried
+    return len(visits) == len(versions) == 1 and revisions == {1} and tried == ["versions"]
