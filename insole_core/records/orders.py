@@ -196,6 +196,7 @@ class Orders:
         self,
         order_id: str,
         version_ids: Sequence[str],
+        revision: int,
         *,
         release: int,
         due_on: date | None = None,
@@ -210,6 +211,8 @@ class Orders:
 
         Parameters
         ----------
+        revision
+            Of the order that the change is based on.
         release
             Number of the revision, which the papers have.
         files, place
@@ -220,6 +223,8 @@ class Orders:
         InputError
             When a field cannot be right, a file cannot be read, the order has this revision, or it
             was delivered or cancelled.
+        Conflict
+            When somebody else has changed it meanwhile.
         RecordsError, OutputError
             When it cannot be stored.
         """
@@ -231,8 +236,6 @@ class Orders:
             "release": release,
         }
         stored_files = self._stored(files, release)
-        with self._context.reading() as connection:
-            revision = order_of(connection, order_id).revision
         with self._changing(order_id, revision, values) as (connection, stored):
             if stored.release >= release:
                 raise InputError(

@@ -101,7 +101,13 @@ def test_what_is_exported_again_is_a_revision_and_the_first_one_stays(
     stl.write_bytes(b"thicker")
     place = str(tmp_path)
     revised = records.orders.revise(
-        order.id, [base.version_id], release=2, due_on=TOMORROW, files=[stl], place=place
+        order.id,
+        [base.version_id],
+        sent.revision,
+        release=2,
+        due_on=TOMORROW,
+        files=[stl],
+        place=place,
     )
     assert (revised.number, revised.release, revised.place) == (order.number, 2, place)
     assert revised.state is OrderState.DESIGNED
@@ -114,7 +120,7 @@ def test_what_is_exported_again_is_a_revision_and_the_first_one_stays(
     ]  # fmt: skip
     assert revised.revision == sent.revision + 1
     with pytest.raises(InputError, match="has a revision 2 already"):
-        records.orders.revise(order.id, [base.version_id], release=2)
+        records.orders.revise(order.id, [base.version_id], revised.revision, release=2)
     (copy,) = records.orders.copy_files(order.id, tmp_path)
     assert copy.read_bytes() == b"thicker"
 
@@ -125,7 +131,7 @@ def test_an_order_that_was_closed_meanwhile_is_not_revised(
 ) -> None:
     closed = records.orders.move(order.id, final, "", order.revision)
     with pytest.raises(InputError, match=f"was {final} meanwhile; export once more"):
-        records.orders.revise(order.id, order.version_ids, release=2)
+        records.orders.revise(order.id, order.version_ids, closed.revision, release=2)
     assert records.orders.get(order.id) == closed
 
 

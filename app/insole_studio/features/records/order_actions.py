@@ -204,7 +204,7 @@ def _store(records: Records, export: _Export) -> Order:
         stored = records.orders.get(known.id)
         is_moved = terms.deliver_on is not None and terms.deliver_on != before.deliver_on
         return records.orders.revise(
-            known.id, newest,
+            known.id, newest, stored.revision,
             release=ordered.revision,
             due_on=terms.deliver_on if is_moved else stored.due_on,
             remarks=_merged(stored.remarks, before.remarks, terms.remarks),

@@ -164,7 +164,12 @@ def test_papers_are_printed_again_and_the_folder_is_opened(
     with zipfile.ZipFile(written / "order.zip", "w") as packed:
         packed.writestr("packed-job-sheet.pdf", b"%PDF packed")
     order = records.orders.revise(
-        order.id, order.version_ids, release=2, files=sorted(written.iterdir()), place=str(written)
+        order.id,
+        order.version_ids,
+        order.revision,
+        release=2,
+        files=sorted(written.iterdir()),
+        place=str(written),
     )
     rest()
     page.table.take_first()
@@ -296,7 +301,7 @@ def test_a_revision_that_somebody_else_has_written_is_told(
 ) -> None:  # fmt: skip
     clinic.features.records.open_visit(visit.id)
     qtbot.waitUntil(lambda: clinic.case.kept is not None)
-    records.orders.revise(order.id, order.version_ids, release=2)
+    records.orders.revise(order.id, order.version_ids, order.revision, release=2)
     solid = tmp_path / "p-left.stl"
     solid.write_bytes(b"solid")
     ordered = Ordered((solid,), OrderTerms(), order.number, 2)
