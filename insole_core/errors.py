@@ -6,6 +6,7 @@ it as it is, the window translates it.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from insole_core.messages import Message, Value
@@ -89,3 +90,12 @@ class Conflict(RecordsError):  # noqa: N818
         super().__init__(template, **values)
         self.mine = mine
         self.theirs = theirs
+
+
+def unreadable(path: Path | str, error: OSError | ValueError) -> InputError:
+    """Return the error of a file that cannot be opened or read."""
+    return InputError(
+        "{path} cannot be read: {reason}; check the name of the file.",
+        path=path,
+        reason=str(getattr(error, "strerror", error)),
+    )

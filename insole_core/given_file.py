@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from insole_core.errors import InputError
+from insole_core.errors import InputError, unreadable
 from insole_core.regular_file import read_regular
 
 
@@ -52,12 +52,3 @@ def given_errors(path: Path, most_bytes: int) -> Iterator[None]:
                 limit_mb=most_bytes // 2**20,
             ) from error
         raise unreadable(path, error) from error
-
-
-def unreadable(path: Path | str, error: OSError | ValueError) -> InputError:
-    """Return the error of a file that cannot be opened or read."""
-    return InputError(
-        "{path} cannot be read: {reason}; check the name of the file.",
-        path=path,
-        reason=str(getattr(error, "strerror", error)),
-    )

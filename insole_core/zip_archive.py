@@ -9,8 +9,7 @@ import zlib
 from pathlib import Path
 from typing import BinaryIO
 
-from insole_core.errors import InputError
-from insole_core.given_file import unreadable
+from insole_core.errors import InputError, unreadable
 from insole_core.regular_file import open_regular
 
 _LOCAL_HEADER = struct.Struct("<4s22xHH")
