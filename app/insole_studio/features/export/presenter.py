@@ -552,7 +552,7 @@ class ExportPresenter:
     def _follow(self) -> None:
         """Make the order again unless only what does not shape it has changed."""
         record, before = self._case.record, self._record
-        if record.order != before.order:
+        if record.order.revised() != before.order.revised():
             self._show_release()
         if record.order.terms != before.order.terms:
             self._take_terms(record.order.terms)
