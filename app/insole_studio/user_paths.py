@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import time
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -120,3 +121,11 @@ class UserPaths:
         config = platformdirs.user_config_path(APPLICATION, appauthor=False)
         data = platformdirs.user_data_path(APPLICATION, appauthor=False)
         return cls(config / "settings.json", data / "autosave")
+
+
+def is_older(path: Path, seconds: float) -> bool:
+    """Return whether a path has not changed for so long; not where another window removed it."""
+    try:
+        return time.time() - path.stat().st_mtime > seconds
+    except OSError:
+        return False

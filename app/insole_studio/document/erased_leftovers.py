@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import logging
 import shutil
-import time
 import uuid
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -25,7 +24,7 @@ from insole_core.forgiving_json import rename_unreadable
 from insole_core.json_object import JsonObject
 from insole_studio.document.journal import Recovered, find_recovered, remove_files
 from insole_studio.settings import Settings, folder_names
-from insole_studio.user_paths import UserPaths
+from insole_studio.user_paths import UserPaths, is_older
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
@@ -116,7 +115,7 @@ class ErasedLeftovers:
                 forget_leftovers(note.traces, self._paths, self._settings)
                 remove_files(note.path)
                 self._forgotten()
-            elif note.person_id in erased and _is_old(note.path):
+            elif note.person_id in erased and is_older(note.path, _UNUSED_S):
                 remove_files(note.path)
 
     def _notes(self) -> Iterator[_Note]:
@@ -197,10 +196,6 @@ def _read(path: Path) -> _Note:
 
     stored = JsonObject.read(path)
     return _Note(path, stored.text("person"), Traces.from_json(stored))
-
-
-def _is_old(path: Path) -> bool:
-    return time.time() - path.stat().st_mtime > _UNUSED_S
 
 
 def _is_about(journal: Recovered, traces: Traces) -> bool:

@@ -9,7 +9,7 @@ import pytest
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.records.traces import Traces
-from insole_studio.document.erased_leftovers import forget_leftovers
+from insole_studio.document.erased_leftovers import ErasedLeftovers, forget_leftovers
 from insole_studio.document.journal import Origin, find_recovered, new_journal, write_journal
 from insole_studio.document.unkept_visit import UnkeptVisit
 from insole_studio.settings import Settings, folder_names, load_settings, save_settings
@@ -65,6 +65,21 @@ def test_the_leftovers_of_one_person_go_and_those_of_others_stay(paths: UserPath
     assert NAME.encode() not in bytes_of(paths.autosave_folder)
     stored = load_settings(paths.settings_file)
     assert (stored.recent, stored.scans_folder) == (["/home/eva.insole"], "/home/Eva")
+
+
+def test_a_note_that_another_window_has_just_removed_is_no_error(paths: UserPaths) -> None:
+    note = paths.erasures_folder / "1.json"
+    note.parent.mkdir()
+    note.write_text(json.dumps({"person": "person-1", **TRACES.to_json()}))
+
+    class Known(dict[str, bool]):
+        def get(self, *_of: object) -> bool:  # type: ignore[override]
+            note.unlink()  # between reading it and looking at its age
+            return False
+
+    leftovers = ErasedLeftovers(paths)
+    leftovers.forget(Known({"person-1": False}))
+    assert not leftovers.are_noted
 
 
 def test_settings_that_are_damaged_lose_the_name_and_nothing_else(paths: UserPaths) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import time
 import uuid
 from collections.abc import Callable
 from pathlib import Path
@@ -21,6 +20,7 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.other_programs import open_file
 from insole_studio.texts import tr
+from insole_studio.user_paths import is_older
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
@@ -116,11 +116,7 @@ class OrderFiles(QObject):
 def _remove_old(papers: Path) -> None:
     """Remove the copies that a window has left behind which did not end by itself."""
     for folder in papers.glob("*"):
-        try:
-            is_left = time.time() - folder.stat().st_mtime > _LEFT_S
-        except OSError:  # another window has just removed it
-            continue
-        if is_left:
+        if is_older(folder, _LEFT_S):
             shutil.rmtree(folder, ignore_errors=True)
 
 
