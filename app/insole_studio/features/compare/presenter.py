@@ -76,6 +76,8 @@ class ComparePresenter:
         self._words: dict[str, str] = {}
         self._paths: list[Path] = []
         self._sources: dict[str, ComparisonSource] = {}
+        self._laid: dict[str, ComparisonSource] = {}
+        """The surfaces as they are compared and shown: the second mirrored if of the other foot."""
         self._points: dict[str, list[FloatArray]] = {"a": [], "b": []}
         self._alignment = "best"
         self._median = 1
@@ -227,6 +229,7 @@ class ComparePresenter:
     def _read(self, which: str) -> None:
         word = self._words[which]
         self._sources.pop(which, None)
+        self._laid.pop(which, None)
         self._points = {"a": [], "b": []}
         self._forget_result()
         self._panel.show_source(which, None, True)
@@ -241,10 +244,7 @@ class ComparePresenter:
 
         def take(source: ComparisonSource) -> None:
             self._sources[which] = source
-            laid = self._laid()
-            for name, shown in laid.items():
-                self._panel.show_source(name, shown.mesh, _from_above(shown.mesh))
-            self._panel.show_notes([note for shown in laid.values() for note in shown.notes])
+            self._lay()
             self._compare()
 
         self._panel.show_error("")
@@ -256,8 +256,7 @@ class ComparePresenter:
         alignment = self._chosen_alignment()
         if alignment is None or len(self._sources) < 2:
             return
-        laid, median = self._laid(), self._median
-        a, b = laid["a"], laid["b"]
+        a, b, median = self._laid["a"], self._laid["b"], self._median
 
         def compare(progress: Progress) -> Compared:
             return compare_sources(
@@ -268,12 +267,15 @@ class ComparePresenter:
         self._jobs.start(COMPARING, compare, self._take, self._show_failure)
         self._show_buttons()
 
-    def _laid(self) -> dict[str, ComparisonSource]:
-        """Return the surfaces as they are compared: the second mirrored if of the other foot."""
-        laid = dict(self._sources)
-        if len(laid) == 2:
-            laid["b"] = laid["b"].like(laid["a"])
-        return laid
+    def _lay(self) -> None:
+        """Lay the surfaces as they are compared, and show those that lie otherwise than before."""
+        before, self._laid = self._laid, dict(self._sources)
+        if len(self._laid) == 2:
+            self._laid["b"] = self._laid["b"].like(self._laid["a"])
+        for which, laid in self._laid.items():
+            if laid is not before.get(which):
+                self._panel.show_source(which, laid.mesh, _from_above(laid.mesh))
+        self._panel.show_notes([note for laid in self._laid.values() for note in laid.notes])
 
     def _chosen_alignment(self) -> Alignment | None:
         if self._alignment == "picked":

@@ -27,7 +27,7 @@ from insole_studio.document.case import Case
 from insole_studio.features.compare.stage import CompareStage
 from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import Phase, PointerEvent
-from insole_studio.scene.view_camera import Subject, ViewCamera, look
+from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, look
 
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 B2A = rigid(rotation_about(np.array([0.0, 0, 1]), 3.0), np.array([6.0, -4.0, 1.25]))
@@ -164,9 +164,13 @@ def test_surface_from_a_file_is_fitted(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path,
     chosen: Chosen,
 ) -> None:  # fmt: skip
+    untouched = stage.view.models["a"]
+    untouched.look_from(Preset.DORSAL)
+    turned = untouched.scene.camera
     chosen.path = lower_file(solid, tmp_path / "insole Fuß.stl")
     stage.view.source_chosen.emit("b", "file")
     settle()
+    assert untouched.scene.camera is turned
     assert number(stage, "Largest") < 0.05
     assert stage.view.sources["b"].currentText() == "insole Fuß.stl"
 
