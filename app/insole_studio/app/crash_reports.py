@@ -89,15 +89,18 @@ class CrashReports:
 
     def left(self) -> list[Path]:
         """Return the reports of earlier processes, the newest first."""
-        found = list(self._folder.glob(_REPORT))
-        for fault in self._folder.glob(_FAULT):
-            is_own = self._fault is not None and fault == Path(self._fault.name)
-            status = fault.stat()
-            if status.st_size and not is_own:
-                found.append(fault)
-            elif not is_own and time.time() - status.st_mtime > _KEPT_EMPTY_S:
-                fault.unlink(missing_ok=True)
-        return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
+        own = None if self._fault is None else Path(self._fault.name)
+        found: list[tuple[float, Path]] = []
+        for path in (*self._folder.glob(_REPORT), *self._folder.glob(_FAULT)):
+            try:
+                status = path.stat()
+            except OSError:  # another window has just removed it
+                continue
+            if status.st_size and path != own:
+                found.append((status.st_mtime, path))
+            elif path != own and time.time() - status.st_mtime > _KEPT_EMPTY_S:
+                path.unlink(missing_ok=True)
+        return [path for _time, path in sorted(found, reverse=True)]
 
     def offer(self, services: AppServices) -> None:
         """Tell that there are reports, to look at or to remove."""

@@ -72,3 +72,12 @@ def test_a_folder_that_cannot_be_written_costs_only_the_report(tmp_path: Path) -
     reports.write(failed("x"))
     reports.end()
     assert reports.left() == []
+
+
+def test_a_report_that_another_window_has_just_removed_is_passed_over(tmp_path: Path) -> None:
+    reports = CrashReports(tmp_path)
+    reports.write(failed("Gustava Berg"))
+    for name in ("fault-1.log", "error-1.txt"):
+        (tmp_path / name).symlink_to(tmp_path / "gone")  # listed, and then not there
+    (left,) = reports.left()
+    assert "ValueError" in left.read_text()
