@@ -335,9 +335,7 @@ def write_order(
     """
     materials = ", ".join(ordered_material(choice, part.insole.design) for part in parts)
     release = release or Release()
-    released = {"number of the order": release.number, "name of who released the order": release.by}
-    require_nameless(patient, released)
-    _require_nameless(choice, materials, path, patient, override)
+    _require_nameless(choice, materials, path, patient, override=override, release=release)
     if choice.prescription:
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
@@ -430,9 +428,13 @@ def _require_nameless(
     materials: str,
     path: Path,
     patient: Patient,
+    *,
     override: Override | None,
+    release: Release,
 ) -> None:
     texts = {
+        "number of the order": release.number,
+        "name of who released the order": release.by,
         "file name": path.stem,
         "pseudonym": choice.pseudonym,
         "text on the bottom": choice.text,

@@ -204,7 +204,7 @@ def _written(
     today = datetime.fromisoformat(begun.created_at).date()
     written: list[OrderItem] = []
     for item in items:
-        _check_item(item, how.release, today, written)
+        _check_item(item, today, written)
         progress.step(0.0, "Writing the order")
         written.append(_write_item(item, how, progress))
     if not written:
@@ -214,20 +214,9 @@ def _written(
     return order
 
 
-def _check_item(
-    item: PackedItem, release: Release, today: date, before: Sequence[OrderItem]
-) -> None:
+def _check_item(item: PackedItem, today: date, before: Sequence[OrderItem]) -> None:
     choice = item.choice
-    terms = choice.terms
-    terms.check(today)
-    texts = {
-        "number of the order": release.number,
-        "name of who released the order": release.by,
-        "colour": terms.colour,
-        "cover": terms.cover,
-        "remarks": terms.remarks,
-    }
-    require_nameless(item.patient, texts)
+    choice.terms.check(today)
     if _stem(choice.pseudonym).casefold() in {
         _stem(other.pseudonym).casefold() for other in before
     }:
