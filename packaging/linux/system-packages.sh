@@ -11,7 +11,7 @@ fi
 
 packages=(xvfb xauth admesh libegl1 libgl1 libgl1-mesa-dri libglx-mesa0 libxkbcommon-x11-0 libxcb-cursor0
     libxcb-icccm4 libxcb-image0 libxcb-keysyms1 libxcb-randr0 libxcb-render-util0 libxcb-shape0 libxcb-xinerama0
-    libxcb-xkb1 libxrender1 libdbus-1-3 libfontconfig1 fonts-dejavu-core)
+    libxcb-xkb1 libxrender1 libxtst6 libdbus-1-3 libfontconfig1 fonts-dejavu-core)
 "$python" -c 'import ensurepip, venv' 2>/dev/null || packages+=(python3-venv)
 
 # Independent witnesses of the tests of the Kinect driver, of the solids and of milling, and the database that stations share; where one
