@@ -77,6 +77,11 @@ def nothing(_given):
     """Leave the folder as it is."""
 
 
+def no_folder(_given):
+    """Leave nothing of the evil name: what is there, the window would open."""
+    Path(EVIL).rmdir()
+
+
 E = EVIL
 CASES = {
     "no such scan": (nothing, ["inspect", f"{E}.stl"]),
@@ -98,7 +103,8 @@ CASES = {
     "compared": (nothing, ["compare", f"{E}.ply", f"{E}.ply", "--report", f"{E}.json"]),
     "side": (nothing, ["measure", "foot.ply", "--side", E, "--report", "m.json"]),
     "option": (nothing, ["measure", f"--{E}"]),
-    "command": (nothing, [f"no{E}"]),
+    "command": (no_folder, [E]),
+    "unknown command": (nothing, [f"no{E}"]),
     "too many words": (nothing, ["sensors", E]),
     "device": (nothing, ["design", "foot.ply", "--side", "right", "--device", E, "--out", "i.stl"]),
     "prescription": (
