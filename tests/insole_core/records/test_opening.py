@@ -117,18 +117,20 @@ def test_a_migration_waits_for_an_older_program_that_writes_and_then_stops_it(
     place = place_of_sample("0001", kind, tmp_path, request)
     older = Database(place)
     older.schema = "0001"
-    has_written, wants_to_migrate, ended = threading.Event(), threading.Event(), []
+    has_written, wants_to_migrate, migrated = (threading.Event() for _ in range(3))
+    ended: list[bool] = []
 
     def write() -> None:
         with older.writing() as connection:
             write_setting(connection, "of_older", True)
             has_written.set()
             assert wants_to_migrate.wait(PATIENCE_S)
-            ended.append(True)
+            ended.append(not migrated.wait(0.5))
 
     def migrate(*arguments: Any, **options: Any) -> None:
         wants_to_migrate.set()
         migrate_module.migrate(*arguments, **options)
+        migrated.set()
 
     monkeypatch.setattr(open_module, "migrate", migrate)
 
@@ -136,7 +138,7 @@ def test_a_migration_waits_for_an_older_program_that_writes_and_then_stops_it(
     writing.start()
     assert has_written.wait(PATIENCE_S)
     newer = open_records(place, ANNA)
-    assert ended
+    assert ended == [True]
     writing.join()
     assert newer.clinic.get("of_older", False) is True
     with pytest.raises(RecordsError, match="install the newest version"), older.writing():
