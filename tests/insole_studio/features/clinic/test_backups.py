@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from contextlib import AbstractContextManager
 from datetime import date, datetime, timedelta
 from pathlib import Path
 from threading import Event
@@ -14,6 +13,7 @@ import pytest
 from administering import PASSWORD, shown, type_into
 from pytestqt.qtbot import QtBot
 
+from insole_core.messages import Value
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.backup.back_up import _Source, back_up, set_up_backups
 from insole_core.records.backup.backup_folder import BackupFolder
@@ -26,7 +26,6 @@ from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.clinic import backups
 from insole_studio.features.clinic.backup_dialog import BackupDialog
 from insole_studio.features.clinic.backup_reminder import BackupFacts, reminder_text
-from insole_studio.features.clinic.backups import Backups
 from insole_studio.features.clinic.restore_dialog import RestoreDialog
 from insole_studio.features.clinic.verify_dialog import VerifyDialog
 from insole_studio.settings import BackupDay
@@ -296,19 +295,19 @@ def test_a_restore_waits_until_a_backup_has_stopped(
     set_up(records)
     back_up(records.context, backup_folder)
     records.persons.add(Person("Berta Dal"))
-    alone, waiting = Backups.alone, []
+    step, told_steps = Progress.step, []
 
-    def taking_turns(self: Backups, progress: Progress) -> AbstractContextManager[None]:
-        waiting.append(progress)
-        return alone(self, progress)
+    def noted_step(progress: Progress, fraction: float, template: str, /, **values: Value) -> None:
+        told_steps.append(template)
+        step(progress, fraction, template, **values)
 
     def stop_slowly(_source: object, _at: object, _settings: object, progress: Progress) -> None:
         """Hold the record after cancelling until the restore waits for it."""
         wait_for(progress.is_cancelled)
-        wait_for(lambda: len(waiting) > 1)
+        wait_for(lambda: "Waiting until the backup has stopped" in told_steps)
         raise Cancelled
 
-    monkeypatch.setattr(Backups, "alone", taking_turns)
+    monkeypatch.setattr(Progress, "step", noted_step)
     monkeypatch.setattr(_Source, "write_all", stop_slowly)
     planned = clinic.features.clinic.backups
     planned.set_plan(backup_folder, "never", 0)

@@ -38,6 +38,7 @@ from insole_studio.features.records.person_export_dialog import PersonExportDial
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.record_texts import moment_text
 from insole_studio.features.records.visit_dialog import VisitDialog
+from insole_studio.widgets.notice_bar import Notice
 from insole_studio.widgets.side_badge import SideBadge
 
 LEFT = Qt.MouseButton.LeftButton
@@ -318,8 +319,12 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     clinic.controller.run_action("new_visit_same", False)
     qtbot.waitUntil(lambda: clinic.case.kept is not None)
     assert clinic.services.keeper.visit_id != visit.id
-    notices = clinic.services.notices.notices
-    notice = next(shown for shown in notices if shown.key == "same-prescription")
+
+    def notices() -> dict[str, Notice]:
+        return {shown.key: shown for shown in clinic.services.notices.notices}
+
+    qtbot.waitUntil(lambda: notices().keys() == {"same-prescription", "earlier-scan"})
+    notice = notices()["same-prescription"]
     assert "as last time: left:" in notice.text
     assert "heel lift, 6 mm" in notice.text
     source = ScanSource("mesh", "/nowhere/new.ply", "1" * 64)
