@@ -77,7 +77,8 @@ class MarkedPicture(QWidget):
             step = QPointF(x, y) - self._drag[-1]
             if math.hypot(step.x(), step.y()) >= _LEAST_STEP_PX:
                 self._drag.append(QPointF(x, y))
-                self.update()
+                piece = QPolygonF(self._drag[-2:]).boundingRect().toAlignedRect()
+                self.update(piece.adjusted(-_RADIUS_PX, -_RADIUS_PX, _RADIUS_PX, _RADIUS_PX))
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
         """End the mark: a line that was hardly drawn is a place."""
