@@ -14,7 +14,7 @@ from canned_questions import CannedQuestions
 from pointing import LEFT, pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.export.ply import write_ply
@@ -23,6 +23,7 @@ from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.bootstrap import Application
+from insole_studio.app.scripted import wait_for
 from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.widgets.number_field import NumberField
@@ -93,8 +94,8 @@ def user(clinic: Application, rest: Callable[[], None], settle: Callable[[], Non
         rest()
         settle()
         stage = clinic.features.export.stage
-        while stage is not None and stage.jobs.is_running():
-            QApplication.processEvents()
+        if stage is not None:
+            wait_for(stage.jobs)
 
     return User(clinic, quiet)
 
