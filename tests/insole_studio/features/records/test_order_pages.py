@@ -273,14 +273,16 @@ def test_a_revision_exported_while_the_record_is_away_is_stored_when_it_is_back(
     def fail(*_given: object, **_named: object) -> Order:
         raise Unreachable("The database does not answer.")
 
-    state = clinic.services.clinic
+    states: list[RecordState] = []  # for reading answers, so that it is soon back
+    record = clinic.services.clinic
+    record.state_changed.connect(lambda: states.append(record.state))
     with monkeypatch.context() as away:
         away.setattr(Orders, "revise", fail)
         clinic.case.note_order(OrderNote(order.number, 2))
         ordered = Ordered((solid,), OrderTerms(), order.number, 2)
         clinic.features.export.exported_files.emit(clinic.case.record, ordered, visit.id)
         qtbot.waitUntil(lambda: bool(clinic.services.messages.dialogs))
-        assert state.state is RecordState.AWAY
+        assert states[0] is RecordState.AWAY
     records.orders.change(order.id, "CNC", SOON, "call", order.revision)  # at another station
     qtbot.waitUntil(lambda: records.orders.get(order.id).release == 2)
     rest()
