@@ -8,14 +8,14 @@ from pathlib import Path
 
 from conftest import plantar_foot
 from image_colors import colors_of
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QEventLoop, QPoint
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.arrays import IntArray
 from insole_core.geometry.side import Side
-from insole_studio.app.bootstrap import build_application, qt_application
+from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import wait_for
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.user_paths import UserPaths
@@ -40,6 +40,19 @@ def is_within(window: QWidget) -> bool:
     return size.width() <= room.width() and size.height() <= room.height()
 
 
+def resize(app: Application, width: int, height: int) -> None:
+    """Give the window another size, and wait until both views are shown in theirs."""
+    app.window.resize(width, height)
+    while app.window._sharing.isActive():
+        QApplication.processEvents()
+    QApplication.processEvents()
+    for view in (app.stage.foot, app.stage.insole):
+        loop = QEventLoop()
+        view.scene.surface.frameSwapped.connect(loop.quit)
+        view.scene.surface.update()
+        loop.exec()
+
+
 def main() -> None:
     folder = Path(sys.argv[1])
     qt = qt_application()
@@ -60,13 +73,7 @@ def main() -> None:
     large.close()
     lines = 0
     for width in WIDTHS:
-        app.window.resize(width, 641 + width % 10)
-        while app.window._sharing.isActive():
-            QApplication.processEvents()
-        for scene in (app.stage.foot.scene, app.stage.insole.scene):
-            scene.picture()
-        for _ in range(5):
-            QApplication.processEvents()
+        resize(app, width, 641 + width % 10)
         ratio = app.window.devicePixelRatioF()
         screen = colors_of(QGuiApplication.primaryScreen().grabWindow(0).toImage())
         for scene in (app.stage.foot.scene, app.stage.insole.scene):

@@ -81,6 +81,7 @@ def test_the_patient_panel_is_whole_again_after_a_small_window(
     wide = panel.width()
     for size in ((700, 480), (1366, 768)):
         window.resize(*size)
+        qtbot.waitUntil(lambda: not window._sharing.isActive())
         QApplication.processEvents()
         cut = [
             part
@@ -124,9 +125,11 @@ def test_a_section_leaves_the_thickness_in_sight(opened: Application, qtbot: QtB
         return panel.viewport().rect().contains(place)
 
     qtbot.waitUntil(is_seen)
+    without_section = panel.viewport().size()
     window.actions_by_key["tool_section"].trigger()
     assert opened.stage.section.isVisible()
-    assert is_seen()
+    qtbot.waitUntil(lambda: panel.viewport().size() != without_section)
+    qtbot.waitUntil(is_seen)
 
 
 def test_nothing_flashes_while_a_view_is_made(qtbot: QtBot) -> None:
