@@ -22,8 +22,11 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
     QMenu,
+    QProxyStyle,
     QSizePolicy,
     QStackedWidget,
+    QStyle,
+    QStyleOption,
     QToolBar,
     QToolButton,
     QWidget,
@@ -58,6 +61,29 @@ PARAMETERS_PX = 152
 SECTION_SHARE, RIM_SHARE = 0.34, 0.5
 """Shares of the width that section and rim take from the parameters."""
 LEAST_CHART_PX = 300
+
+
+class _RoomForMore(QProxyStyle):
+    """Lets a toolbar leave as much room for its button "more" as the style sheet makes it wide."""
+
+    def __init__(self, bar: QToolBar) -> None:
+        super().__init__("Fusion")
+        self.setParent(bar)
+        more = bar.findChild(QToolButton, "qt_toolbar_ext_button")
+        assert more is not None, "Qt makes it with the toolbar"
+        self._more = more
+
+    def pixelMetric(
+        self,
+        metric: QStyle.PixelMetric,
+        option: QStyleOption | None = None,
+        widget: QWidget | None = None,
+    ) -> int:
+        """Return a measure of the style."""
+        px = super().pixelMetric(metric, option, widget)
+        if metric is QStyle.PixelMetric.PM_ToolBarExtensionExtent:
+            return max(px, self._more.minimumWidth())
+        return px
 
 
 class MainWindow(QMainWindow):
@@ -347,6 +373,7 @@ class MainWindow(QMainWindow):
         bar.addWidget(stage.steps)
         for key in STRIP:
             bar.addAction(self.actions_by_key[key])
+        bar.setStyle(_RoomForMore(bar))
         self.addToolBarBreak()
 
     def _make_toolbar(self) -> None:
@@ -362,6 +389,7 @@ class MainWindow(QMainWindow):
                 else:
                     bar.addAction(self.actions_by_key[key])
                     self._style_button(bar, key)
+        bar.setStyle(_RoomForMore(bar))
 
     def _make_notices(self, stage: DesignStage) -> None:
         self.addToolBarBreak()
