@@ -77,7 +77,8 @@ class CannedQuestions:
         return self.unsaved is Answer.DISCARD
 
     def may_delete_photo(self) -> bool:
-        return True
+        self.asked.append("delete photo")
+        return self.unsaved is Answer.DISCARD
 
     def folder_to_open(self, _title: str, _kept: Kept) -> Path | None:
         return self.path

@@ -25,6 +25,7 @@ from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import clinic_record
 from insole_studio.features.records.photos_dialog import PhotosDialog
+from insole_studio.services.questions import Answer
 from insole_studio.widgets.marked_picture import Line, MarkedPicture
 
 LEFT = Qt.MouseButton.LeftButton
@@ -104,8 +105,9 @@ def test_lines_and_places_are_drawn_with_a_text_and_kept_at_once(
 
 
 def test_a_mark_and_a_photo_are_removed(
-    dialog: PhotosDialog, records: Records, visit: Visit, rest: Callable[[], None], qtbot: QtBot
-) -> None:
+    dialog: PhotosDialog, records: Records, visit: Visit, rest: Callable[[], None], qtbot: QtBot,
+    questions: CannedQuestions,
+) -> None:  # fmt: skip
     draw(dialog, (0.2, 0.2))
     draw(dialog, (0.8, 0.8))
     dialog.marks.selectRow(0)
@@ -114,8 +116,15 @@ def test_a_mark_and_a_photo_are_removed(
     qtbot.waitUntil(lambda: len(records.photos.of_visit(visit.id)[0].marks) == 1)
     (mark,) = records.photos.of_visit(visit.id)[0].marks
     assert mark.points[0] == pytest.approx((0.8, 0.8), abs=0.01)
+    questions.unsaved = Answer.CANCEL
     QTest.mouseClick(dialog.delete, LEFT)
     rest()
+    assert questions.asked == ["delete photo"]
+    assert len(dialog.table.rows) == len(records.photos.of_visit(visit.id)) == 1
+    questions.unsaved = Answer.DISCARD
+    QTest.mouseClick(dialog.delete, LEFT)
+    rest()
+    assert questions.asked == ["delete photo"] * 2
     qtbot.waitUntil(lambda: records.photos.of_visit(visit.id) == [])
     assert dialog.table.rows == ()
     assert not dialog.delete.isEnabled()
