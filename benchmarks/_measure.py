@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mmap
 import os
 import statistics
 import subprocess
@@ -65,6 +66,7 @@ def recorded_session(folder: Path) -> Path:
 
 
 def resident_mb() -> float:
-    """Memory of this process that is in use now (Linux)."""
-    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
-    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+    """Memory of this process, where the system tells it as Linux does; else nothing."""
+    told = Path("/proc/self/statm")
+    pages = int(told.read_text(encoding="ascii").split()[1]) if told.exists() else 0
+    return pages * mmap.PAGESIZE / 1e6

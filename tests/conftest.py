@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import mmap
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from benchmarks._measure import resident_mb
 from insole_studio.native_heap import return_freed_memory
 
 settings.register_profile("any machine", deadline=None)
@@ -54,13 +54,6 @@ def returned_memory(pytestconfig: pytest.Config) -> Iterator[None]:
         gc.freeze()
         return_freed_memory()
         pytestconfig.stash[KEPT_MB] = resident_mb()
-
-
-def resident_mb() -> float:
-    """Memory of this process, where the system tells it as Linux does; else nothing."""
-    told = Path("/proc/self/statm")
-    pages = int(told.read_text(encoding="ascii").split()[1]) if told.exists() else 0
-    return pages * mmap.PAGESIZE / 1e6
 
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
