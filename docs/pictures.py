@@ -13,7 +13,6 @@ events, and saves what is on the screen at each step, and a contact sheet, to be
 from __future__ import annotations
 
 import argparse
-import json
 import tempfile
 from dataclasses import replace
 from pathlib import Path
@@ -39,12 +38,13 @@ from insole_studio.app.scripted import ScriptedWindow, grab
 from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
 from insole_studio.features.foot.rows import FootMap
 from insole_studio.features.foot.stage import FootStage
+from insole_studio.settings import Language, Settings, save_settings
 from insole_studio.texts import translation_into
 from insole_studio.user_paths import UserPaths
 
 IMAGES = Path(__file__).parent / "manual" / "images"
 """Those of the English manual; each other language has a folder in it."""
-LANGUAGES = ("en", "sv")
+LANGUAGES: tuple[Language, ...] = ("en", "sv")
 VARIANT = {"en": "higher pad", "sv": "högre pelott"}
 EXAMPLE = resource_path("example/example.insole")
 SEED = 21
@@ -100,7 +100,7 @@ def simulate_left_foot(session: Path) -> None:
     write_session(simulated.session, session)
 
 
-def take_documentation(language: str) -> None:
+def take_documentation(language: Language) -> None:
     """Take the pictures of the documentation in a language."""
     images = images_of(language)
     with tempfile.TemporaryDirectory() as folder:
@@ -122,11 +122,11 @@ def images_of(language: str) -> Path:
     return images
 
 
-def user(folder: Path, language: str) -> UserPaths:
+def user(folder: Path, language: Language) -> UserPaths:
     """Return the files of a user who has chosen a language."""
     folder.mkdir()
     paths = UserPaths(folder / "settings.json", folder / "autosave")
-    paths.settings_file.write_text(json.dumps({"language": language}), "utf-8")
+    save_settings(Settings(language=language), paths.settings_file)
     return paths
 
 
