@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QTableView, QWidget
 
 from insole_studio.scene.scene_view import SceneView
 
@@ -33,6 +33,13 @@ def drag(view: SceneView, *way: QPoint, button: Qt.MouseButton = LEFT) -> None:
     """Press, move, release; two places are joined by a straight way."""
     lead(view, *way, button=button)
     QTest.mouseRelease(view.surface, button, pos=way[-1])
+
+
+def click_heading(table: QTableView, column: int) -> None:
+    header = table.horizontalHeader()
+    x = header.sectionViewportPosition(column) + header.sectionSize(column) // 2
+    place = QPoint(x, header.height() // 2)
+    QTest.mouseClick(header.viewport(), LEFT, pos=place)
 
 
 _wheel_turned_at_s = 0.0

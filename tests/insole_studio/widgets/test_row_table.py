@@ -2,18 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtTest import QTest
+from pointing import click_heading
 from pytestqt.qtbot import QtBot
 
 from insole_studio.widgets.row_table import RowTable, TableRow
-
-
-def click_heading(table: RowTable, column: int) -> None:
-    header = table.horizontalHeader()
-    x = header.sectionViewportPosition(column) + header.sectionSize(column) // 2
-    place = QPoint(x, header.height() // 2)
-    QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
 
 
 def keys(table: RowTable) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from datetime import date
 
 import pytest
+from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
@@ -53,3 +54,11 @@ def visit(records: Records, make_foot: Callable[[Side], Foot]) -> Visit:
     source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
     records.prescriptions.save(added.id, FootRecord.begun(make_foot(Side.LEFT), source), None)
     return added
+
+
+@pytest.fixture
+def opened(clinic: Application, visit: Visit, qtbot: QtBot) -> Application:
+    """The window with the visit on its panels."""
+    clinic.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    return clinic

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from datetime import date
 from pathlib import Path
 
-import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.scan_source import ScanSource
@@ -20,14 +19,6 @@ from insole_core.records.visit import CaptureState, Visit
 from insole_studio.app.bootstrap import Application
 
 MOST_BYTES = 10_000_000
-
-
-@pytest.fixture
-def opened(clinic: Application, visit: Visit, qtbot: QtBot) -> Application:
-    """The window with the visit on its panels."""
-    clinic.features.records.open_visit(visit.id)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None)
-    return clinic
 
 
 def test_the_scan_of_a_foot_is_stored_with_its_visit(

@@ -35,14 +35,6 @@ from insole_studio.features.records.field_conflict_dialog import FieldConflictDi
 from insole_studio.user_paths import UserPaths
 
 
-@pytest.fixture
-def opened(clinic: Application, visit: Visit, qtbot: QtBot) -> Application:
-    """The window with the visit on its panels."""
-    clinic.features.records.open_visit(visit.id)
-    qtbot.waitUntil(lambda: clinic.case.kept is not None)
-    return clinic
-
-
 def thicken(app: Application, thickness_mm: float) -> None:
     design = app.case.record.design
     assert design is not None

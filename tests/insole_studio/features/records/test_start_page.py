@@ -6,7 +6,8 @@ from collections.abc import Callable
 from datetime import date, timedelta
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from pointing import click_heading
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
@@ -230,9 +231,7 @@ def test_ten_thousand_patients_are_sorted_where_they_are_and_loaded_as_one_scrol
     rest()
 
     def click(column: int) -> None:
-        header = page.found.horizontalHeader()
-        place = QPoint(header.sectionViewportPosition(column) + 8, 8)
-        QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        click_heading(page.found, column)
         rest()
 
     click(3)
