@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import json
 import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator
@@ -31,6 +30,8 @@ from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
+from insole_studio.settings import Settings, save_settings
+from insole_studio.texts import load_language, translate_core_message
 from insole_studio.user_paths import UserPaths
 from tests.patience import PATIENCE_MS
 
@@ -151,6 +152,14 @@ def aim_only(canvas: ImageCanvas) -> None:
 
 
 @pytest.fixture
+def swedish(qapp: QApplication) -> Iterator[Callable[[str], str]]:
+    """Let the window speak Swedish; gives what says a message of the core so."""
+    load_language(qapp, "sv")
+    yield translate_core_message
+    load_language(qapp, "en")
+
+
+@pytest.fixture
 def paths(tmp_path: Path) -> UserPaths:
     return UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
 
@@ -192,8 +201,7 @@ def hands(qapp: QApplication, paths: UserPaths) -> Iterator[Hands]:
     """A user before the empty window."""
     if MANUAL:  # its folder is named after its language, but for the English one
         language = "sv" if Path(MANUAL).name == "sv" else "en"
-        paths.settings_file.parent.mkdir()
-        paths.settings_file.write_text(json.dumps({"language": language}), "utf-8")
+        save_settings(Settings(language=language), paths.settings_file)
     with ScriptedWindow(paths, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
         yield Hands(studio)
 

@@ -310,13 +310,6 @@ def test_nothing_is_translated_that_nobody_says() -> None:
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
 
 
-@pytest.fixture
-def swedish(qapp: QApplication) -> Iterator[Callable[[str], str]]:
-    load_language(qapp, "sv")
-    yield translate_core_message
-    load_language(qapp, "en")
-
-
 def test_a_real_error_is_said_in_swedish(qapp: QApplication, tmp_path: Path) -> None:
     path = tmp_path / "foot.ply"
     with pytest.raises(InputError) as caught:

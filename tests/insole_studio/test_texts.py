@@ -147,12 +147,9 @@ def test_one_thing_has_one_swedish_word(word: str) -> None:
     assert [text for text in texts if word in text.lower()] == []
 
 
-def test_the_dialogs_of_qt_speak_the_language_too(qapp: QApplication) -> None:
-    load_language(qapp, "sv")
-    try:
-        assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Avbryt"
-    finally:
-        load_language(qapp, "en")
+@pytest.mark.usefixtures("swedish")
+def test_the_dialogs_of_qt_speak_the_language_too() -> None:
+    assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Avbryt"
 
 
 @pytest.mark.parametrize("paper", ["person_summary", "prescription", "words"])

@@ -17,7 +17,6 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_studio.document.case import Case
 from insole_studio.document.case_name import file_stem, foot_stem
-from insole_studio.texts import load_language
 
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 
@@ -49,16 +48,11 @@ def test_a_name_has_the_side_of_a_foot_and_none_of_a_pair(
     assert foot_stem(case) == foot
 
 
-def test_names_that_are_proposed_are_swedish_in_swedish(
-    qapp: QApplication, make_foot: Callable[[Side], Foot]
-) -> None:
-    load_language(qapp, "sv")
-    try:
-        case = Case()
-        case.open(CaseRecord(Patient(""), (foot_of(make_foot, Side.RIGHT),), Side.RIGHT), None)
-        assert foot_stem(case) == "inlägg-höger"
-    finally:
-        load_language(qapp, "en")
+@pytest.mark.usefixtures("swedish")
+def test_names_that_are_proposed_are_swedish_in_swedish(make_foot: Callable[[Side], Foot]) -> None:
+    case = Case()
+    case.open(CaseRecord(Patient(""), (foot_of(make_foot, Side.RIGHT),), Side.RIGHT), None)
+    assert foot_stem(case) == "inlägg-höger"
 
 
 def foot_of(make_foot: Callable[[Side], Foot], side: Side) -> FootRecord:

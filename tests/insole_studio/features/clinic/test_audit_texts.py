@@ -59,13 +59,11 @@ def test_every_word_of_a_detail_has_a_name(words: type) -> None:
     assert {str(word) for word in words} - {"none"} - WORDS.keys() == set()
 
 
+@pytest.mark.usefixtures("swedish")
 def test_the_details_are_swedish_in_swedish(qapp: QApplication) -> None:
-    load_language(qapp, "sv")
-    try:
-        said = details_text({"fields": "name birth_date", "signed_in_by": "password", "x_y": "P-1"})
-        swedish = [t() for texts in (NAMES, WORDS, FIELDS) for t in texts.values()]
-    finally:
-        load_language(qapp, "en")
+    said = details_text({"fields": "name birth_date", "signed_in_by": "password", "x_y": "P-1"})
+    swedish = [t() for texts in (NAMES, WORDS, FIELDS) for t in texts.values()]
+    load_language(qapp, "en")
     assert said == "fält: namn · födelsedatum, inloggad med: lösenord, x y: P-1"
     plain = [t() for texts in (NAMES, WORDS, FIELDS) for t in texts.values()]
     alike = {a for a, b in zip(swedish, plain, strict=True) if a == b}

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QApplication
 
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.clinic_findings import ClinicFindings
 from insole_core.workflows.findings import Finding
 from insole_studio.features.design.devices.device_choices import finding_choices, matching
-from insole_studio.texts import load_language
 
 
 def found(text: str) -> list[str]:
@@ -21,13 +18,6 @@ def found(text: str) -> list[str]:
 
     choices = list(finding_choices(ClinicFindings(Path("/nowhere")).load(), as_it_is))
     return [choice.name for choice in matching(choices, text)]
-
-
-@pytest.fixture
-def swedish(qapp: QApplication) -> Iterator[None]:
-    load_language(qapp, "sv")
-    yield
-    load_language(qapp, "en")
 
 
 @pytest.mark.parametrize(
@@ -49,6 +39,7 @@ def test_it_is_found_by_what_it_is_called_and_treated_with(typed: str, first: st
     assert found(typed)[0] == first
 
 
+@pytest.mark.usefixtures("swedish")
 @pytest.mark.parametrize(
     ("typed", "first"),
     [
@@ -61,5 +52,5 @@ def test_it_is_found_by_what_it_is_called_and_treated_with(typed: str, first: st
         ("kuboid", "Kuboidsyndrom"),
     ],
 )
-def test_it_is_found_in_swedish_as_in_english(swedish: None, typed: str, first: str) -> None:
+def test_it_is_found_in_swedish_as_in_english(typed: str, first: str) -> None:
     assert found(typed)[0] == first

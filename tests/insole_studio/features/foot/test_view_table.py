@@ -9,21 +9,18 @@ from pytestqt.qtbot import QtBot
 from insole_studio.app.theme import apply_theme
 from insole_studio.features.foot.rows import ViewRow
 from insole_studio.features.foot.view_table import ViewTable
-from insole_studio.texts import load_language
 
 ROW = ViewRow("top", (200, 100, 100), True, 8, 8, (0.4, 0.5, 1.2), 0.13, 0.7, 10, 0, "", True)
 
 
 @pytest.fixture
-def swedish(qapp: QApplication) -> Iterator[None]:
+def dark(qapp: QApplication) -> Iterator[None]:
     apply_theme(qapp, dark=True)
-    load_language(qapp, "sv")
     yield
-    load_language(qapp, "en")
     apply_theme(qapp, dark=False)
 
 
-@pytest.mark.usefixtures("swedish")
+@pytest.mark.usefixtures("dark", "swedish")
 def test_names_and_numbers_are_whole_and_written_as_the_language_does(qtbot: QtBot) -> None:
     table = ViewTable()
     qtbot.addWidget(table)
