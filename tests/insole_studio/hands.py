@@ -6,13 +6,12 @@ import os
 from pathlib import Path
 
 from pointing import LEFT, drag, pixel
-from PySide6.QtCore import QEventLoop, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from insole_core.geometry.side import Side
-from insole_studio.app.scripted import ScriptedWindow, grab
-from insole_studio.features.export.stage import ExportStage
+from insole_studio.app.scripted import ScriptedWindow, grab, wait_for
 from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.number_field import NumberField
@@ -40,6 +39,17 @@ class Hands:
         self.app.window.actions_by_key[key].trigger()
         self._done()
 
+    def press(self, button: QWidget | None) -> None:
+        assert button is not None
+        QTest.mouseClick(button, LEFT)
+        self._done()
+
+    def type_into(self, field: QWidget, text: str) -> None:
+        """Type into the field that has the focus."""
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        self._done()
+
     def open(self, path: Path, side: Side | None = None) -> None:
         """Choose a scan in the dialog, and its side where it does not say it."""
         self.studio.answers.path = path
@@ -54,8 +64,7 @@ class Hands:
         """Press the button of a notice."""
         buttons = self.app.stage.notices.findChildren(QPushButton)
         (button,) = [b for b in buttons if b.isVisible() and b.text() == offer]
-        QTest.mouseClick(button, LEFT)
-        self._done()
+        self.press(button)
 
     def click(self, place: tuple[float, float]) -> None:
         QTest.mouseClick(self.view.surface, LEFT, pos=pixel(self.view, *place))
@@ -70,17 +79,13 @@ class Hands:
         field = next(f for f in panel.findChildren(NumberField) if f.property("key") == key)
         field.setFocus()
         field.selectAll()
-        QTest.keyClicks(field, text)
-        QTest.keyClick(field, Qt.Key.Key_Return)
-        self._done()
+        self.type_into(field, text)
 
     def pick_device(self, text: str) -> None:
         """Type what to search for in the open list, and take the first that is found."""
         view = self.app.features.design.devices.view
         assert view is not None
-        QTest.keyClicks(view.search, text)
-        QTest.keyClick(view.search, Qt.Key.Key_Return)
-        self._done()
+        self.type_into(view.search, text)
 
     def export(self, path: Path, picture: str = "") -> None:
         """Open the stage that checks, and export once the checks are done.
@@ -94,20 +99,12 @@ class Hands:
         self.choose("export")
         stage = self.app.features.export.stage
         assert stage is not None
-        self._wait(stage)
-        stage.view.export.click()
-        self._wait(stage)
-        self._done()
+        wait_for(stage.jobs)
+        self.press(stage.view.export)
+        wait_for(stage.jobs)
         if MANUAL and picture:
             grab(stage, [stage.view.model.scene]).save(f"{MANUAL}/{picture}.png")
         stage.close()
-
-    def _wait(self, stage: ExportStage) -> None:
-        while stage.jobs.is_running():
-            loop = QEventLoop()
-            stage.jobs.ended.connect(loop.quit)
-            loop.exec()
-        QApplication.processEvents()
 
     def picture(self, name: str) -> None:
         """Take a picture of the window for the manual."""
@@ -116,4 +113,6 @@ class Hands:
 
     def _done(self) -> None:
         self.actions += 1
+        self.studio.settle()
+        wait_for(self.app.services.clinic.jobs)
         self.studio.settle()
