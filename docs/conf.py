@@ -1,6 +1,6 @@
 """The site of the manual: ``make manual``, or ``sphinx-build -W -D language=sv docs SITE/sv``.
 
-Each language is a site of its own, with its own search, which works from a folder (decision 0062).
+Each language is a site of its own, with its own search, which works from a folder (decision 0025).
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ def main() -> int:
 
         freeze_support()
     # Whatever the user has set: with other threads the sums of a matrix product are taken in
-    # another order, and the same session gives another mesh (docs/decisions/0021).
+    # another order, and the same session gives another mesh (docs/decisions/0024).
     os.environ.update(dict.fromkeys(LINEAR_ALGEBRA_THREADS, "1"))
     from insole_studio.cli.main import run
 

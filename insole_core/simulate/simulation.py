@@ -100,7 +100,7 @@ class SimulationOptions:
     ideal
         Whether the sensors have no matching window: depth errors are as large as a real sensor's,
         but fine structure is kept and rims are not widened. The method ``fused`` corrects the
-        window of a real sensor, and so degrades the views of an ideal one (decision 0023).
+        window of a real sensor, and so degrades the views of an ideal one (decision 0015).
     sensors
         Number of sensors around both feet.
     standing

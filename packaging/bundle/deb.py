@@ -85,7 +85,7 @@ def _install(tree: Path) -> None:
 
 
 def put_manual(program: Path, site: Path) -> None:
-    """Put the manual where browsers in a sandbox may read, as Ubuntu's is (decision 0062)."""
+    """Put the manual where browsers in a sandbox may read, as Ubuntu's is (decision 0025)."""
     bundled = next(program.glob("**/_resources/manual"))
     bundled.rename(site)
     bundled.symlink_to(os.path.relpath(site, bundled.parent))

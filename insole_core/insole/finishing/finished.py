@@ -1,7 +1,7 @@
 """The finishing stage: from the shaped contact surface to the surface that pads are put on.
 
 The supporting zone keeps the contact surface; rim and toe zone are designed, and a thin plate joins
-the three. Order and figures: docs/decisions/0036-finishing.md.
+the three. Order and figures: docs/decisions/0036-rim-plate-and-shell.md.
 """
 
 from __future__ import annotations

@@ -194,7 +194,7 @@ def sharpened(color: ByteArray, blobs: Blobs) -> Blobs:
     blueness, where blur does not change it.
 
     The rim is narrower than a pixel: counted pixel by pixel, it would be up to half a pixel off,
-    depending on how it lies to the rows and columns, in every frame alike (decision 0072). So it is
+    depending on how it lies to the rows and columns, in every frame alike (decision 0018). So it is
     sought in the picture between the pixels.
 
     Parameters

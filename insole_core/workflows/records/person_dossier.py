@@ -25,7 +25,7 @@ from insole_core.workflows.nameless import require_nameless
 _TYPED_KEYS = frozenset({"name", "device", "material", "notes"})
 """Of a case, the texts that somebody may have typed; authors are not the patient."""
 _SHOP_SUFFIXES = (".stl", ".3mf", ".obj", ".ply", "-job-sheet.pdf", "-checks.json")
-"""Endings of the files of an order that name nobody (decision 0030)."""
+"""Endings of the files of an order that name nobody (decision 0066)."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def _visit_dossier(records: Records, visit: Visit) -> VisitDossier:
 
 
 def pseudonymous(dossier: PersonDossier) -> PersonDossier:
-    """Return a dossier that names and describes nobody (decision 0048).
+    """Return a dossier that names and describes nobody (decision 0049).
 
     Left out are name, birth date, personal number, contact, consent, every text that somebody has
     typed about the person, photos, captures (files of other programs may hold a name) and the
