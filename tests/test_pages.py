@@ -15,6 +15,7 @@ MADE = ("benchmarks/results", "insole_core/_resources", "resources/manual")
 
 LINK = re.compile(r"\]\((?!\w+:|#)([^)\s#]+)")
 DECISION = re.compile(r"\bdecisions?[ /](\d{4}(?:(?:, | and )\d{4})*)")
+BENCHMARK = re.compile(r"python -m benchmarks[ .]([a-z_]+)")
 NAMED_PATH = re.compile(r"`((?:[\w.-]+/)+[\w.-]*)`")
 
 
@@ -85,3 +86,8 @@ def test_every_path_that_is_named_exists() -> None:
         if not any((place / name).exists() for place in PLACES)
     ]
     assert gone == []
+
+
+def test_every_benchmark_that_is_named_exists() -> None:
+    named = {name for page in pages() for name in BENCHMARK.findall(page.read_text("utf-8"))}
+    assert {name for name in named if not (ROOT / "benchmarks" / f"{name}.py").exists()} == set()
