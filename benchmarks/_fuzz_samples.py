@@ -19,8 +19,10 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import CORRECTION_TYPES, InsoleDesign, Outline
+from insole_core.insole.elements import CORRECTION_TYPES
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_to_json
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.template import make_template, template_to_json
 from insole_core.resources import resource_path
 from insole_core.simulate.foot_model import build_foot

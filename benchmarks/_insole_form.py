@@ -10,8 +10,9 @@ from scipy.ndimage import binary_dilation
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.build import Insole, build_insole
+from insole_core.insole.elements import HeelCup
 from insole_core.insole.finishing.finished import FinishedSurface
-from insole_core.insole.prescription.design import HeelCup, InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, contact_base
 from insole_core.insole.surface.pads_on_surface import apply_pads
 

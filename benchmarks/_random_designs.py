@@ -11,21 +11,12 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
-from insole_core.insole.prescription.design import (
-    ArchRaise,
-    Correction,
-    Finish,
-    HeelCup,
-    HeelSkive,
-    InsoleDesign,
-    Layers,
-    Outline,
-    Pelott,
-    Post,
-    Posting,
-    RimStation,
-    Shell,
-)
+from insole_core.insole.elements import ArchRaise, Correction, HeelCup, HeelSkive, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import vary_shape
 from insole_core.solids.solid import KINDS, Kind, SolidOptions

@@ -15,16 +15,10 @@ from benchmarks._random_designs import random_design, random_finish, random_shel
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import (
-    BrushStroke,
-    ForefootTwist,
-    InsoleDesign,
-    Layers,
-    Outline,
-    Pelott,
-    Posting,
-    Rocker,
-)
+from insole_core.insole.elements import BrushStroke, ForefootTwist, Pelott, Posting, Rocker
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
 from insole_core.solids.solid import insole_solid
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview

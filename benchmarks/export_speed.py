@@ -19,7 +19,10 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Layers, Outline, Post, Shell
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.solids.solid import KINDS, insole_solid, make_solid
 
 

@@ -19,19 +19,19 @@ from benchmarks._measure import print_table
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.pads.pad_heights import pad_heights
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     ForefootTwist,
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
     Pelott,
     Posting,
 )
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.pads.pad_heights import pad_heights
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.workflows.edited_insole import EditedInsole

@@ -26,7 +26,9 @@ from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import BaseForm, InsoleDesign, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.base_form import BaseForm
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.prescription.rim_sliders import with_cup_depth

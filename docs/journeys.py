@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.export.ply import write_ply
-from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
 from insole_core.resources import resource_path
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.scripted import ScriptedWindow, wait_for

@@ -27,7 +27,7 @@ from journeys import Circumstances, walk
 from insole_core.cases.case_file import read_case
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
 from insole_core.pressure.sole_print import SolePrint
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits

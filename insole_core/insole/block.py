@@ -8,7 +8,7 @@ from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, active_pads
 from insole_core.insole.pads.pad_heights import pad_heights
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 _APEX_INSET = 0.1  # an apex stays this share of a cell away from the cell's edges
 

@@ -14,13 +14,13 @@ from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray
 from insole_core.insole.finishing.finished import FinishedSurface
+from insole_core.insole.outline.shoe_last import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import ContactBase, contact_base
-from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import active_pads, apply_pads
-from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.progress import SILENT, Progress
 
 __all__ = [

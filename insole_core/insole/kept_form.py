@@ -11,7 +11,7 @@ from insole_core.insole.forms.form_frame import FormFrame, form_frame
 from insole_core.insole.forms.form_surface import form_heights
 from insole_core.insole.prescription.base_form import HEADS_ALONG, Form
 from insole_core.insole.prescription.item_name import checked_name
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 _ALONG, _ACROSS = (-0.06, 1.08), (-0.2, 1.2)
 """Shares that the stations span: the insole and its usual allowances."""

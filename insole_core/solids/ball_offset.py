@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 PITCH_MM = 0.5
 """Between the points of a surface that a ball may touch."""

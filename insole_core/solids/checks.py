@@ -16,7 +16,7 @@ from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import transform
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.messages import Message, Value
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball_offset import left_by_cutter

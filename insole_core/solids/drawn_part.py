@@ -16,7 +16,7 @@ from insole_core.export.insole_drawing import (
 )
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid
-from insole_core.insole.prescription.design import Correction
+from insole_core.insole.elements import Correction
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.messages import Translate
 from insole_core.solids.checks import survey_heights

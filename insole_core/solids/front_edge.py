@@ -6,8 +6,8 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.outline.outline_curve import evenly_spread
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.primitives.outline_curve import evenly_spread
 
 _AHEAD = 0.6  # y of the outward normal: the front edge turns by at most 53 degrees
 _STEEPEST = np.sqrt(1 - _AHEAD**2) / _AHEAD

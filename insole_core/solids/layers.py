@@ -10,9 +10,9 @@ import numpy as np
 
 from insole_core.export.three_mf import ThreeMfPart
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.insole.block import close_block
 from insole_core.insole.build import Insole
-from insole_core.insole.surface.block import close_block
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.solids.ball_offset import parallel_below
 from insole_core.solids.shop import LayerMake, LayerName
 from insole_core.solids.simplification import from_manifold, to_manifold

@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.solids.solid_outline import OutlineDistance
 from insole_core.solids.trimmed_grid import Plan
 

@@ -9,13 +9,13 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
+from insole_core.insole.outline.shoe_last import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import material_of
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
-from insole_core.insole.surface.blending import smooth_hinge, smooth_step
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, eased, rocker_heights_mm, rockers
-from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.solids.ball_offset import PITCH_MM, parallel_below
 from insole_core.solids.front_edge import behind_front_mm
 from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside

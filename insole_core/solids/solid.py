@@ -10,11 +10,11 @@ import numpy as np
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.insole.block import apexes, block_solid
 from insole_core.insole.build import Insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.surface.block import apexes, block_solid
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.posts import POST_BAND_MM
 from insole_core.solids.prism import Faces, Prism, band_mm

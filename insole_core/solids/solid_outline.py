@@ -13,7 +13,7 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 _LEAST_AREA_MM2 = 400.0
 _PITCH_MM = 0.5  # of the points along an outline for finding its nearest side

@@ -17,9 +17,9 @@ from insole_core.foot.landmarks import Landmarks, find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, active_pads
+from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.pads.pad_kinds import pad_name
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.messages import Message, joined
 from insole_core.pressure.laid_map import PressureMap
 from insole_core.solids.layers import everything_below

@@ -12,13 +12,15 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import material_problem
-from insole_core.insole.prescription.design import Finish, InsoleDesign
+from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish
+from insole_core.insole.prescription.posting_angles import posting_angles
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import ContactBase, with_rim
 from insole_core.insole.surface.followed_base import followed_base
-from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import Window, apply_pads, moved_pad
-from insole_core.insole.surface.posting import posted_mesh, posting_angles
-from insole_core.insole.surface.shoe_last import last_heights_mm
+from insole_core.insole.surface.posting import posted_mesh
 from insole_core.solids.ball_offset import PITCH_MM
 from insole_core.solids.prism import Faces
 from insole_core.solids.shell_body import Body

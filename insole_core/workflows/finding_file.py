@@ -10,8 +10,9 @@ from typing import Any
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
+from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription import design_json
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Shell
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import (
     CORRECTION_RANGES,
     FINISH_RANGES,
@@ -20,6 +21,7 @@ from insole_core.insole.prescription.design_limits import (
     Range,
 )
 from insole_core.insole.prescription.item_name import checked_name
+from insole_core.insole.prescription.shell import Shell
 from insole_core.json_object import JsonObject
 from insole_core.workflows.findings import Finding, ProposedPad, set_values
 

@@ -15,20 +15,14 @@ from typing import Any
 from insole_core.errors import InputError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
+from insole_core.insole.elements import Correction, CorrectionBase, HeelCup, Pelott
 from insole_core.insole.pads.pad_places import placed_pad
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import (
-    Correction,
-    Finish,
-    HeelCup,
-    InsoleDesign,
-    Pelott,
-    Post,
-    Shell,
-)
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.insole.prescription.rim_sliders import with_cup_depth, with_medial_flange
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.workflows.clinic_devices import find_device
 from insole_core.workflows.pad_library import LibraryPad
 

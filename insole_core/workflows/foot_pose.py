@@ -11,7 +11,9 @@ from insole_core.foot.alignment import PoseAngles, levelled, quarter_turned, tur
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.insole.prescription.design import Correction, InsoleDesign, Pelott, Place
+from insole_core.insole.elements import Correction, Pelott
+from insole_core.insole.fields import Place
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.mirroring import with_places
 from insole_core.workflows.foot_landmarks import confirmed, landmarks_of
 

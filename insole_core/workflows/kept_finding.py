@@ -5,22 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from insole_core.foot.landmarks import Landmarks
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     Correction,
+    CorrectionBase,
     HeelCup,
-    InsoleDesign,
     Pelott,
-    Post,
 )
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.item_name import checked_name, key_of
 from insole_core.insole.prescription.rim_sliders import (
     cup_depth_mm,
     finish_with_cups,
     medial_flange_mm,
 )
+from insole_core.insole.prescription.shell import Post
 from insole_core.workflows.findings import Catalogue, Finding, ProposedPad, placed_proposal
 from insole_core.workflows.pad_library import LibraryPad
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.cases.case_record import Annotations, FootRecord, KeyPoint, Point
 from insole_core.foot.foot import Foot
-from insole_core.insole.prescription.design import Correction
+from insole_core.insole.elements import Correction
 from insole_core.workflows.template_transfer import fitted, template_of
 
 _MIRROR: Final = np.diag([-1.0, 1.0, 1.0, 1.0])

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_places import PLACES
-from insole_core.insole.prescription.design import Pelott
 from insole_core.insole.prescription.design_limits import (
     CORRECTION_RANGES,
     LONGEST_KIND,

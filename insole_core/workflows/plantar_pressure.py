@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.foot.landmarks import Landmarks
-from insole_core.insole.prescription.design import Correction, InsoleDesign, Pelott
+from insole_core.insole.elements import Correction, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.pressure.laid_map import FootprintPicture, PressureMap
 from insole_core.workflows.findings import Catalogue, Finding, ProposedPad, apply_finding
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import DesignError
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import Correction, InsoleDesign
+from insole_core.insole.elements import Correction, CorrectionBase
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.template import Template, apply_template, make_template
 from insole_core.workflows.foot_landmarks import landmarks_of
 

@@ -15,7 +15,8 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.reconstruct import reconstruct
 from insole_core.recording.session import Session

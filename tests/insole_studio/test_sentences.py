@@ -23,11 +23,12 @@ from insole_core.errors import CalibrationError, InputError
 from insole_core.export.paper import paper_texts
 from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
-from insole_core.insole.pads.pad_kinds import PAD_NAMES, pad_name
+from insole_core.insole.elements.pad_kinds import PAD_NAMES, pad_name
 from insole_core.insole.pads.pad_shapes import PAD_SHAPES
-from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import LABELS
 from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.prescription.vocabulary import NAMES, SPOKEN, WORDS
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined

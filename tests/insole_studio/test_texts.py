@@ -15,18 +15,18 @@ from PySide6.QtWidgets import QApplication
 import insole_studio
 from insole_core.export.paper import paper_texts
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
-    Finish,
     ForefootTwist,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
     Pelott,
     Posting,
-    Shell,
 )
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
+from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.prescription.vocabulary import SPOKEN
 from insole_core.messages import Message
 from insole_core.resources import resource_path

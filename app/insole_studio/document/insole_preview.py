@@ -12,8 +12,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, check_design_for
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import ContactBase
-from insole_core.insole.surface.height_field import HeightField
 from insole_core.progress import Progress
 from insole_core.workflows.edited_insole import EditedInsole
 from insole_core.workflows.insole_builder import BareInsole, InsoleBuilder

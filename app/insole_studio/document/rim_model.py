@@ -12,11 +12,13 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
 from insole_core.insole.finishing.toe_line import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.prescription.design import Finish, InsoleDesign, Place, RimStation
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.rim_sliders import finish_with_cups
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case

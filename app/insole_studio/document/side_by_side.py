@@ -16,7 +16,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.progress import Progress
 from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_studio.document.case import Case

@@ -6,7 +6,7 @@ named as they are written.
 
 from __future__ import annotations
 
-from insole_core.insole.prescription.corrections import Pelott
+from insole_core.insole.elements import Pelott
 
 PAD_NAMES = {
     "egg": "pelott",

@@ -15,7 +15,7 @@ from insole_core.insole.finishing.edge_distance import (
     InwardLines,
 )
 from insole_core.insole.prescription.finish import HEADS_ALONG, Finish
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 # Along a border: the heel's width up to the first of these, the arch's between the two middle ones.
 _ZONES_ALONG = (0.18, 0.35, 0.55, HEADS_ALONG)

@@ -10,10 +10,10 @@ import scipy
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.fields import Place
 from insole_core.insole.finishing.edge import Edge
-from insole_core.insole.prescription.design import Place
-from insole_core.insole.surface.blending import smoother_step
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.blending import smoother_step
+from insole_core.insole.primitives.height_field import HeightField
 
 # Shares of the foot's length, from the heel.
 _HEEL_CENTRE, _HEEL_END = 0.15, 0.2

@@ -10,10 +10,11 @@ import scipy
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.fields import Place
 from insole_core.insole.outline.insole_outline import full_outline
-from insole_core.insole.outline.outline_curve import evenly_spread, way_round
-from insole_core.insole.prescription.design import Outline, Place
 from insole_core.insole.prescription.finish import HEADS_ALONG
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.outline_curve import evenly_spread, way_round
 
 _PITCH_MM = 1.0
 _LEAST_SHARE = 0.05

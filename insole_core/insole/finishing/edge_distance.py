@@ -12,8 +12,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.insole.finishing.edge import Edge, insole_edge
 from insole_core.insole.finishing.thin_plate import Plate
-from insole_core.insole.prescription.design import Outline
-from insole_core.insole.surface.height_field import Grid, HeightField
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.height_field import Grid, HeightField
 
 _BEYOND_STEPS = 1.6
 """How far the plate reaches beyond the edge, in steps of the grid: the edge's cells are whole."""

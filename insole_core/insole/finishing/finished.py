@@ -15,6 +15,7 @@ import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.fields import Place
 from insole_core.insole.finishing.blend_widths import BlendWidths, blend_widths
 from insole_core.insole.finishing.contact_shaping import (
     Arch,
@@ -29,9 +30,10 @@ from insole_core.insole.finishing.rim_curve import RIM_SIGMA_MM, Rim, RimCurve
 from insole_core.insole.finishing.thin_plate import SprungPlate
 from insole_core.insole.finishing.toe_zone import ToeZone, toe_zone
 from insole_core.insole.finishing.zones import Zones, zones_of
-from insole_core.insole.prescription.design import InsoleDesign, Outline, Place, RimStation
-from insole_core.insole.prescription.finish import Finish
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.height_field import HeightField
 
 _HEEL_SHARE = 0.22
 _HEEL_INSIDE_MM = 6.0  # the floor of the heel lies at least so far from the edge

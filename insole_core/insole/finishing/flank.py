@@ -8,7 +8,7 @@ import scipy
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.finishing.edge import Edge, insole_edge
-from insole_core.insole.prescription.design import Outline
+from insole_core.insole.prescription.outline import Outline
 
 _HIGHEST_MM = 45.0  # no rim is higher
 _BESIDE_MM = 7.0

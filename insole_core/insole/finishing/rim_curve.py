@@ -14,10 +14,11 @@ import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.fields import Place
 from insole_core.insole.finishing.edge import Edge
 from insole_core.insole.finishing.fair_heights import fair_heights
-from insole_core.insole.prescription.design import Place, RimStation
 from insole_core.insole.prescription.design_limits import RIM_RANGES
+from insole_core.insole.prescription.finish import RimStation
 
 RIM_SIGMA_MM = 8.0
 """Standard deviation of the Gaussian along the edge that smooths the rim."""

@@ -8,8 +8,8 @@ import numpy as np
 
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.finishing.rim_curve import Rim
-from insole_core.insole.prescription.design import RimStation
 from insole_core.insole.prescription.design_limits import RIM_RANGES
+from insole_core.insole.prescription.finish import RimStation
 
 LEAST_GAP_MM = 4.0
 """Least distance of two stations along the edge: nearer ones would make a step."""

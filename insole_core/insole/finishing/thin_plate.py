@@ -15,7 +15,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 TENSION_PER_MM = 1 / 8
 """Where two zones are farther apart than its reciprocal, the plate between them is nearly flat."""

@@ -7,7 +7,7 @@ import numpy as np
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.finishing.heads_parabola import HeadsParabola
-from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.primitives.outline_curve import inside_curve
 
 _PITCH_MM = 2.0
 

@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.edge_distance import EdgeDistance
 from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.prescription.finish import Finish
-from insole_core.insole.surface.blending import smoother_step
+from insole_core.insole.primitives.blending import smoother_step
 
 _TRANSITION_MM, _SULCUS_TRANSITION_MM = 14.0, 18.0
 """From the toe line to where the floor of the toes is reached, and the lower one of a sulcus."""

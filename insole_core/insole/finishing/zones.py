@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.blend_widths import BlendWidths
 from insole_core.insole.finishing.edge_distance import EdgeDistance
 from insole_core.insole.finishing.toe_zone import ToeZone
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 _SUPPORT_CORNER_MM, _FLOOR_CORNER_MM = 10.0, 20.0
 """Radii of the corners between rim and toe line. Beside a sharper corner of the level floor the

@@ -17,7 +17,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.prescription.base_form import HEADS_ALONG
-from insole_core.insole.surface.blending import smooth_step
+from insole_core.insole.primitives.blending import smooth_step
 
 _MOST_SHIFT = 0.1
 """Greatest share of the length by which the heads of a foot lie off `HEADS_ALONG`."""

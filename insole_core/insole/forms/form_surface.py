@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.forms.form_frame import FormFrame, form_frame
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.finish import Finish
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 MOST_GRADING = 0.5
 """A form is graded to feet that are shorter or longer by less than this share."""

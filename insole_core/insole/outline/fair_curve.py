@@ -9,7 +9,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import FloatArray, IntArray
-from insole_core.insole.outline.outline_curve import evenly_spread, way_round
+from insole_core.insole.primitives.outline_curve import evenly_spread, way_round
 
 _HARMONICS = 16
 _POINTS, _WATCHED = 720, slice(None, None, 5)

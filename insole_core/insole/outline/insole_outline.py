@@ -14,14 +14,16 @@ from insole_core.foot.landmarks import HEADS, Landmarks, find_landmarks
 from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
+from insole_core.insole.fields import Place
 from insole_core.insole.outline.fair_curve import fair_curve
 from insole_core.insole.outline.foot_border import foot_border
-from insole_core.insole.outline.outline_curve import closed_curve, evenly_spread, smoothed_along
 from insole_core.insole.outline.shoe_fit import placed_inside, trimmed_to
 from insole_core.insole.outline.trim_line import TrimLine, trim_points
-from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shoe import Shoe
-from insole_core.insole.surface.blending import smooth_step
+from insole_core.insole.primitives.blending import smooth_step
+from insole_core.insole.primitives.outline_curve import closed_curve, evenly_spread, smoothed_along
 
 # All as shares of the foot's length.
 _HEEL_TO_BALL = (0.30, 0.55)

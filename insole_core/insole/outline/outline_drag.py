@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.outline.outline_curve import closed_curve
+from insole_core.insole.primitives.outline_curve import closed_curve
 
 _LEAST_REACH_MM = 40.0
 _MOST_BEND = 0.01

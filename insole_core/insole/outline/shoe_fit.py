@@ -10,13 +10,13 @@ import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.outline.outline_curve import (
+from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.primitives.outline_curve import (
     closed_curve,
     evenly_spread,
     inside_curve,
     smoothed_along,
 )
-from insole_core.insole.prescription.shoe import Shoe
 
 HEEL_SHARE, BALL_SHARE = 0.15, 0.67
 """Shares of the length where the middles of an insole and of its shoe coincide."""

@@ -12,7 +12,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.surface.blending import smooth_hinge, smooth_step
+from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
 
 _HEEL, _BALL = 0.15, 0.7  # shares of the length where the insole rests on the last
 _BEND = 0.03  # share of the length over which the underside bends at the ball

@@ -13,11 +13,13 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measures import PARIS_MM, shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.elements import HeelLift
 from insole_core.insole.outline.insole_outline import full_outline, insole_outline, shoe_inside
-from insole_core.insole.outline.outline_curve import smoothed_along
 from insole_core.insole.outline.shoe_fit import fit_in
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Outline
-from insole_core.insole.surface.shoe_last import ground_heights_mm, last_heights_mm
+from insole_core.insole.outline.shoe_last import ground_heights_mm, last_heights_mm
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.outline_curve import smoothed_along
 
 _BALL_MM, _HEEL_MM = 4.0, 3.0
 """Room of a usual shoe beside the ball and the heel of the foot."""

@@ -9,7 +9,7 @@ from insole_core.errors import DesignError
 from insole_core.foot.landmarks import HEADS, Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.corrections import Place
+from insole_core.insole.fields import Place
 from insole_core.insole.prescription.shell import Shell
 
 _BEHIND_FIRST_MM, _BEHIND_FIFTH_MM, _MIDDLE_AHEAD_MM = 11.0, 10.0, 4.0

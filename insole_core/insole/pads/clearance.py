@@ -8,8 +8,8 @@ import numpy as np
 
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.prescription.corrections import Pelott
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,9 +13,9 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_shapes import DOMED, is_seen_whole, local_outline, pad2insole
-from insole_core.insole.prescription.corrections import Pelott
-from insole_core.insole.surface.blending import smooth_step
+from insole_core.insole.primitives.blending import smooth_step
 from insole_core.memo import Memo
 
 _PLATEAU = 0.5  # share of the way to the outline over which the window of a dome is 1

@@ -12,8 +12,9 @@ import numpy as np
 from insole_core.foot.landmarks import HEADS, TOE_TIPS, Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
+from insole_core.insole.elements import Pelott
+from insole_core.insole.fields import Place
 from insole_core.insole.pads.clearance import clearance
-from insole_core.insole.prescription.corrections import Pelott, Place
 
 _STEPS_BACK = 5  # the heads lie on an arc: the distance to it changes a little with the position
 _RAY_BEHIND_MM = 12.0  # an extension of the ray begins this far behind the 1st head

@@ -11,9 +11,10 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.outline.outline_curve import closed_curve, inside_curve
+from insole_core.insole.elements import Pelott
+from insole_core.insole.fields import Place
 from insole_core.insole.pads.egg_curve import egg_curve
-from insole_core.insole.prescription.corrections import Pelott, Place
+from insole_core.insole.primitives.outline_curve import closed_curve, inside_curve
 from insole_core.memo import Memo
 
 PAD_SHAPES = (

@@ -9,49 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.base_form import BaseForm, Form
-from insole_core.insole.prescription.corrections import (
-    CORRECTION_TYPES,
-    ArchRaise,
-    BrushStroke,
-    Correction,
-    ForefootTwist,
-    HeelCup,
-    HeelLift,
-    HeelSkive,
-    Layers,
-    Outline,
-    Pelott,
-    Place,
-    Posting,
-    Rocker,
-)
-from insole_core.insole.prescription.finish import Finish, RimStation
-from insole_core.insole.prescription.shell import Post, Shell
-
-__all__ = [
-    "CORRECTION_TYPES",
-    "ArchRaise",
-    "BaseForm",
-    "BrushStroke",
-    "Correction",
-    "Finish",
-    "ForefootTwist",
-    "Form",
-    "HeelCup",
-    "HeelLift",
-    "HeelSkive",
-    "InsoleDesign",
-    "Layers",
-    "Outline",
-    "Pelott",
-    "Place",
-    "Post",
-    "Posting",
-    "RimStation",
-    "Rocker",
-    "Shell",
-]  # fmt: skip
+from insole_core.insole.elements import Correction
+from insole_core.insole.prescription.base_form import BaseForm
+from insole_core.insole.prescription.finish import Finish
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Shell
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,11 @@ from dataclasses import fields, replace
 from itertools import groupby
 from typing import Any
 
-from insole_core.insole.pads.pad_kinds import pad_name
+from insole_core.insole.elements import Correction, Pelott
+from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.insole.prescription.base_form import BaseForm
-from insole_core.insole.prescription.corrections import Correction, Pelott
-from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.rim_sliders import (
     cup_depth_mm,
     finish_with_cups,

@@ -12,22 +12,16 @@ from typing import Any, NoReturn
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.given_file import read_given
-from insole_core.insole.prescription.design import (
-    CORRECTION_TYPES,
-    BaseForm,
-    Correction,
-    Finish,
-    Form,
-    InsoleDesign,
-    Layers,
-    Outline,
-    Post,
-    RimStation,
-    Shell,
-)
+from insole_core.insole.elements import CORRECTION_TYPES, Correction
+from insole_core.insole.prescription.base_form import BaseForm, Form
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import CHOICES, check_design, check_form
 from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.item_name import checked_name
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES, load_strictly

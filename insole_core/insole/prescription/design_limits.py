@@ -1,7 +1,7 @@
 """Permitted values of a design: one table for files, spin boxes and the builder.
 
 The ranges are wide, what devices and workshops can do; what is usual or advisable is a matter of
-the clinic's own rules (`insole_core.insole.prescription.clinic_rules`).
+the clinic's own rules (`insole_core.insole.warnings.clinic_rules`).
 """
 
 from __future__ import annotations
@@ -16,30 +16,27 @@ import numpy as np
 
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
-from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
-from insole_core.insole.pads.pad_shapes import FREE, PAD_SHAPES, encloses_centre
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
-    BaseForm,
     BrushStroke,
     Correction,
-    Finish,
     ForefootTwist,
-    Form,
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
-    Outline,
     Pelott,
-    Post,
     Posting,
-    RimStation,
     Rocker,
-    Shell,
 )
+from insole_core.insole.pads.pad_shapes import FREE, PAD_SHAPES, encloses_centre
+from insole_core.insole.prescription.base_form import BaseForm, Form
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.item_name import checked_name
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.primitives.outline_curve import closed_curve, crosses_itself
 from insole_core.messages import Message
 
 

@@ -7,10 +7,11 @@ import numpy as np
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign
+from insole_core.insole.elements import HeelLift
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import Range
-from insole_core.insole.surface.blending import smooth_step
-from insole_core.insole.surface.posting import posting_profile_deg
+from insole_core.insole.prescription.posting_angles import posting_profile_deg
+from insole_core.insole.primitives.blending import smooth_step
 
 POSTING_TOTAL = Range(-15, 15, "degrees")
 LIFT_TOTAL = Range(-10, 20)

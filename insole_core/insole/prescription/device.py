@@ -14,9 +14,10 @@ from typing import Any
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription import design_json
-from insole_core.insole.prescription.corrections import Outline
-from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.item_name import checked_name, key_of
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Shell
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-device", 1

@@ -14,8 +14,9 @@ from itertools import pairwise
 from pathlib import Path
 
 from insole_core.errors import DesignError, InputError
-from insole_core.insole.prescription.design import InsoleDesign, Shell
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import DESIGN_RANGES, SHELL_RANGES
+from insole_core.insole.prescription.shell import Shell
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
 from insole_core.resources import resource_path

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import fields, replace
 from typing import Any, TypeVar
 
-from insole_core.insole.prescription.corrections import Correction, Pelott, Place
+from insole_core.insole.elements import Correction, Pelott
+from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
 
 PLACE_KEYS = ("centre_mm", "apex_mm", "points_mm", "trim_mm")

@@ -13,9 +13,10 @@ import numpy as np
 
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
+from insole_core.insole.elements import Correction, Pelott
+from insole_core.insole.elements.pad_kinds import PAD_NAMES, ends_behind_heads, pad_name
+from insole_core.insole.fields import Place
 from insole_core.insole.pads.clearance import behind_heads_mm
-from insole_core.insole.pads.pad_kinds import PAD_NAMES, ends_behind_heads, pad_name
-from insole_core.insole.prescription.corrections import Correction, Pelott, Place
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from insole_core.insole.prescription.corrections import Correction, HeelCup
+from insole_core.insole.elements import Correction, HeelCup
 from insole_core.insole.prescription.finish import HEADS_ALONG, Finish, RimStation
 
 _CUP_ALONG, _CUP_FADE = 0.2, 0.4

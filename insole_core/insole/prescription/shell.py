@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from insole_core.insole.prescription.corrections import Place
+from insole_core.insole.fields import Place
 
 LONGEST_TAPER = 0.5
 """Greatest share of an insole's length over which it tapers."""

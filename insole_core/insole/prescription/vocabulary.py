@@ -10,23 +10,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from insole_core.insole.pads.pad_shapes import DOMED
-from insole_core.insole.prescription.base_form import BaseForm, Form
-from insole_core.insole.prescription.corrections import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     ForefootTwist,
     HeelCup,
     HeelLift,
     HeelSkive,
-    Layers,
-    Outline,
     Pelott,
     Posting,
     Rocker,
 )
+from insole_core.insole.pads.pad_shapes import DOMED
+from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 

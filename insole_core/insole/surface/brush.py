@@ -7,8 +7,8 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.prescription.design import BrushStroke
-from insole_core.insole.surface.blending import gaussian_hill
+from insole_core.insole.elements import BrushStroke
+from insole_core.insole.primitives.blending import gaussian_hill
 
 _PITCH = 1 / 40  # of the radius, between the points that sample the path
 _SIGMA = 1 / 3  # of the radius: standard deviation of the smoothing

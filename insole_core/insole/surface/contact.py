@@ -16,26 +16,20 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
+from insole_core.insole.elements import ForefootTwist, HeelCup, HeelLift, HeelSkive, Posting
+from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface, finished
 from insole_core.insole.forms.form_surface import base_surface, finish_on_base
 from insole_core.insole.outline.insole_outline import insole_outline, outline_reach
-from insole_core.insole.prescription.design import (
-    Finish,
-    ForefootTwist,
-    HeelCup,
-    HeelLift,
-    HeelSkive,
-    InsoleDesign,
-    Place,
-    Posting,
-)
+from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.rim_sliders import finish_with_cups
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.heel import cup_rows, cupped, lifted, skived
 from insole_core.insole.surface.heel_rim import RimBand, rim_band
-from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.inpainting import fill
 from insole_core.insole.surface.posting import posted
-from insole_core.insole.surface.shoe_last import last_heights_mm
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 

@@ -10,8 +10,8 @@ import scipy
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import ContactBase, contact_base
-from insole_core.insole.surface.height_field import HeightField
 from insole_core.progress import SILENT, Progress
 
 COARSE_GRID_MM = 2.0

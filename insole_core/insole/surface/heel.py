@@ -6,10 +6,10 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelCup, HeelLift, HeelSkive
-from insole_core.insole.surface.blending import smooth_hinge, smooth_step
+from insole_core.insole.elements import HeelCup, HeelLift, HeelSkive
+from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.heel_rim import RimBand
-from insole_core.insole.surface.height_field import HeightField
 
 HEEL_SHARE = 0.22
 """Length of the heel as a share of the foot's length."""

@@ -10,9 +10,9 @@ import scipy
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.outline.insole_outline import full_outline
-from insole_core.insole.outline.outline_curve import evenly_spread
-from insole_core.insole.prescription.design import Outline
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.primitives.outline_curve import evenly_spread
 
 _GAP_MM = 16.0  # narrower gaps and bays of a scan belong to the sole
 _EVEN_MM = 1.5  # standard deviation by which the border of the sole is evened

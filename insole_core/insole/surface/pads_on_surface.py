@@ -14,17 +14,13 @@ from typing import TypeAlias
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.elements import ArchRaise, BrushStroke, Pelott
+from insole_core.insole.fields import Place
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
-from insole_core.insole.prescription.design import (
-    ArchRaise,
-    BrushStroke,
-    InsoleDesign,
-    Pelott,
-    Place,
-)
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.brush import HALO, stroke_weight, stroked
 from insole_core.insole.surface.contact import ContactBase
-from insole_core.insole.surface.height_field import HeightField
 
 Added: TypeAlias = Pelott | ArchRaise | BrushStroke
 """The corrections that change the surface within an outline, in the order of the design."""

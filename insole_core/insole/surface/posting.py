@@ -15,28 +15,14 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
-    Correction,
-    ForefootTwist,
-    InsoleDesign,
-    Posting,
-)
-from insole_core.insole.surface.blending import smooth_step
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.elements import Posting
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.posting_angles import angle_deg, angles_deg
+from insole_core.insole.primitives.blending import smooth_step
+from insole_core.insole.primitives.height_field import HeightField
 
 _RIM_START = 0.7
 """Intrinsic posting fades from this share of a section's half width to its border."""
-
-
-def posting_angles(design: InsoleDesign) -> tuple[float, float]:
-    """Sum the rear- and forefoot angles of postings and posts, in degrees; > 0 is medial."""
-    postings = [c for c in _turning(design) if isinstance(c, Posting)]
-    return sum(c.rearfoot_deg for c in postings), sum(c.forefoot_deg for c in postings)
-
-
-def posting_profile_deg(design: InsoleDesign, share: FloatArray) -> FloatArray:
-    """Sum the angles of active postings, twists and posts at shares (n,) of the length."""
-    return _angles_deg(design, share, "extrinsic") + _angles_deg(design, share, "intrinsic")
 
 
 def posted_mesh(foot: Foot, rearfoot_deg: float, forefoot_deg: float) -> TriangleMesh:
@@ -53,7 +39,7 @@ def posted_mesh(foot: Foot, rearfoot_deg: float, forefoot_deg: float) -> Triangl
     """
     x, y, z = foot.mesh.vertices.T
     zone = Posting(rearfoot_deg=rearfoot_deg, forefoot_deg=forefoot_deg)
-    angle = foot.side.medial_sign * np.radians(_angle_deg(zone, y / foot.length_mm))
+    angle = foot.side.medial_sign * np.radians(angle_deg(zone, y / foot.length_mm))
     cos, sin = np.cos(angle), np.sin(angle)
     return replace(foot.mesh, vertices=np.stack([x * cos - z * sin, y, z * cos + x * sin], axis=1))
 
@@ -79,41 +65,13 @@ def posted(
     """
     share = field.y_mm / length_mm
     turned = field.heights_mm
-    whole = _angles_deg(design, share, "extrinsic")
+    whole = angles_deg(design, share, "extrinsic")
     if whole.any():
         turned = _turned(field, design.side.medial_sign * np.radians(whole))
-    inner = _angles_deg(design, share, "intrinsic")
+    inner = angles_deg(design, share, "intrinsic")
     if inner.any():
         turned = turned + _inner_tilt(field, measured, design.side, inner)
     return turned
-
-
-def _angles_deg(design: InsoleDesign, share: FloatArray, method: str) -> FloatArray:
-    """Sum the angles in each section, (ny,)."""
-    angle = np.zeros_like(share)
-    for c in _turning(design):
-        if isinstance(c, Posting) and c.method == method:
-            angle += _angle_deg(c, share)
-        elif isinstance(c, ForefootTwist) and method == "extrinsic":
-            angle += c.angle_deg * smooth_step(share, c.blend_start, c.blend_end)
-    return angle
-
-
-def _turning(design: InsoleDesign) -> list[Correction]:
-    """Return the active corrections, and the posting that the posts below a shell amount to."""
-    posts = () if design.shell is None else design.shell.posts
-    rearfoot, forefoot = (
-        sum(post.angle_deg for post in posts if post.region == region)
-        for region in ("rearfoot", "forefoot")
-    )
-    if rearfoot == forefoot == 0:
-        return [*design.active]
-    return [*design.active, Posting(id="posts", rearfoot_deg=rearfoot, forefoot_deg=forefoot)]
-
-
-def _angle_deg(posting: Posting, share: FloatArray) -> FloatArray:
-    forefoot = smooth_step(share, posting.blend_start, posting.blend_end)
-    return posting.rearfoot_deg + (posting.forefoot_deg - posting.rearfoot_deg) * forefoot
 
 
 def _turned(field: HeightField, angle: FloatArray) -> FloatArray:

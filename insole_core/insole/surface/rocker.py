@@ -7,9 +7,10 @@ import numpy as np
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, find_landmarks
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.prescription.design import InsoleDesign, Rocker
-from insole_core.insole.surface.blending import smooth_hinge
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.elements import Rocker
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.primitives.blending import smooth_hinge
+from insole_core.insole.primitives.height_field import HeightField
 
 LEAST_LEFT_MM = 1.5
 """Thickness that a rocker leaves; ahead of there the underside follows the upper side."""

@@ -14,34 +14,27 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
-from insole_core.insole.outline.outline_curve import inside_curve
-from insole_core.insole.pads.clearance import behind_heads_mm
-from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.pads.pad_kinds import (
+from insole_core.insole.elements import ArchRaise, HeelCup, HeelLift, HeelSkive, Pelott, Posting
+from insole_core.insole.elements.pad_kinds import (
     ends_behind_heads,
     is_filler,
     leaves_first_head_free,
     pad_name,
 )
-from insole_core.insole.prescription.design import (
-    ArchRaise,
-    HeelCup,
-    HeelLift,
-    HeelSkive,
-    InsoleDesign,
-    Pelott,
-    Posting,
-)
-from insole_core.insole.prescription.design_warning import DesignWarning
-from insole_core.insole.prescription.finish_warnings import finish_warnings
+from insole_core.insole.pads.clearance import behind_heads_mm
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import MaterialTable, read_materials
+from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
-from insole_core.insole.prescription.scan_warnings import scan_warnings
-from insole_core.insole.prescription.shell_warnings import shell_warnings
-from insole_core.insole.prescription.shoe_warnings import shoe_warnings
-from insole_core.insole.surface.posting import posting_angles
+from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm, rockers
+from insole_core.insole.warnings.design_warning import DesignWarning
+from insole_core.insole.warnings.finish_warnings import finish_warnings
+from insole_core.insole.warnings.scan_warnings import scan_warnings
+from insole_core.insole.warnings.shell_warnings import shell_warnings
+from insole_core.insole.warnings.shoe_warnings import shoe_warnings
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, Value
 from insole_core.resources import resource_path

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from insole_core.insole.prescription.corrections import Place
+from insole_core.insole.fields import Place
 from insole_core.messages import Message
 
 

@@ -10,16 +10,17 @@ from insole_core.errors import DesignError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
+from insole_core.insole.elements import Pelott
+from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.outline.shoe_last import last_heights_mm
 from insole_core.insole.outline.trim_line import TrimLine, trim_points
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.pads.pad_kinds import pad_name
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Shell
-from insole_core.insole.prescription.design_warning import DesignWarning
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import Material, MaterialTable, material_of
-from insole_core.insole.prescription.shell import LONGEST_TAPER
-from insole_core.insole.surface.shoe_last import last_heights_mm
+from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
+from insole_core.insole.primitives.outline_curve import inside_curve
+from insole_core.insole.warnings.design_warning import DesignWarning
 from insole_core.messages import Message, joined
 
 _CUT_SHARE = 0.03  # of the points on a pad's outline that lie ahead of the trim line

@@ -27,7 +27,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.template import Template
 
 SAMPLES = Path(__file__).parents[2] / "data" / "cases"

@@ -21,7 +21,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid, positive_solid
 from insole_core.workflows.compare_case import compare_sources
 

@@ -15,7 +15,8 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.recording.session import View
 from insole_core.solids.solid import insole_solid, positive_solid
 

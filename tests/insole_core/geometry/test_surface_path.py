@@ -12,7 +12,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_path import path_length_mm, shortest_path
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 FLAT = HeightField(0.0, 0.0, 1.0, np.zeros((121, 101)))
 RADIUS_MM = 40.0

@@ -13,19 +13,15 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole, build_insole
+from insole_core.insole.elements import HeelSkive, Pelott, Posting
 from insole_core.insole.forms.form_file import read_form, write_form
 from insole_core.insole.forms.form_frame import form_frame
 from insole_core.insole.forms.form_surface import finish_on_base, form_heights
-from insole_core.insole.forms.kept_form import form_of
+from insole_core.insole.kept_form import form_of
 from insole_core.insole.prescription.base_form import HEADS_ALONG, BaseForm, Form
-from insole_core.insole.prescription.design import (
-    Finish,
-    HeelSkive,
-    InsoleDesign,
-    Pelott,
-    Posting,
-)
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.surface.contact import base_key, contact_base, sole_surface
 from insole_core.resources import resource_path
 

@@ -15,9 +15,10 @@ from insole_core.export.stl import write_stl
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.insole.block import block_solid
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
-from insole_core.insole.surface.block import block_solid
+from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.scans.mesh_file import read_mesh
 
 

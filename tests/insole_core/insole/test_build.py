@@ -15,8 +15,9 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import apply_pads, build_insole
+from insole_core.insole.elements import Pelott, Posting
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import base_key, contact_base
 from insole_core.progress import Cancelled, Progress
 from insole_core.scans.mesh_file import read_mesh

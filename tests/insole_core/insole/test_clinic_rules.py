@@ -12,26 +12,21 @@ from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import find_landmarks, with_places
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
-from insole_core.insole.pads.clearance import behind_heads_mm
-from insole_core.insole.pads.pad_places import placed_pad
-from insole_core.insole.prescription.clinic_rules import (
-    design_warnings,
-    load_rules,
-)
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
-    Finish,
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
-    Outline,
     Pelott,
     Posting,
 )
+from insole_core.insole.outline.insole_outline import insole_outline
+from insole_core.insole.pads.clearance import behind_heads_mm
+from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import with_cup_depth
 from insole_core.insole.prescription.template import (
@@ -42,6 +37,8 @@ from insole_core.insole.prescription.template import (
     template_to_json,
     write_template,
 )
+from insole_core.insole.primitives.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
 from insole_core.resources import resource_path
 from insole_core.workflows.pad_library import load_pads
 

@@ -7,24 +7,15 @@ from dataclasses import fields, replace
 import pytest
 
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
-    ArchRaise,
-    BaseForm,
-    Finish,
-    Form,
-    HeelSkive,
-    InsoleDesign,
-    Layers,
-    Outline,
-    Pelott,
-    Post,
-    Posting,
-    RimStation,
-    Rocker,
-    Shell,
-)
+from insole_core.insole.elements import ArchRaise, HeelSkive, Pelott, Posting, Rocker
+from insole_core.insole.prescription.base_form import BaseForm, Form
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import LABELS, design_differences
 from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.messages import Message
 from insole_core.resources import resource_path
 

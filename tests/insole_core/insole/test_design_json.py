@@ -15,23 +15,10 @@ from hypothesis import strategies as st
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
+from insole_core.insole.elements import CORRECTION_TYPES, ArchRaise, BrushStroke, Pelott, Posting
 from insole_core.insole.pads.pad_shapes import FREE
-from insole_core.insole.prescription.design import (
-    CORRECTION_TYPES,
-    ArchRaise,
-    BaseForm,
-    BrushStroke,
-    Finish,
-    Form,
-    InsoleDesign,
-    Layers,
-    Outline,
-    Pelott,
-    Post,
-    Posting,
-    RimStation,
-    Shell,
-)
+from insole_core.insole.prescription.base_form import BaseForm, Form
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import (
     design_from_json,
     design_to_json,
@@ -52,6 +39,10 @@ from insole_core.insole.prescription.design_limits import (
     SHOE_RANGES,
     Range,
 )
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 
 SCHEMA = json.loads(

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import BrushStroke, HeelCup, InsoleDesign, Posting
+from insole_core.insole.elements import BrushStroke, HeelCup, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import (
     CORRECTION_RANGES,
     LEAST_ZONE,

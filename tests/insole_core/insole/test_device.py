@@ -13,14 +13,8 @@ from referencing import Registry, Resource
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
-    HeelSkive,
-    InsoleDesign,
-    Outline,
-    Pelott,
-    Posting,
-    Shell,
-)
+from insole_core.insole.elements import HeelSkive, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
 from insole_core.insole.prescription.device import (
     apply_device,
@@ -31,6 +25,8 @@ from insole_core.insole.prescription.device import (
 )
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Shell
 from insole_core.resources import resource_path
 
 DEVICES = sorted(resource_path("devices").glob("*.json"))

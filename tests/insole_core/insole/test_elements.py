@@ -13,14 +13,14 @@ import pytest
 from insole_core.foot.landmarks import HEADS, TOE_TIPS, Landmark
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.pads.pad_shapes import pad_size, resized
-from insole_core.insole.prescription.corrections import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.mirroring import mirrored_correction
+from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.workflows.pad_library import LibraryPad, load_pads
 
 LEFT_MM = {

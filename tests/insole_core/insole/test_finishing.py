@@ -14,24 +14,19 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.elements import HeelCup, Pelott, Posting
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.thin_plate import Plate
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.outline.outline_curve import inside_curve
-from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
-from insole_core.insole.prescription.design import (
-    Finish,
-    HeelCup,
-    InsoleDesign,
-    Outline,
-    Pelott,
-    Posting,
-    RimStation,
-)
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.insole.surface.contact import contact_base
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
 from insole_core.resources import resource_path
 from insole_core.workflows.open_scan import open_scan
 

@@ -11,9 +11,10 @@ from scipy.ndimage import maximum_filter, minimum_filter
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
+from insole_core.insole.elements import HeelCup, HeelLift, Posting
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.outline.outline_curve import inside_curve
-from insole_core.insole.prescription.design import HeelCup, HeelLift, InsoleDesign, Posting
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.primitives.outline_curve import inside_curve
 
 DEPTHS = [0.0, 6.0, 12.0, 20.0, 30.0]
 CUP_END = 0.46

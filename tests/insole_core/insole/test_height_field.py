@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 
 FIELD = HeightField(-2.0, 10.0, 0.5, np.arange(12.0).reshape(3, 4))
 

@@ -16,9 +16,10 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.outline.insole_outline import insole_outline, outline_points
-from insole_core.insole.outline.outline_curve import crosses_itself
-from insole_core.insole.prescription.design import InsoleDesign, Outline
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.outline_curve import crosses_itself
 from insole_core.solids.solid import SolidOptions, insole_solid
 from insole_core.workflows.open_scan import open_scan
 

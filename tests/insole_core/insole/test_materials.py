@@ -15,18 +15,11 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
-from insole_core.insole.prescription.design import (
-    Finish,
-    InsoleDesign,
-    Layers,
-    Outline,
-    Pelott,
-    Post,
-    RimStation,
-    Shell,
-)
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import (
     Material,
     MaterialTable,
@@ -36,7 +29,10 @@ from insole_core.insole.prescription.materials import (
     read_materials,
     with_least_thickness,
 )
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.prescription_lines import make_facts
+from insole_core.insole.prescription.shell import Post, Shell
+from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
 from insole_core.solids.solid import insole_solid
 from insole_core.workflows.clinic_materials import ClinicMaterials
 

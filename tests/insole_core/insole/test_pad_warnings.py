@@ -10,13 +10,14 @@ import pytest
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.clinic_rules import (
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.warnings.clinic_rules import (
     ClinicRules,
     DesignWarning,
     design_warnings,
     load_rules,
 )
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
 
 RULES = load_rules()
 BESIDE_FOOT = "Only {share:.0%} of the {pad} lie below the foot; move it inwards."

@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
 from insole_core.insole.pads.pad_shapes import FREE, PAD_SHAPES
-from insole_core.insole.prescription.design import Pelott
 from insole_core.insole.prescription.mirroring import mirrored_correction
+from insole_core.insole.primitives.outline_curve import inside_curve
 
 pelotts = st.builds(
     Pelott,

@@ -8,16 +8,9 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
-    ArchRaise,
-    BrushStroke,
-    Finish,
-    HeelLift,
-    InsoleDesign,
-    Pelott,
-    Posting,
-    RimStation,
-)
+from insole_core.insole.elements import ArchRaise, BrushStroke, HeelLift, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.surface.contact import contact_base, with_rim
 from insole_core.insole.surface.pads_on_surface import apply_pads, moved_pad
 

@@ -11,8 +11,9 @@ from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.finishing.rim_curve import Rim
-from insole_core.insole.prescription.design import Finish, InsoleDesign, Outline, RimStation
-from insole_core.insole.prescription.finish import HEADS_ALONG
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import HEADS_ALONG, Finish, RimStation
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.surface.contact import contact_base
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from insole_core.insole.prescription.design import Finish, RimStation
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.rim_sliders import (
     cup_depth_mm,
     medial_flange_mm,

@@ -11,7 +11,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     Correction,
@@ -19,13 +19,13 @@ from insole_core.insole.prescription.design import (
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
-    Layers,
-    Outline,
     Pelott,
     Posting,
 )
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.surface.contact import contact_base
 
 PLATE_HALF, PLATE_LENGTH = 50.0, 240.0

@@ -11,10 +11,13 @@ from insole_core.cases.case_file import read_case
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.elements import HeelLift
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.outline.shoe_outline import shoe_outline
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Outline, Shell
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Shell
+from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.resources import resource_path
 from insole_core.solids.solid import insole_solid
 

@@ -20,17 +20,19 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rotation_about
 from insole_core.insole.build import build_insole
+from insole_core.insole.elements import Pelott
 from insole_core.insole.outline.insole_outline import insole_outline, shoe_inside
-from insole_core.insole.outline.outline_curve import closed_curve
 from insole_core.insole.outline.shoe_fit import fit_in
-from insole_core.insole.prescription.design import InsoleDesign, Outline, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
 from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shoe import Shoe
-from insole_core.insole.prescription.shoe_warnings import shoe_warnings
+from insole_core.insole.primitives.outline_curve import closed_curve
 from insole_core.insole.shoes.last import last_outline
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table, said_size
+from insole_core.insole.warnings.shoe_warnings import shoe_warnings
 from insole_core.resources import resource_path
 from insole_core.solids.solid import SolidOptions, make_solid
 

@@ -16,7 +16,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.finishing.toe_line import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.prescription.design import Finish, InsoleDesign, RimStation
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.surface.contact import contact_base
 from insole_core.workflows.open_scan import open_scan
 

@@ -15,7 +15,9 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.trim_line import trim_points
-from insole_core.insole.prescription.design import InsoleDesign, Outline, Shell
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Shell
 
 
 @pytest.fixture(params=["left_foot", "right_foot"])

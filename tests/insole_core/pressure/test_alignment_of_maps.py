@@ -16,7 +16,8 @@ from insole_core.errors import InputError
 from insole_core.foot.alignment import quarter_turned
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.pressure.laid_map import PressureMap
 from insole_core.pressure.picture import read_picture_file, with_distance, with_dpi
 from insole_core.pressure.placement import Placement

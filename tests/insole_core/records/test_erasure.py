@@ -18,7 +18,7 @@ from insole_core.cases.case_record import Annotations, FootRecord, KeyPoint, Var
 from insole_core.cases.scan_source import ScanSource
 from insole_core.export.stl import write_stl
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.template import Template
 from insole_core.recording.box import Box
 from insole_core.recording.reader import read_session

@@ -11,7 +11,8 @@ from fhirclient.models.devicerequest import DeviceRequest
 from fhirclient.models.patient import Patient
 
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.fhir import PrescribedDevice, device_request_resource, patient_resource
 from insole_core.records.order import Order, OrderState
 from insole_core.records.person import Person

@@ -23,7 +23,8 @@ from insole_core.cases.case_record import (
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign
+from insole_core.insole.elements import HeelLift
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.content_store import DamagedContent
 from insole_core.records.person import Person, new_id
 from insole_core.records.prescription import Base

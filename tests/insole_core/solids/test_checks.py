@@ -18,7 +18,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.resources import resource_path
 from insole_core.solids.checks import Finding, Override, check_solid, require_export
 from insole_core.solids.export_rules import CHECK_NAMES, ExportRules, read_rules
@@ -225,7 +225,8 @@ def test_default_insole_can_leave_the_house(left_foot):
 @pytest.mark.parametrize("thickness", [3.0, 4.5, 6.0])
 def test_least_thickness_is_that_of_the_material_not_of_the_rim(left_foot, bottom, thickness):
     from insole_core.insole.build import build_insole
-    from insole_core.insole.prescription.design import InsoleDesign, Posting
+    from insole_core.insole.elements import Posting
+    from insole_core.insole.prescription.design import InsoleDesign
     from insole_core.solids.solid import insole_solid
 
     posting = Posting(rearfoot_deg=4)

@@ -12,11 +12,12 @@ import trimesh
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.build import Insole, build_insole
+from insole_core.insole.elements import Pelott
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.outline.outline_curve import inside_curve
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm
+from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.insole.surface.contact import contact_base
 from insole_core.solids.solid import insole_solid
 from insole_core.workflows.clinic_devices import clinic_devices

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField
 from insole_core.solids.front_edge import behind_front_mm
 
 FIELD = HeightField(-60.0, -10.0, 1.0, np.zeros((221, 121)))

@@ -20,8 +20,10 @@ from insole_core.export.paper import JobSheet
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh

@@ -19,7 +19,9 @@ from insole_core.export.slicer_3mf import PRINTERS, Infill, Printer, write_slice
 from insole_core.export.three_mf import CORE
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.layers import Layers
 from insole_core.pressure.laid_map import PressureMap
 from insole_core.pressure.placement import Placement
 from insole_core.solids.export_job import standing

@@ -13,7 +13,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import (
     KINDS,
     SolidOptions,

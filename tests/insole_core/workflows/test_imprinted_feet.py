@@ -20,7 +20,7 @@ from insole_core.geometry.transforms import rigid, rotation_about, rotation_angl
 from insole_core.imprints.foam_box import find_imprints
 from insole_core.imprints.form import Form
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.finish_warnings import finish_warnings
+from insole_core.insole.warnings.finish_warnings import finish_warnings
 from insole_core.scans.scale import KnownFootLength
 from insole_core.workflows.clinic_devices import clinic_devices, find_device
 from insole_core.workflows.clinic_materials import ClinicMaterials

@@ -17,23 +17,14 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.elements import BrushStroke, Correction, Pelott, Posting, Rocker
 from insole_core.insole.finishing.thin_plate import Plate
-from insole_core.insole.prescription.design import (
-    BaseForm,
-    BrushStroke,
-    Correction,
-    Finish,
-    Form,
-    InsoleDesign,
-    Layers,
-    Outline,
-    Pelott,
-    Post,
-    Posting,
-    RimStation,
-    Rocker,
-    Shell,
-)
+from insole_core.insole.prescription.base_form import BaseForm, Form
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.surface.contact import _SHAPING
 from insole_core.insole.surface.pads_on_surface import Added
 from insole_core.progress import Cancelled, Progress

@@ -19,7 +19,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import read_shop

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from insole_core.errors import InputError
-from insole_core.insole.pads.pad_kinds import pad_name
+from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.workflows.pad_library import GROUPS, LibraryPad, default_pelott, load_pads
 
 FELT = {"kind": "felt_pad", "shape": "oval", "height_mm": 3, "place": "cuboid"}

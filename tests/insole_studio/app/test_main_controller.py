@@ -15,7 +15,7 @@ from insole_core.cases.case_record import Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_core.progress import Progress
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import grab_window

@@ -20,7 +20,7 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_studio.app.bootstrap import Application
 from insole_studio.jobs import JobProgress
 from insole_studio.scene.view_camera import Subject

@@ -12,7 +12,8 @@ import trimesh
 
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_to_json
 from insole_core.insole.prescription.device import device_of
 from insole_core.insole.prescription.materials import read_materials

@@ -7,7 +7,8 @@ import pytest
 from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.document.case import Case
 
 SOURCE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)

@@ -12,8 +12,10 @@ import numpy as np
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Outline, Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.rim_sliders import with_medial_flange
 from insole_core.workflows.clinic_devices import clinic_devices
 from insole_studio.app.bootstrap import Application

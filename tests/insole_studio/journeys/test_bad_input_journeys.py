@@ -20,7 +20,7 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import BrushStroke, Posting
+from insole_core.insole.elements import BrushStroke, Posting
 from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.tools.key_point_tool import shown_points

@@ -13,7 +13,7 @@ from insole_core.export.obj import write_obj
 from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.workflows.foot_landmarks import metatarsal_line

@@ -33,7 +33,8 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, Varia
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Pelott
+from insole_core.insole.elements import HeelLift, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
 from insole_core.workflows.make_order import write_order

@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 
 from insole_core.errors import InsoleError
-from insole_core.insole.prescription.design import BrushStroke, HeelSkive, InsoleDesign, Pelott
+from insole_core.insole.elements import BrushStroke, HeelSkive, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.workflows.clinic_findings import ClinicFindings
 from insole_core.workflows.clinic_materials import ClinicMaterials

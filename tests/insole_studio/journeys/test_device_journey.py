@@ -13,7 +13,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
-from insole_core.insole.prescription.design import HeelCup, InsoleDesign, Pelott, Shell
+from insole_core.insole.elements import HeelCup, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.shell import Shell
 from insole_core.workflows.clinic_devices import clinic_forms
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.devices.devices_view import DevicesView

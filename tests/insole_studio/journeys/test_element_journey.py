@@ -12,9 +12,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWidget
 
 from insole_core.foot.landmarks import HEADS
+from insole_core.insole.elements import ArchRaise, Correction, Pelott
 from insole_core.insole.pads.pad_heights import pad_heights
 from insole_core.insole.pads.pad_shapes import pad_size
-from insole_core.insole.prescription.design import ArchRaise, Correction, Pelott
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.app.bootstrap import Application

@@ -23,7 +23,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.resources import resource_path
 from insole_core.workflows.open_scan import open_scan

@@ -34,7 +34,8 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign
+from insole_core.insole.elements import HeelLift
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.messages import Message
 from insole_core.visible_text import is_control, visible_line
 from insole_studio.app.bootstrap import Application

@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
 from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.bootstrap import Application

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 from real_dialogs import paste_path
 
-from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
 from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.services.questions import Questions

@@ -12,9 +12,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from insole_core.insole.outline.outline_curve import evenly_spread, smoothed_along
 from insole_core.insole.outline.outline_drag import drag_weights
-from insole_core.insole.prescription.design import Outline
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.outline_curve import evenly_spread, smoothed_along
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.tools.outline_tool import curve_of
 from insole_studio.scene.scene_view import SceneView

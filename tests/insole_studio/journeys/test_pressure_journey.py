@@ -18,7 +18,7 @@ from PySide6.QtTest import QTest
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_core.pressure.placement import Placement
 from insole_core.pressure.read_pressure import read_pressure
 from insole_core.pressure.sole_print import SolePrint

@@ -23,13 +23,10 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.case_record import FootRecord, Variant
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
-    BaseForm,
-    Finish,
-    InsoleDesign,
-    RimStation,
-    Shell,
-)
+from insole_core.insole.prescription.base_form import BaseForm
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.shell import Shell
 from insole_core.workflows.clinic_devices import (
     AS_SCANNED,
     DEFAULT_DEVICE,

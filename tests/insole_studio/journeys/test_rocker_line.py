@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Rocker
+from insole_core.insole.elements import Rocker
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.surface.rocker import heads_ahead
 from insole_studio.app.bootstrap import Application

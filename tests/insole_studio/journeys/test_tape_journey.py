@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 

@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.tools.key_point_tool import shown_points
 from insole_studio.widgets.tour import Tour

@@ -33,7 +33,8 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign
+from insole_core.insole.elements import HeelLift
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application, build_application

@@ -18,7 +18,8 @@ from pytestqt.qtbot import QtBot
 from insole_core.errors import OutputError
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Pelott
+from insole_core.insole.elements import HeelLift, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_to_json
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape

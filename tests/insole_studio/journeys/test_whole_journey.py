@@ -12,7 +12,7 @@ import pytest
 from hands import Hands
 
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.elements import Pelott, Posting
 from insole_core.workflows.foot_landmarks import metatarsal_line
 
 pytestmark = pytest.mark.slow

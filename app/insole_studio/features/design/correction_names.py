@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from insole_core.geometry.side import Side
-from insole_core.insole.pads.pad_places import SIZED_BY_FOOT
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     Correction,
@@ -14,11 +13,12 @@ from insole_core.insole.prescription.design import (
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
     Pelott,
     Posting,
     Rocker,
 )
+from insole_core.insole.pads.pad_places import SIZED_BY_FOOT
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.texts import localised, tr, translate_core_message
 

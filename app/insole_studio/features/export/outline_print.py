@@ -11,8 +11,8 @@ from PySide6.QtGui import QFont, QPageLayout, QPageSize, QPainter, QPdfWriter, Q
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.prescription.design import Pelott
 from insole_core.solids.solid_outline import outline_of
 from insole_studio.texts import tr
 

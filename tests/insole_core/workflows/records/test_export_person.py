@@ -20,7 +20,7 @@ from read_pdf import bytes_of_pdf
 from insole_core.cases.case_file import read_case
 from insole_core.errors import InputError, OutputError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.capture import NOT_RECORDED
 from insole_core.records.person import Person

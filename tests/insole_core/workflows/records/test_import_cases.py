@@ -14,7 +14,7 @@ from insole_core.errors import InputError
 from insole_core.export.stl import write_stl
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.author import Author
 from insole_core.records.open import open_records

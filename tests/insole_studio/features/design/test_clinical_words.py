@@ -11,20 +11,20 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QWidget
 
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     ForefootTwist,
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
-    Layers,
-    Outline,
     Pelott,
     Posting,
     Rocker,
 )
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.correction_names import describe
 from insole_studio.features.design.parameters.correction_fields import (

@@ -13,8 +13,9 @@ from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.clinic_rules import load_rules
-from insole_core.insole.prescription.design import ArchRaise, InsoleDesign, Pelott, Posting
+from insole_core.insole.elements import ArchRaise, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.plantar_view import PlantarView

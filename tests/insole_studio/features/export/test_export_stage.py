@@ -23,8 +23,10 @@ from insole_core.export.order_verification import verify_order
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Shell
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.prescription.shell import Shell
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks

@@ -16,20 +16,20 @@ from insole_core.compare.comparison_source import ComparisonSource
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     ForefootTwist,
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
-    Layers,
     Pelott,
     Posting,
     Rocker,
 )
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
+from insole_core.insole.prescription.layers import Layers
 from insole_core.messages import Message
 from insole_core.records.person import Person
 from insole_core.records.records import Records

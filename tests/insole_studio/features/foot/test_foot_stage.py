@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.geometry.arrays import IntArray
-from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.elements import Pelott
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import Pixel
 from insole_core.recording.reader import read_session

@@ -16,7 +16,7 @@ from insole_core.cases.case_record import Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelLift
+from insole_core.insole.elements import HeelLift
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit

@@ -19,7 +19,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import HeelLift
+from insole_core.insole.elements import HeelLift
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
 from insole_core.records.field_merge import FieldChoice

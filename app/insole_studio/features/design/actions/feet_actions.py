@@ -7,7 +7,7 @@ from dataclasses import replace
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Correction
+from insole_core.insole.elements import Correction
 from insole_core.workflows.mirrored_foot import mirrored_foot
 from insole_core.workflows.template_transfer import fitted, template_of
 from insole_studio.document.case import Case

@@ -13,9 +13,9 @@ from insole_core.export.atomic import replacing_file
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
+from insole_core.insole.elements import ArchRaise, Correction, CorrectionBase
 from insole_core.insole.pads.pad_places import placed_pad
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import ArchRaise, Correction, InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.prescription.template import (
     make_template,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     Correction,
     ForefootTwist,

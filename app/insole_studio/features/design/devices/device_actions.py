@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from insole_core.errors import InsoleError
-from insole_core.insole.forms.kept_form import form_of
+from insole_core.insole.kept_form import form_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device, device_of
 from insole_core.insole.prescription.item_name import key_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, QTimer
 
-from insole_core.insole.prescription.corrections import Place
+from insole_core.insole.fields import Place
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.tool import place_at
 from insole_studio.features.design.tools.tool_controller import ToolController

@@ -9,25 +9,19 @@ from typing import Any, TypeVar
 import numpy as np
 
 from insole_core.geometry.side import Side
-from insole_core.insole.pads.pad_shapes import local_outline, pad_size, resized
-from insole_core.insole.prescription.design import (
+from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
-    Finish,
     ForefootTwist,
     HeelCup,
     HeelLift,
     HeelSkive,
-    InsoleDesign,
-    Layers,
-    Outline,
     Pelott,
-    Post,
     Posting,
-    RimStation,
     Rocker,
-    Shell,
 )
+from insole_core.insole.pads.pad_shapes import local_outline, pad_size, resized
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import (
     CHOICES,
     CORRECTION_RANGES,
@@ -41,6 +35,10 @@ from insole_core.insole.prescription.design_limits import (
     Range,
     range_beside,
 )
+from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.vocabulary import acts
 from insole_studio.features.design.correction_names import from_axis, from_heel, word_of
 from insole_studio.features.design.rows import ChoiceSpec, FieldSpec

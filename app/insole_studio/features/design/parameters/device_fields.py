@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Finish, InsoleDesign, Post
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import (
     FINISH_RANGES,
     RIM_RANGES,
     SHELL_RANGES,
     Range,
 )
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.materials import (
     MaterialTable,
     proposed_thickness,
@@ -25,6 +26,7 @@ from insole_core.insole.prescription.rim_sliders import (
     with_cup_depth,
     with_medial_flange,
 )
+from insole_core.insole.prescription.shell import Post
 from insole_studio.features.design.correction_names import device_name
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal

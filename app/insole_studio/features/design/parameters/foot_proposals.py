@@ -11,11 +11,10 @@ from insole_core.errors import InputError
 from insole_core.foot.alignment import PoseAngles, pose_angles
 from insole_core.foot.foot import Foot
 from insole_core.foot.measures import measure
-from insole_core.insole.prescription.clinic_rules import ClinicRules
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.elements import CorrectionBase, Pelott, Posting
 from insole_core.insole.prescription.design_limits import Range
 from insole_core.insole.prescription.pronation import proposed_post_deg
+from insole_core.insole.warnings.clinic_rules import ClinicRules
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.foot_pose import levelled_record, quarter_turned_record, turned_record
 from insole_core.workflows.pen_marks import PenMark, PenMarks

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from insole_core.insole.prescription.clinic_rules import ClinicRules, design_warnings
-from insole_core.insole.prescription.design_warning import DesignWarning
+from insole_core.insole.warnings.clinic_rules import ClinicRules, design_warnings
+from insole_core.insole.warnings.design_warning import DesignWarning
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview

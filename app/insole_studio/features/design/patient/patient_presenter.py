@@ -14,8 +14,7 @@ from insole_core.cases.sample import SAMPLE_KEEPS_NAME
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import ArchRaise, BrushStroke, Correction, Pelott
+from insole_core.insole.elements import ArchRaise, BrushStroke, Correction, CorrectionBase, Pelott
 from insole_studio.document.case import Case
 from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.correction_names import describe, device_name, name_of

@@ -88,7 +88,7 @@ class ShoeActions:
 def _fit_words(foot: Foot, design: InsoleDesign, shoe: Shoe) -> list[str]:
     """Say where the insole is wider than a shoe, and what else is unusual."""
     from insole_core.foot.landmarks import find_landmarks
-    from insole_core.insole.prescription.shoe_warnings import warnings_in_shoe
+    from insole_core.insole.warnings.shoe_warnings import warnings_in_shoe
     from insole_core.workflows.shoe_choice import with_shoe
 
     found = warnings_in_shoe(foot, with_shoe(design, shoe), find_landmarks(foot))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import BrushStroke, Place
+from insole_core.insole.elements import BrushStroke, CorrectionBase
+from insole_core.insole.fields import Place
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.pelott_tool import seen_from_above
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool, place_at

@@ -8,13 +8,9 @@ import numpy as np
 
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.prescription.design import (
-    ArchRaise,
-    Correction,
-    InsoleDesign,
-    Pelott,
-    Place,
-)
+from insole_core.insole.elements import ArchRaise, Correction, Pelott
+from insole_core.insole.fields import Place
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_studio.document.case import Case
 

@@ -6,8 +6,9 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.surface_path import path_length_mm, resampled
-from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
-from insole_core.insole.prescription.design import Pelott, Place
+from insole_core.insole.elements import Pelott
+from insole_core.insole.fields import Place
+from insole_core.insole.primitives.outline_curve import crosses_itself, inside_curve
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.pelott_tool import (
     grab_pelott,

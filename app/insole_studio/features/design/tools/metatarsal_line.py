@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.insole.elements import Pelott
+from insole_core.insole.elements.pad_kinds import ends_behind_heads
+from insole_core.insole.fields import Place
 from insole_core.insole.pads.clearance import Clearance
 from insole_core.insole.pads.clearance import clearance as pad_clearance
-from insole_core.insole.pads.pad_kinds import ends_behind_heads
 from insole_core.insole.pads.pad_places import placed_pad
-from insole_core.insole.prescription.design import Pelott, Place
 from insole_core.workflows.foot_landmarks import landmarks_of, metatarsal_line
 from insole_studio.features.design.tools.tool import place_at
 

@@ -10,11 +10,13 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import DesignError
 from insole_core.foot.measures import shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.fields import Place
 from insole_core.insole.outline.insole_outline import insole_outline, outline_points
-from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
 from insole_core.insole.outline.outline_drag import drag_weights
-from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import LEAST_DRAWN_POINTS
+from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.outline_curve import closed_curve, crosses_itself
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import (

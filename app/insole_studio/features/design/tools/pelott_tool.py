@@ -10,12 +10,13 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.elements import CorrectionBase, Pelott
+from insole_core.insole.fields import Place
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_shapes import local_outline, pad2insole, pad_size, resized
-from insole_core.insole.prescription.corrections import CorrectionBase
-from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
+from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.editable_pads import (

@@ -7,9 +7,10 @@ from collections.abc import Callable
 import numpy as np
 
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.prescription.design import InsoleDesign, Posting
+from insole_core.insole.elements import Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
-from insole_core.insole.surface.posting import posting_angles
+from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool, rise_mm, with_number
 from insole_studio.scene.gesture import Gesture

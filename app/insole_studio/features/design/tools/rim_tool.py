@@ -9,10 +9,11 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
+from insole_core.insole.fields import Place
 from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim
 from insole_core.insole.finishing.rim_edits import added_station, moved_station, raised_station
-from insole_core.insole.prescription.design import InsoleDesign, Place
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import FINISH_RANGES
 from insole_studio.document.case import Case
 from insole_studio.document.rim_model import RimModel, with_stations

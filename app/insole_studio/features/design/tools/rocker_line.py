@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.prescription.design import InsoleDesign, Rocker
+from insole_core.insole.elements import Rocker
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.surface.rocker import heads_ahead, rocker_line
 from insole_studio.document.case import Case

@@ -16,7 +16,9 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import Correction, InsoleDesign, Place
+from insole_core.insole.elements import Correction
+from insole_core.insole.fields import Place
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.document.case import Case
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, PointerEvent

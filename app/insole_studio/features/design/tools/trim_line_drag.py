@@ -8,9 +8,10 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import DesignError
+from insole_core.insole.fields import Place
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.trim_line import trim_points
-from insole_core.insole.prescription.design import InsoleDesign, Place
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
