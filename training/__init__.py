@@ -1,0 +1,1 @@
+"""Trains the weights that the product ships with, on simulated feet; README.md says how."""

@@ -1,0 +1,4 @@
+"""Where a sensor stood.
+
+``registration.PoseSearch``, judged by ``pose_quality.RegistrationLimits``.
+"""

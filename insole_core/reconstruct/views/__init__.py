@@ -1,0 +1,4 @@
+"""One view: its readings, mesh, colours and quality.
+
+``measured_view.measure_view`` makes a ``measured_view.MeasuredView``.
+"""

@@ -1,0 +1,1 @@
+"""`insole-studio calibrate`: a module for each step."""

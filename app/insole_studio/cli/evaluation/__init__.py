@@ -1,0 +1,1 @@
+"""`insole-studio evaluate`: a module for each evaluation."""

@@ -1,0 +1,1 @@
+"""`insole-studio order`: to make and to verify an order."""

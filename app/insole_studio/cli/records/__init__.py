@@ -1,0 +1,1 @@
+"""`insole-studio records`: the clinic's record without the window."""

@@ -1,0 +1,4 @@
+"""Comparing surfaces.
+
+``actions.COMPARE_ACTIONS`` of ``compare_window.CompareWindow``.
+"""

@@ -1,0 +1,1 @@
+"""The list of devices, findings and base forms, and the table of materials."""

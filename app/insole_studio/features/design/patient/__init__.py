@@ -1,0 +1,1 @@
+"""The patient, the measures of the foot, and the variants."""

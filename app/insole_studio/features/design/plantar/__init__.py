@@ -1,0 +1,1 @@
+"""Pressure maps and footprints under the foot."""

@@ -1,0 +1,1 @@
+"""The shoe that the insole has to fit."""

@@ -1,0 +1,1 @@
+"""Tools of the mouse: a module each, run by ``tool_controller.ToolController``."""
