@@ -16,6 +16,7 @@ MADE = ("benchmarks/results", "insole_core/_resources", "resources/manual")
 LINK = re.compile(r"\]\((?!\w+:|#)([^)\s#]+)")
 DECISION = re.compile(r"\bdecisions?[ /](\d{4}(?:(?:, | and )\d{4})*)")
 BENCHMARK = re.compile(r"python -m benchmarks[ .]([a-z_]+)")
+STEP = re.compile(r"`([\w.]+)`\s*\(`([\w/]+\.py)`\)")
 NAMED_PATH = re.compile(r"`((?:[\w.-]+/)+[\w.-]*)`")
 
 
@@ -91,3 +92,22 @@ def test_every_path_that_is_named_exists() -> None:
 def test_every_benchmark_that_is_named_exists() -> None:
     named = {name for page in pages() for name in BENCHMARK.findall(page.read_text("utf-8"))}
     assert {name for name in named if not (ROOT / "benchmarks" / f"{name}.py").exists()} == set()
+
+
+def test_the_walk_can_be_walked() -> None:
+    """Each function that ARCHITECTURE names with its module is defined there."""
+    steps = STEP.findall((ROOT / "ARCHITECTURE.md").read_text("utf-8"))
+    assert len(steps) > 10
+    lost = [
+        (name, path)
+        for name, path in steps
+        for part in name.split(".")
+        if not any(
+            re.search(
+                rf"^ *(?:def|class) {part}\b", (place / path).read_text("utf-8"), re.MULTILINE
+            )
+            for place in PLACES
+            if (place / path).exists()
+        )
+    ]
+    assert lost == []
