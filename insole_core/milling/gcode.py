@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -30,31 +30,36 @@ def gcode(plan: MillingPlan, job: str = "", progress: Progress = SILENT) -> str:
 
 def _lines(plan: MillingPlan, job: str, progress: Progress) -> Iterator[str]:
     machine = plan.machine
-    words: dict[str, object] = {"job": _comment(job) or "-", "safe_mm": _safe(plan)}
+    words: dict[str, object] = {
+        "job": _comment(job) or "-",
+        "safe_mm": _number(_safe_mm(plan)),
+        "park_mm": _number(_park_mm(plan)),
+    }
     first = plan.operations[0].cutter
     yield from _filled(machine.texts.header, words | _tool(first.number, first.name, 0))
-    yield _PREAMBLE
-    side, tool = plan.operations[0].side, 0
+    yield f"{_PREAMBLE} {machine.work_offset}"
+    side, tool, is_parked = plan.operations[0].side, 0, False
     for operation, step in zip(plan.operations, progress.parts(len(plan.operations)), strict=True):
         step.step(0.0, "Writing the program")
         cutter = operation.cutter
         words |= _tool(cutter.number, cutter.name, cutter.spindle_rpm)
-        if operation.side != side:
-            yield from _filled(machine.texts.turn, words)
-            side = operation.side
-        if cutter.number != tool:
-            yield from _filled(machine.texts.tool_change, words)
-            tool = cutter.number
+        stops = [
+            *(machine.texts.turn if operation.side != side else ()),
+            *(machine.texts.tool_change if cutter.number != tool else ()),
+        ]
+        is_parked = bool(stops) and tool != 0
+        yield from _filled(((*machine.texts.parking, *stops) if is_parked else stops), words)
+        side, tool = operation.side, cutter.number
         yield f"({operation.name}, {operation.side}, {_comment(cutter.name)})"
-        yield from _moves(operation, in_machine(operation.points_mm, plan))
-    yield from _filled(machine.texts.footer, words)
+        yield from _moves(operation, in_machine(operation.points_mm, plan), is_parked)
+    yield from _filled((*machine.texts.parking, *machine.texts.footer), words)
 
 
 def _tool(number: int, name: str, spindle_rpm: float) -> dict[str, object]:
     return {"tool": number, "cutter": _comment(name), "spindle_rpm": f"{spindle_rpm:.0f}"}
 
 
-def _filled(lines: tuple[str, ...], words: dict[str, object]) -> Iterator[str]:
+def _filled(lines: Sequence[str], words: dict[str, object]) -> Iterator[str]:
     return (line.format(**words) for line in lines)
 
 
@@ -81,19 +86,35 @@ def in_machine(points_mm: FloatArray, plan: MillingPlan) -> FloatArray:
     return np.column_stack([x, y, z]) - origin_mm(plan.machine, plan.block_mm)
 
 
-def _safe(plan: MillingPlan) -> str:
-    top = plan.block_mm[2] - origin_mm(plan.machine, plan.block_mm)[2]
-    return f"{top + plan.machine.safe_height_mm:.{_DECIMALS}f}"
+def _safe_mm(plan: MillingPlan) -> float:
+    top_mm = plan.block_mm[2] - origin_mm(plan.machine, plan.block_mm)[2]
+    return float(top_mm + plan.machine.safe_height_mm)
 
 
-def _moves(operation: Operation, points_mm: FloatArray) -> Iterator[str]:
-    """Yield one line for each move, with the words that change; first up, then across."""
+def _park_mm(plan: MillingPlan) -> float:
+    """Return the height from which a block can be lifted off its dowels below the cutter.
+
+    The travel of the machine is counted from the bottom of the block.
+    """
+    high_mm = plan.machine.travel_mm[2] - origin_mm(plan.machine, plan.block_mm)[2]
+    return float(max(min(_safe_mm(plan) + plan.block_mm[2], high_mm), _safe_mm(plan)))
+
+
+def _moves(operation: Operation, points_mm: FloatArray, is_parked: bool) -> Iterator[str]:
+    """Yield one line for each move, with the words that change.
+
+    From anywhere the cutter first goes up, then across; from the parking place, which is higher,
+    first across.
+    """
     feeds = {
         Motion.PLUNGE: f"F{operation.cutter.plunge_mm_min:.0f}",
         Motion.FEED: f"F{operation.cutter.feed_mm_min:.0f}",
     }
     rounded = np.round(points_mm, _DECIMALS) + 0.0
-    yield f"G0 Z{_number(rounded[0, 2])}"
+    x_mm, y_mm, z_mm = rounded[0].tolist()
+    if is_parked:
+        yield f"G0 X{_number(x_mm)} Y{_number(y_mm)}"
+    yield f"G0 Z{_number(z_mm)}"
     last: tuple[float, float, float] | None = None
     last_feed = ""
     for (x, y, z), kind in zip(rounded.tolist(), operation.motion.tolist(), strict=True):

@@ -18,8 +18,9 @@ OriginAt: TypeAlias = Literal["corner", "middle"]
 OriginHeight: TypeAlias = Literal["top", "bottom"]
 Axis: TypeAlias = Literal["x", "y"]
 FlipAxis: TypeAlias = Literal["length", "width"]
+WorkOffset: TypeAlias = Literal["G54", "G55", "G56", "G57", "G58", "G59"]
 
-PLACEHOLDERS = ("job", "tool", "cutter", "spindle_rpm", "safe_mm")
+PLACEHOLDERS = ("job", "tool", "cutter", "spindle_rpm", "safe_mm", "park_mm")
 """Words in braces that a text of the machine may hold."""
 _KNOWN_NUMBERS = {
     "G": {"0", "1", "4", "17", "21", "28", "40", "43", "49", "53", "54", "55", "56", "57", "58",
@@ -27,6 +28,9 @@ _KNOWN_NUMBERS = {
     "M": {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "30"},
 }  # fmt: skip
 _KNOWN_LETTERS = "DFHNPQSTXYZ"
+_USUAL_OFFSET: WorkOffset = "G54"
+_USUAL_PARKING = ("G0 Z{park_mm}",)
+"""Of machine files from before they named a parking place."""
 _CHANGING = ("G20", "G91")
 """Inches and relative places; programs are in millimetres and absolute."""
 _COMMENT = re.compile(r"\([^()]*\)|;.*$")
@@ -126,9 +130,16 @@ class Origin:
 
 @dataclass(frozen=True)
 class Texts:
-    """Lines of the program that depend on the machine, with `PLACEHOLDERS` in braces."""
+    """Lines of the program that depend on the machine, with `PLACEHOLDERS` in braces.
+
+    Parameters
+    ----------
+    parking
+        Where the cutter goes before each stop, and at the end.
+    """
 
     header: tuple[str, ...]
+    parking: tuple[str, ...]
     tool_change: tuple[str, ...]
     turn: tuple[str, ...]
     footer: tuple[str, ...]
@@ -144,6 +155,8 @@ class Machine:
         Along x, y and z.
     length_along
         Axis along which the block's length lies.
+    work_offset
+        Of the controller's offsets the one that holds the program's zero.
     """
 
     name: str
@@ -151,6 +164,7 @@ class Machine:
     rapid_mm_min: float
     safe_height_mm: float
     length_along: Axis
+    work_offset: WorkOffset
     origin: Origin
     cutters: tuple[Cutter, ...]
     roughing: Roughing
@@ -181,6 +195,9 @@ def read_machine(path: Path) -> Machine:
         rapid_mm_min=root.number("rapid_mm_min", 100, 100_000),
         safe_height_mm=root.number("safe_height_mm", 1, 200),
         length_along=root.choice("length_along", get_args(Axis)),
+        work_offset=root.choice("work_offset", get_args(WorkOffset))
+        if "work_offset" in root.values
+        else _USUAL_OFFSET,
         origin=_origin(root.object("origin")),
         cutters=cutters,
         roughing=_roughing(root.object("roughing"), cutters),
@@ -300,7 +317,13 @@ def _origin(item: JsonObject) -> Origin:
 
 
 def _texts(item: JsonObject) -> Texts:
-    return Texts(*(_text(item, field.name) for field in fields(Texts)))
+    return Texts(
+        header=_text(item, "header"),
+        parking=_text(item, "parking") if "parking" in item.values else _USUAL_PARKING,
+        tool_change=_text(item, "tool_change"),
+        turn=_text(item, "turn"),
+        footer=_text(item, "footer"),
+    )
 
 
 def _text(item: JsonObject, key: str) -> tuple[str, ...]:

@@ -62,6 +62,9 @@ class Removal:
                 self._cut(tool, points)
                 points, turned = [place.copy()], False
                 self._turn()
+            if "G53" in code:  # in the machine's own axes: from there it comes down anew
+                place = np.array([*place[:2], np.nan])
+                continue
             if found.get("G") in ("0", "1"):
                 mode = found["G"]
             if found.keys() & set("XYZ"):

@@ -104,7 +104,8 @@ def check_moves(removal: Removal, how: Machine) -> None:
     assert (removal.low_mm > -1e-6).all()
     assert (removal.high_mm[:2] < np.array(BLOCK_MM[:2]) + 1e-6).all()
     assert removal.high_mm[2] <= BLOCK_MM[2] + how.safe_height_mm + 1e-6
-    moves = {"G0", "G1", "G4", "G17", "G21", "G40", "G43", "G49", "G64", "G80", "G90", "G94"}
+    moves = {"G0", "G1", "G4", "G17", "G21", "G40", "G43", "G49", "G53", "G54", "G64", "G80"}
+    moves |= {"G90", "G94"}
     assert {word for word in removal.words if word[0] == "G"} <= moves
 
 
@@ -281,6 +282,46 @@ def test_a_program_has_numbers_for_every_controller():
         assert (straight & feed).sum() < 0.02 * len(feed)
 
 
+@pytest.mark.parametrize(
+    ("name", "parking"),
+    [("linuxcnc", "G53 G0 Z0"), ("mach3", "G53 G0 Z0"), ("grbl", "G0 Z58"), ("grbl", "G0 Z46")],
+)
+def test_every_stop_is_made_at_the_parking_place(name, parking):
+    """58 = block + safe height + block again: it is lifted off its dowels below the cutter."""
+    how = machine(name)
+    if parking == "G0 Z46":
+        how = replace(how, travel_mm=(*how.travel_mm[:2], 46.0))
+    plan = plan_milling([solid(arched=True)], BLOCK_MM, how, both_sides=True)
+    lines = [re.sub(r"\(.*?\)", "", line).strip() for line in gcode(plan).splitlines()]
+    moves = [line for line in lines if line]
+    first_cut = next(n for n, line in enumerate(moves) if line.startswith("G1 "))
+    stops = [n for n, line in enumerate(moves) if n > first_cut and line == "M5"]
+    assert len(stops) >= 3
+    for stop in stops:
+        assert moves[stop - 1] == parking
+    for stop in stops[:-1]:
+        after = [line for line in moves[stop:] if re.match(r"G[01] ", line)]
+        assert re.fullmatch(r"G0 X[-\d.]+ Y[-\d.]+", after[0])
+        assert re.fullmatch(r"G0 Z[-\d.]+", after[1])
+
+
+def test_a_machine_file_from_before_parking_parks_above_the_block(tmp_path):
+    content = json.loads(resource_path("milling/linuxcnc.json").read_text())
+    del content["work_offset"], content["texts"]["parking"]
+    path = Path(tmp_path / "machine.json")
+    path.write_text(json.dumps(content))
+    how = read_machine(path)
+    assert how.texts.parking == ("G0 Z{park_mm}",)
+    assert how.work_offset == "G54"
+
+
+def test_the_chosen_work_offset_stands_in_the_program():
+    for chosen in ("G54", "G57"):
+        plan = plan_milling([solid()], BLOCK_MM, replace(machine(), work_offset=chosen))
+        offsets = re.findall(r"\bG5[4-9]\b", gcode(plan))
+        assert offsets == [chosen]
+
+
 def test_time_and_length_are_those_of_the_program():
     how = machine()
     plan = plan_milling([solid()], BLOCK_MM, how)
@@ -290,7 +331,7 @@ def test_time_and_length_are_those_of_the_program():
         words = dict(re.findall(r"([GXYZF])(-?[\d.]+)", re.sub(r"\(.*?\)", "", line)))
         if words.get("G") in ("0", "1"):
             mode = words["G"]
-        if "G43" in line or not words.keys() & set("XYZ"):
+        if "G43" in line or "G53" in line or not words.keys() & set("XYZ"):
             started = started and "(" not in line
             continue
         feed = float(words.get("F", feed))
@@ -389,6 +430,8 @@ def test_a_machine_is_kept_as_it_is(tmp_path, name):
         (("contour", "cutter"), 7, "no cutter has that number"),
         (("cutters", 1, "number"), 1, "has two cutters of one number"),
         (("origin", "at"), "above", 'must be "corner" or "middle"'),
+        (("work_offset",), "G92", 'work_offset is "G92", but must be "G54", "G55"'),
+        (("texts", "parking"), ["G0 Z{high}"], 'has the word "high", which no controller'),
     ],
 )
 def test_a_machine_file_that_is_wrong_names_the_key(tmp_path, keys, value, sentence):
