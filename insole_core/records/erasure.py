@@ -28,7 +28,7 @@ from insole_core.records.author import Author
 from insole_core.records.bare_files import BareFile, BareFiles
 from insole_core.records.captures import SESSION
 from insole_core.records.content_store import ContentStore
-from insole_core.records.marks import Erased, empty_value, mark_of
+from insole_core.records.marks import Erased, mark_of
 from insole_core.records.nameless_document import nameless_document
 from insole_core.records.person import new_pseudonym
 from insole_core.records.person_rows import ids_of_joined
@@ -37,6 +37,7 @@ from insole_core.records.rows_of_person import is_of_person, tables_of_persons
 from insole_core.records.schema import (
     captures,
     contents,
+    empty_value,
     metadata,
     order_files,
     orders,

@@ -9,7 +9,7 @@ import unicodedata
 from datetime import date
 from typing import Final
 
-from insole_core.cases.days import EARLIEST, LATEST_AHEAD
+from insole_core.cases.days import EARLIEST
 from insole_core.errors import InputError
 from insole_core.visible_text import is_control
 
@@ -49,29 +49,6 @@ def check_text(text: str, what: str, most: int = MOST_TEXT) -> str:
     return _checked(text.replace("\r\n", "\n").replace("\r", "\n"), what, most, _LINE_BREAKS)
 
 
-def check_birth_date(day: date | None, today: date) -> date | None:
-    """Return a birth date; None is unknown.
-
-    Raises
-    ------
-    InputError
-        When nobody alive was born then.
-    """
-    return _between(day, EARLIEST, today, "birth date")
-
-
-def check_visit_day(day: date, today: date) -> date:
-    """Return the day of a visit.
-
-    Raises
-    ------
-    InputError
-        When it is far in the past, or more than a year ahead.
-    """
-    _between(day, EARLIEST, today + LATEST_AHEAD, "date of the visit")
-    return day
-
-
 def check_day(day: date | None, what: str, today: date) -> date | None:
     """Return another day, such as that of a consent or when an order is due; None is unknown.
 
@@ -80,7 +57,26 @@ def check_day(day: date | None, what: str, today: date) -> date | None:
     InputError
         When it is far from today.
     """
-    return _between(day, EARLIEST, today.replace(year=today.year + 10, day=1), what)
+    return check_between(day, EARLIEST, today.replace(year=today.year + 10, day=1), what)
+
+
+def check_between(day: date | None, first: date, last: date, what: str) -> date | None:
+    """Return a day between two others; None is unknown.
+
+    Raises
+    ------
+    InputError
+        When it is outside.
+    """
+    if day is None or first <= day <= last:
+        return day
+    raise InputError(
+        "The {what} {day} is not between {first} and {last}; check the year.",
+        what=what,
+        day=day.isoformat(),
+        first=first.isoformat(),
+        last=last.isoformat(),
+    )
 
 
 def check_number(value: float | None, what: str, least: float, most: float) -> float | None:
@@ -121,15 +117,3 @@ def _checked(text: str, what: str, most: int, allowed: str) -> str:
             before=text[: text.index(wrong)][-20:],
         )
     return text
-
-
-def _between(day: date | None, first: date, last: date, what: str) -> date | None:
-    if day is None or first <= day <= last:
-        return day
-    raise InputError(
-        "The {what} {day} is not between {first} and {last}; check the year.",
-        what=what,
-        day=day.isoformat(),
-        first=first.isoformat(),
-        last=last.isoformat(),
-    )

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import Enum, auto
-from typing import Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
-from sqlalchemy import Column, DefaultClause
+if TYPE_CHECKING:  # the window knows marks before it loads the database
+    from sqlalchemy import Column
 
 
 class Erased(Enum):
@@ -91,15 +92,9 @@ def mark_of(column: Column[Any]) -> Mark:
     return mark
 
 
-def empty_value(column: Column[Any]) -> Any:
-    """Return what a column holds that nobody has filled."""
-    if column.nullable:
-        return None
-    default = column.server_default
-    return default.arg if isinstance(default, DefaultClause) else ""
-
-
 EMPTIED: Final[Info] = {"mark": Mark(Erased.EMPTIED)}
+TAKEN_OVER: Final = filled(EMPTIED)
+"""Erased with its person, and taken over by a merge."""
 PSEUDONYM: Final[Info] = {"mark": Mark(Erased.PSEUDONYM)}
 DOCUMENT: Final[Info] = {"mark": Mark(Erased.DOCUMENT)}
 FILE_NAME: Final[Info] = {"mark": Mark(Erased.FILE_NAME)}
@@ -113,4 +108,6 @@ STATE: Final = kept("one of a few words of the program")
 STAFF: Final = kept("who did it, who is no patient")
 DEVICE: Final = kept("documents the device (Regulation (EU) 2017/745, Annex XIII)")
 CONTENT: Final = kept("names a file of this program that holds no text")
+PSEUDONYM_STAYS: Final = checked("stands for the name of whom the law keeps a device")
+MAKER: Final = checked("who made the device")
 NOBODY: Final = kept("the table is about no patient")

@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import date
 from enum import StrEnum
-from typing import Final, Literal, TypeAlias
+from typing import Annotated, Final, Literal, TypeAlias
+
+from insole_core.records.marks import EMPTIED, MAKER, WHEN
+from insole_core.records.record_field import Day, Line, Lines, Made
 
 
 class OrderState(StrEnum):
@@ -98,11 +101,11 @@ class Order:
     visit_id: str
     person_id: str
     state: OrderState
-    shop: str
-    due_on: date | None
-    remarks: str
+    shop: Annotated[str, Line("name of the shop", MAKER, label="Shop")]
+    due_on: Annotated[date | None, Day("date that it is due", WHEN, label="Due")]
+    remarks: Annotated[str, Lines("remarks", EMPTIED, label="Remarks")]
     release: int
-    place: str
+    place: Annotated[str, Made("folder of the order", EMPTIED, stored="")]
     version_ids: tuple[str, ...]
     files: tuple[OrderFile, ...]
     events: tuple[OrderEvent, ...]

@@ -16,7 +16,6 @@ from insole_core.records.checked_values import word_of
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import (
-    check_day,
     check_line,
     check_name,
     check_number,
@@ -42,6 +41,7 @@ from insole_core.records.order_rows import (
 )
 from insole_core.records.person import new_id
 from insole_core.records.person_rows import locked_person, touch_person, write_search_text
+from insole_core.records.record_field import checked_values
 from insole_core.records.rights import Right
 from insole_core.records.schema import (
     order_events,
@@ -161,12 +161,9 @@ class Orders:
             When it cannot be stored.
         """
         today = date.today()
-        values: dict[str, Any] = {
-            "shop": check_line(shop, "name of the shop"),
-            "due_on": check_day(due_on, "date that it is due", today),
-            "remarks": check_text(remarks, "remarks"),
-            "place": check_line(place, "folder of the order", _MOST_PLACE),
-        }
+        typed = {"shop": shop, "due_on": due_on, "remarks": remarks}
+        values = checked_values(Order, typed, today)
+        values["place"] = check_line(place, "folder of the order", _MOST_PLACE)
         number = check_line(number, "number of the order", 60)
         stored = self._stored(files, release)
         order_id, now = new_id(), utc_now()
@@ -228,10 +225,9 @@ class Orders:
         RecordsError, OutputError
             When it cannot be stored.
         """
-        values: dict[str, Any] = {
+        values = {
+            **checked_values(Order, {"due_on": due_on, "remarks": remarks}, date.today()),
             "state": str(OrderState.DESIGNED),
-            "due_on": check_day(due_on, "date that it is due", date.today()),
-            "remarks": check_text(remarks, "remarks"),
             "place": check_line(place, "folder of the order", _MOST_PLACE),
             "release": release,
         }
@@ -321,10 +317,15 @@ class Orders:
             self._context.log(connection, "moved", "order", order_id, state=str(state))
             return order_of(connection, order_id)
 
-    def change(
-        self, order_id: str, shop: str, due_on: date | None, remarks: str, revision: int
-    ) -> Order:
-        """Change shop, due date and remarks of an order.
+    def change(self, order_id: str, typed: Mapping[str, Any], revision: int) -> Order:
+        """Change what somebody fills in of an order.
+
+        Parameters
+        ----------
+        typed
+            Values by the names of the fields, such as ``{"due_on": date(2026, 12, 1)}``.
+        revision
+            Of the order that the change is based on.
 
         Raises
         ------
@@ -333,11 +334,7 @@ class Orders:
         Conflict
             When somebody else has changed the order meanwhile.
         """
-        values = {
-            "shop": check_line(shop, "name of the shop"),
-            "due_on": check_day(due_on, "date that it is due", date.today()),
-            "remarks": check_text(remarks, "remarks"),
-        }
+        values = checked_values(Order, typed, date.today())
         with self._changing(order_id, revision, values) as (connection, stored):
             _write(connection, stored, values)
             self._context.log(connection, "changed", "order", order_id)

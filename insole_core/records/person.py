@@ -6,17 +6,20 @@ import secrets
 import uuid
 from dataclasses import dataclass, field, replace
 from datetime import date
-from typing import Final, Literal, TypeAlias
+from typing import Annotated, Final, Literal, TypeAlias
 
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
-from insole_core.records.field_checks import (
-    check_birth_date,
-    check_day,
-    check_line,
-    check_name,
-    check_text,
+from insole_core.records.marks import PSEUDONYM, PSEUDONYM_STAYS, TAKEN_OVER
+from insole_core.records.personal_numbers import KINDS, MOST_NUMBER, check_personal_number
+from insole_core.records.record_field import (
+    BirthDate,
+    Choice,
+    Day,
+    Line,
+    Lines,
+    check_fields,
+    typed_fields,
 )
-from insole_core.records.personal_numbers import check_personal_number
 
 _LETTERS: Final = "23456789CDFGHJKMNPQRTVWXY"  # no vowels, and nothing that looks like another
 _PSEUDONYM_LENGTH: Final = 8
@@ -51,14 +54,47 @@ class Person:
         Grows with every change; 0 for a person that is not in the record yet.
     """
 
-    name: str
-    birth_date: date | None = None
-    personal_number: str = ""
-    number_kind: str = ""
-    contact: str = ""
-    notes: str = ""
-    consent_on: date | None = None
-    pseudonym: str = field(default_factory=new_pseudonym)
+    name: Annotated[str, Line(
+        "name", PSEUDONYM, label="Name", is_needed=True,
+        headings=("name", "full name", "patient", "patient name", "person", "namn", "patientnamn",
+                  "kund"),
+    )]  # fmt: skip
+    birth_date: Annotated[date | None, BirthDate(
+        "birth date", TAKEN_OVER, label="Born",
+        headings=("birth date", "date of birth", "birthday", "born", "dob", "födelsedatum", "född",
+                  "födelsedag", "geburtsdatum", "geboren", "geb", "geb datum"),
+    )] = None  # fmt: skip
+    personal_number: Annotated[str, Line(
+        "personal number", TAKEN_OVER, label="Personal number", most=MOST_NUMBER,
+        headings=("personal number", "personal id", "identity number", "national id", "ssn",
+                  "personnummer", "pnr", "versichertennummer", "personennummer"),
+    )] = ""  # fmt: skip
+    number_kind: Annotated[str, Choice(
+        "kind of number", TAKEN_OVER, label="Kind of personal number", is_told=False,
+        names={kind.key: kind.name for kind in KINDS.values()},
+    )] = ""  # fmt: skip
+    contact: Annotated[str, Lines(
+        "contact", TAKEN_OVER, label="Address, phone", is_low=True,
+        headings=("contact", "phone", "telephone", "mobile", "email", "mail", "address", "street",
+                  "city", "town", "zip", "postcode", "postal code", "telefon", "tel", "mobil",
+                  "telefonnummer", "mobilnummer", "epost", "adress", "gata", "gatuadress", "ort",
+                  "postort", "postnummer", "kontakt", "adresse", "strasse", "plz", "handy", "stadt",
+                  "wohnort"),
+    )] = ""  # fmt: skip
+    consent_on: Annotated[date | None, Day(
+        "date of consent", TAKEN_OVER, label="Consent on",
+        headings=("consent", "consent date", "date of consent", "samtycke", "samtyckesdatum",
+                  "einwilligung"),
+    )] = None  # fmt: skip
+    pseudonym: Annotated[str, Line(
+        "pseudonym", PSEUDONYM_STAYS, label="Pseudonym", most=60, is_needed=True,
+        headings=("pseudonym", "patient code", "patientkod"),
+    )] = field(default_factory=new_pseudonym)  # fmt: skip
+    notes: Annotated[str, Lines(
+        "notes", TAKEN_OVER, label="Notes", keeps_headings=True,
+        headings=("notes", "note", "remarks", "comment", "comments", "anteckningar", "anteckning",
+                  "anmärkning", "kommentar", "notizen", "notiz", "bemerkung", "bemerkungen"),
+    )] = ""  # fmt: skip
     id: str = field(default_factory=new_id)
     is_erased: bool = False
     merged_into: str | None = None
@@ -79,16 +115,26 @@ class Person:
         InputError
             Names the first field that cannot be right.
         """
-        return replace(
-            self,
-            name=check_name(self.name),
-            birth_date=check_birth_date(self.birth_date, today),
-            personal_number=check_personal_number(self.personal_number, self.number_kind),
-            contact=check_text(self.contact, "contact"),
-            notes=check_text(self.notes, "notes"),
-            consent_on=check_day(self.consent_on, "date of the consent", today),
-            pseudonym=check_line(self.pseudonym, "pseudonym", 60) or new_pseudonym(),
-        )
+        named = replace(self, pseudonym=self.pseudonym.strip() or new_pseudonym())
+        return check_fields(named, today)._with_checked_number()
+
+    def with_typed(self, name: str, text: str, today: date) -> Person:
+        """Return the person with a field as it was typed.
+
+        Raises
+        ------
+        InputError
+            When it cannot be right.
+        """
+        typed = typed_fields(Person)[name].read(text, today)
+        changed = replace(self, **{name: typed})
+        is_number = name in ("personal_number", "number_kind")
+        return changed._with_checked_number() if is_number else changed
+
+    def _with_checked_number(self) -> Person:
+        """Return the person with the number as its kind is written."""
+        number = check_personal_number(self.personal_number, self.number_kind)
+        return replace(self, personal_number=number)
 
 
 @dataclass(frozen=True)

@@ -3,152 +3,48 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from enum import StrEnum
+from types import MappingProxyType
 from typing import Final
 
 from insole_core.cases.written_dates import DateOrder, needs_order, order_of
 from insole_core.errors import InputError
 from insole_core.folded_text import fold
+from insole_core.records.marks import PSEUDONYM
+from insole_core.records.person import Person
 from insole_core.records.personal_numbers import KINDS
+from insole_core.records.record_field import Day, Line, Lines, Typed, typed_fields
 from insole_core.records.text_table import TextTable
 
-
-class PersonField(StrEnum):
-    """What a column can hold."""
-
-    NAME = "name"
-    GIVEN_NAME = "given name"
-    FAMILY_NAME = "family name"
-    BIRTH_DATE = "birth date"
-    PERSONAL_NUMBER = "personal number"
-    CONTACT = "contact"
-    NOTES = "notes"
-    CONSENT_ON = "date of consent"
-    PSEUDONYM = "pseudonym"
+GIVEN_NAME: Final = "given_name"
+FAMILY_NAME: Final = "family_name"
+NAME_PARTS: Final = ("name", GIVEN_NAME, FAMILY_NAME)
+"""Of which a name is put together."""
 
 
-SHARED: Final = frozenset({PersonField.CONTACT, PersonField.NOTES})
-"""Several columns may hold these, such as street and town; each becomes a line."""
-DATES: Final = (PersonField.BIRTH_DATE, PersonField.CONSENT_ON)
+def _imported() -> Iterator[tuple[str, Typed]]:
+    fields = typed_fields(Person)
+    yield "name", fields.pop("name")
+    yield GIVEN_NAME, Line(
+        "given name", PSEUDONYM, label="Given name",
+        headings=("first name", "given name", "forename", "förnamn", "tilltalsnamn", "vorname"),
+    )  # fmt: skip
+    yield FAMILY_NAME, Line(
+        "family name", PSEUDONYM, label="Family name",
+        headings=("last name", "family name", "surname", "efternamn", "nachname", "familienname"),
+    )  # fmt: skip
+    yield from ((name, field) for name, field in fields.items() if field.headings)
 
-_HEADINGS: Final = {
-    PersonField.NAME: (
-        "name",
-        "full name",
-        "patient",
-        "patient name",
-        "person",
-        "namn",
-        "patientnamn",
-        "kund",
-    ),
-    PersonField.GIVEN_NAME: (
-        "first name",
-        "given name",
-        "forename",
-        "förnamn",
-        "tilltalsnamn",
-        "vorname",
-    ),
-    PersonField.FAMILY_NAME: (
-        "last name",
-        "family name",
-        "surname",
-        "efternamn",
-        "nachname",
-        "familienname",
-    ),
-    PersonField.BIRTH_DATE: (
-        "birth date",
-        "date of birth",
-        "birthday",
-        "born",
-        "dob",
-        "födelsedatum",
-        "född",
-        "födelsedag",
-        "geburtsdatum",
-        "geboren",
-        "geb",
-        "geb datum",
-    ),
-    PersonField.PERSONAL_NUMBER: (
-        "personal number",
-        "personal id",
-        "identity number",
-        "national id",
-        "ssn",
-        "personnummer",
-        "pnr",
-        "versichertennummer",
-        "personennummer",
-    ),
-    PersonField.CONTACT: (
-        "contact",
-        "phone",
-        "telephone",
-        "mobile",
-        "email",
-        "mail",
-        "address",
-        "street",
-        "city",
-        "town",
-        "zip",
-        "postcode",
-        "postal code",
-        "telefon",
-        "tel",
-        "mobil",
-        "telefonnummer",
-        "mobilnummer",
-        "epost",
-        "adress",
-        "gata",
-        "gatuadress",
-        "ort",
-        "postort",
-        "postnummer",
-        "kontakt",
-        "adresse",
-        "strasse",
-        "plz",
-        "handy",
-        "stadt",
-        "wohnort",
-    ),
-    PersonField.NOTES: (
-        "notes",
-        "note",
-        "remarks",
-        "comment",
-        "comments",
-        "anteckningar",
-        "anteckning",
-        "anmärkning",
-        "kommentar",
-        "notizen",
-        "notiz",
-        "bemerkung",
-        "bemerkungen",
-    ),
-    PersonField.CONSENT_ON: (
-        "consent",
-        "consent date",
-        "date of consent",
-        "samtycke",
-        "samtyckesdatum",
-        "einwilligung",
-    ),
-    PersonField.PSEUDONYM: (
-        "pseudonym",
-        "patient code",
-        "patientkod",
-    ),
-}
-"""Usual headings in English, Swedish and German."""
+
+IMPORTED: Final[Mapping[str, Typed]] = MappingProxyType(dict(_imported()))
+"""What a column can hold: the fields of a person, and the parts of the name."""
+DATES: Final = tuple(name for name, field in IMPORTED.items() if isinstance(field, Day))
+
+
+def is_shared(name: str | None) -> bool:
+    """Return whether several columns may hold a field, such as street and town."""
+    return name is not None and isinstance(IMPORTED[name], Lines)
 
 
 @dataclass(frozen=True)
@@ -158,18 +54,18 @@ class ColumnMapping:
     Parameters
     ----------
     fields
-        One for each column; None for a column that is not imported.
+        A key of `IMPORTED` for each column; None for a column that is not imported.
     date_order
         Of dates that have two readings; None where the table has none, or nobody has said it.
     number_kind
         Of the personal numbers: a key of `personal_numbers.KINDS`.
     """
 
-    fields: tuple[PersonField | None, ...]
+    fields: tuple[str | None, ...]
     date_order: DateOrder | None = None
     number_kind: str = ""
 
-    def columns(self, *fields: PersonField) -> list[int]:
+    def columns(self, *fields: str) -> list[int]:
         """Return the columns that hold one of some fields, from the left."""
         return [number for number, field in enumerate(self.fields) if field in fields]
 
@@ -181,32 +77,31 @@ class ColumnMapping:
         InputError
             When no column holds a name, or two hold what a person has once.
         """
-        names = (PersonField.NAME, PersonField.GIVEN_NAME, PersonField.FAMILY_NAME)
-        if not self.columns(*names):
+        if not self.columns(*NAME_PARTS):
             raise InputError("No column holds the names; say which one does.")
-        if self.columns(PersonField.NAME) and self.columns(*names[1:]):
+        if self.columns("name") and self.columns(GIVEN_NAME, FAMILY_NAME):
             raise InputError(
                 "One column holds the whole name, and another a part of it; choose either the "
                 "whole name, or given name and family name."
             )
-        for field in PersonField:
-            if field not in SHARED and len(self.columns(field)) > 1:
+        for name, field in IMPORTED.items():
+            if not is_shared(name) and len(self.columns(name)) > 1:
                 raise InputError(
-                    "Two columns hold the {field}; choose one of them.", field=str(field)
+                    "Two columns hold the {field}; choose one of them.", field=field.noun
                 )
 
 
 def propose_mapping(table: TextTable) -> ColumnMapping:
     """Return what the headings say; columns with other headings are left out."""
-    fields: list[PersonField | None] = []
+    fields: list[str | None] = []
     for heading in table.headings:
         field = field_of(heading)
-        fields.append(None if field in fields and field not in SHARED else field)
-    if PersonField.GIVEN_NAME in fields or PersonField.FAMILY_NAME in fields:
+        fields.append(None if field in fields and not is_shared(field) else field)
+    if GIVEN_NAME in fields or FAMILY_NAME in fields:
         # Where parts are named, "Patient" or "Name" beside them is one of them, or a number.
-        fields = [None if field is PersonField.NAME else field for field in fields]
+        fields = [None if field == "name" else field for field in fields]
     mapping = ColumnMapping(tuple(fields))
-    numbers = _cells(table, mapping, (PersonField.PERSONAL_NUMBER,))
+    numbers = _cells(table, mapping, ("personal_number",))
     return ColumnMapping(mapping.fields, order_of(_cells(table, mapping, DATES)), _kind_of(numbers))
 
 
@@ -215,7 +110,7 @@ def asks_date_order(table: TextTable, mapping: ColumnMapping) -> bool:
     return needs_order(_cells(table, mapping, DATES))
 
 
-def field_of(heading: str) -> PersonField | None:
+def field_of(heading: str) -> str | None:
     """Return the field that a heading names; None for an unknown one."""
     return _FIELD_OF.get(_plain(heading))
 
@@ -226,11 +121,11 @@ def _plain(heading: str) -> str:
 
 
 _FIELD_OF: Final = {
-    _plain(heading): field for field, headings in _HEADINGS.items() for heading in headings
+    _plain(heading): name for name, field in IMPORTED.items() for heading in field.headings
 }
 
 
-def _cells(table: TextTable, mapping: ColumnMapping, fields: Iterable[PersonField]) -> list[str]:
+def _cells(table: TextTable, mapping: ColumnMapping, fields: Iterable[str]) -> list[str]:
     return [cell for number in mapping.columns(*fields) for cell in table.column(number)]
 
 

@@ -14,6 +14,7 @@ from insole_core.folded_text import fold
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
+from insole_core.records.person_columns import IMPORTED, NAME_PARTS
 from insole_core.records.person_matching import PersonIndex, born_text, summary_of
 from insole_core.records.person_rows import PERSON_FIELDS
 from insole_core.records.persons import add_persons
@@ -25,6 +26,12 @@ from insole_core.records.search_text import name_key_of
 
 _Line = tuple[str, str, str]
 """Key of a name, the field, and a line of it without case and accents."""
+_TOLD: Final = tuple(
+    name
+    for name, field in IMPORTED.items()
+    if field.kind is str and name not in (*NAME_PARTS, "personal_number", "pseudonym")
+)
+"""Texts about a person that do not say who it is."""
 _AT_ONCE: Final = 500
 """Persons between two looks at whether the user has cancelled."""
 
@@ -80,8 +87,8 @@ def plan_import(records: Records, rows: PersonRows) -> ImportPlan:
 
     A person is there already where personal number or pseudonym, or name and birth date are the
     same. A row without number and birth date is there already where all that it says is: name,
-    contact and notes. Who only may be somebody else is doubtful. Nothing that the record holds of a
-    person is changed.
+    contact, notes and other texts. Who only may be somebody else is doubtful. Nothing that the
+    record holds of a person is changed.
 
     Raises
     ------
@@ -199,15 +206,15 @@ class _Planner:
 
 
 def _lines_of(person: Person) -> Iterator[_Line]:
-    """Yield each line of contact and notes, and last that there is a person of this name."""
+    """Yield each line of the texts about them, and last that there is a person of this name."""
     name = name_key_of(person.name)
-    for field, text in (("contact", person.contact), ("notes", person.notes)):
-        yield from ((name, field, line) for line in _folded_lines(text))
+    for field in _TOLD:
+        yield from ((name, field, line) for line in _folded_lines(getattr(person, field)))
     yield name, "", ""
 
 
 def _holds_all_of(known: Person, person: Person) -> bool:
-    """Return whether somebody of the same name has the contact and the notes of a row.
+    """Return whether somebody of the same name has all that a row tells of them.
 
     Somebody with a birth date or a number, which the row lacks, is the same by the contact only:
     else two of one name would be taken for one.
@@ -215,7 +222,7 @@ def _holds_all_of(known: Person, person: Person) -> bool:
     is_completed = known.birth_date is not None or bool(known.personal_number)
     if is_completed and not person.contact:
         return False
-    return _has_lines(known.contact, person.contact) and _has_lines(known.notes, person.notes)
+    return all(_has_lines(getattr(known, field), getattr(person, field)) for field in _TOLD)
 
 
 def _has_lines(text: str, wanted: str) -> bool:

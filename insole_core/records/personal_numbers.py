@@ -35,6 +35,8 @@ class PersonalNumberKind:
     birth_date: Callable[[str], date | None]
 
 
+MOST_NUMBER: Final = 40
+"""Characters of one of any kind."""
 _SWEDISH: Final = re.compile(r"(\d{2})?(\d{2})(\d{2})(\d{2})([-+]?)(\d{3})(\d)", re.ASCII)
 _COORDINATION: Final = 60
 """Added to the day in a samordningsnummer."""
@@ -97,7 +99,7 @@ def check_any(text: str) -> str:
     InputError
         When it is too long, or holds control characters.
     """
-    return check_line(text, "personal number", 40)
+    return check_line(text, "personal number", MOST_NUMBER)
 
 
 KINDS: Final[Mapping[str, PersonalNumberKind]] = MappingProxyType(

@@ -44,6 +44,7 @@ from insole_core.records.person_rows import (
     touch_person,
     write_search_text,
 )
+from insole_core.records.record_field import changed_fields
 from insole_core.records.rights import Right
 from insole_core.records.schema import person_words, persons, visits
 from insole_core.records.search_text import search_words
@@ -63,16 +64,6 @@ _SUMMARY: Final = (
     persons.c.pseudonym,
 )
 _CAN_BE_FOUND: Final = (persons.c.merged_into.is_(None), persons.c.is_erased.is_(False))
-_EDITED: Final = (
-    "name",
-    "birth_date",
-    "personal_number",
-    "number_kind",
-    "contact",
-    "notes",
-    "consent_on",
-    "pseudonym",
-)
 
 
 class Persons:
@@ -224,7 +215,7 @@ class Persons:
         person = person.checked(date.today())
         with self._context.writing(Right.WRITE, person.id) as connection:
             stored = locked_person(connection, person.id)
-            changed = [n for n in _EDITED if getattr(person, n) != getattr(stored, n)]
+            changed = changed_fields(stored, person)
             if stored.revision != revision:
                 raise Conflict(
                     person,

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import date
+from typing import Any
 
 from insole_core.cases.written_dates import read_date
 from insole_core.errors import InputError
 from insole_core.messages import Message
-from insole_core.records.person import Person, new_pseudonym
-from insole_core.records.person_columns import ColumnMapping, PersonField
+from insole_core.records.person import Person
+from insole_core.records.person_columns import IMPORTED, NAME_PARTS, ColumnMapping
 from insole_core.records.personal_numbers import KINDS, check_personal_number
+from insole_core.records.record_field import Day, Lines
 from insole_core.records.text_table import TableRow, TextTable
 
 
@@ -77,35 +78,31 @@ def _person(table: TextTable, row: TableRow, mapping: ColumnMapping, today: date
             headings=len(table.headings),
         )
 
-    def text(field: PersonField) -> str:
-        return " ".join(_texts(row, mapping, field))
-
-    number = check_personal_number(text(PersonField.PERSONAL_NUMBER), mapping.number_kind)
-    born = _day(text(PersonField.BIRTH_DATE), mapping)
+    typed = {
+        name: _read(name, table, row, mapping, today) for name in IMPORTED if mapping.columns(name)
+    }
+    name = " ".join(filter(None, [typed.pop(part, "") for part in NAME_PARTS]))
+    number = check_personal_number(typed.pop("personal_number", ""), mapping.number_kind)
     return Person(
-        name=_name(text),
-        birth_date=_agreed_birth_date(born, number, mapping.number_kind),
-        personal_number=number,
-        number_kind=mapping.number_kind if number else "",
-        contact="\n".join(_texts(row, mapping, PersonField.CONTACT)),
-        notes=_notes(table, row, mapping),
-        consent_on=_day(text(PersonField.CONSENT_ON), mapping),
-        pseudonym=text(PersonField.PSEUDONYM) or new_pseudonym(),
+        name,
+        _agreed_birth_date(typed.pop("birth_date", None), number, mapping.number_kind),
+        number,
+        mapping.number_kind if number else "",
+        **typed,
     ).checked(today)
 
 
-def _texts(row: TableRow, mapping: ColumnMapping, field: PersonField) -> list[str]:
-    cells = (row.cells[column].strip() for column in mapping.columns(field))
-    return [cell for cell in cells if cell]
-
-
-def _name(text: Callable[[PersonField], str]) -> str:
-    parts = (PersonField.NAME, PersonField.GIVEN_NAME, PersonField.FAMILY_NAME)
-    return " ".join(part for part in map(text, parts) if part)
-
-
-def _day(text: str, mapping: ColumnMapping) -> date | None:
-    return read_date(text, mapping.date_order) if text else None
+def _read(name: str, table: TextTable, row: TableRow, mapping: ColumnMapping, today: date) -> Any:
+    """Return what a row holds of a field; of several columns each becomes a line."""
+    field, columns = IMPORTED[name], mapping.columns(name)
+    cells = [(table.headings[number], row.cells[number].strip()) for number in columns]
+    cells = [(heading, cell) for heading, cell in cells if cell]
+    if isinstance(field, Lines) and field.keeps_headings and len(columns) > 1:
+        return "\n".join(f"{heading}: {cell}" if heading else cell for heading, cell in cells)
+    text = "\n".join(cell for _, cell in cells)
+    if isinstance(field, Day):
+        return read_date(text, mapping.date_order) if text else None
+    return text if field.kind is str else field.read(text, today)
 
 
 def _agreed_birth_date(born: date | None, number: str, kind: str) -> date | None:
@@ -125,12 +122,3 @@ def _agreed_birth_date(born: date | None, number: str, kind: str) -> date | None
         born=born.isoformat(),
         of_number=of_number.isoformat(),
     )
-
-
-def _notes(table: TextTable, row: TableRow, mapping: ColumnMapping) -> str:
-    """Return the notes; where several columns hold notes, each with its heading."""
-    columns = mapping.columns(PersonField.NOTES)
-    if len(columns) < 2:
-        return "\n".join(_texts(row, mapping, PersonField.NOTES))
-    filled = [(table.headings[n], row.cells[n].strip()) for n in columns]
-    return "\n".join(f"{heading}: {cell}" if heading else cell for heading, cell in filled if cell)

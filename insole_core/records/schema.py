@@ -9,12 +9,16 @@ numbers that only grow, never by a clock.
 from __future__ import annotations
 
 import secrets
+from collections.abc import Iterator
+from datetime import date
+from typing import Any
 
 from sqlalchemy import (
     BigInteger,
     Boolean,
     Column,
     Date,
+    DefaultClause,
     Float,
     ForeignKey,
     Index,
@@ -38,17 +42,19 @@ from insole_core.records.marks import (
     FILE_NAME,
     KEY,
     NOBODY,
-    PSEUDONYM,
     REMOVED,
     STAFF,
     STATE,
     WHEN,
     Info,
     checked,
-    filled,
     kept,
     unsealed,
 )
+from insole_core.records.order import Order
+from insole_core.records.person import Person
+from insole_core.records.record_field import fields_of
+from insole_core.records.visit import Visit
 
 metadata = MetaData(
     naming_convention={
@@ -81,6 +87,23 @@ def _text(name: str, info: Info) -> Column[str]:
     return Column(name, Text, nullable=False, server_default="", info=info)
 
 
+_TYPES: dict[type, type[TypeEngine[Any]]] = {str: Text, date: Date, float: Float}
+
+
+def _declared(kind: type[object]) -> Iterator[Column[Any]]:
+    """Yield the columns of the fields that a kind of value declares."""
+    for name, field in fields_of(kind).items():
+        is_nullable = field.empty is None and not field.is_needed
+        default = None if field.is_needed else field.empty
+        yield Column(
+            name,
+            _TYPES[field.kind],
+            nullable=is_nullable,
+            server_default=default,
+            info=field.info,
+        )
+
+
 def _release(*, is_key: bool = False) -> Column[int]:
     """Return the column that says which revision of an order's papers a row is about."""
     return Column(
@@ -104,7 +127,7 @@ persons = Table(
     "persons",
     metadata,
     _id(),
-    Column("name", Text, nullable=False, info=PSEUDONYM),
+    *_declared(Person),
     Column("search_text", _bytewise(), nullable=False, info=unsealed(EMPTIED)),
     Column(
         "sort_key",
@@ -115,19 +138,6 @@ persons = Table(
         info=unsealed(EMPTIED),
     ),
     Column("name_key", _bytewise(), nullable=False, server_default="", info=unsealed(EMPTIED)),
-    Column("birth_date", Date, info=filled(EMPTIED)),
-    _text("personal_number", filled(EMPTIED)),
-    _text("number_kind", filled(EMPTIED)),
-    _text("contact", filled(EMPTIED)),
-    _text("notes", filled(EMPTIED)),
-    Column("consent_on", Date, info=filled(EMPTIED)),
-    Column(
-        "pseudonym",
-        Text,
-        nullable=False,
-        unique=True,
-        info=checked("stands for the name of whom the law keeps a device"),
-    ),
     Column("is_erased", Boolean, nullable=False, server_default=text("false"), info=STATE),
     Column("merged_into", Text, ForeignKey("persons.id"), index=True, info=KEY),
     # seq of the latest line of the audit log that concerns this person: the order of recent ones
@@ -137,6 +147,7 @@ persons = Table(
     # drawn for each person and erased with them: without it no digest tells what a row held
     Column("salt", Text, nullable=False, server_default="", default=_salt, info=unsealed(EMPTIED)),
     *_times(),
+    UniqueConstraint("pseudonym"),
     Index("ix_persons_personal_number", "personal_number"),
     Index("ix_persons_name_key_birth_date", "name_key", "birth_date"),
 )
@@ -165,23 +176,10 @@ visits = Table(
     metadata,
     _id(),
     Column("person_id", Text, ForeignKey("persons.id"), nullable=False, info=KEY),
-    Column("visited_on", Date, nullable=False, index=True, info=WHEN),
-    _text("reason", EMPTIED),
-    _text("findings", EMPTIED),
-    Column("weight_kg", Float, info=EMPTIED),
-    Column("shoe_size_eu", Float, info=DEVICE),
-    Column("measures", Text, nullable=False, server_default="{}", info=EMPTIED),
-    # what the shop is to be told of this visit's order: quantity, colour, day, remarks
-    Column("terms", Text, nullable=False, server_default="{}", info=EMPTIED),
-    Column(
-        "capture_state",
-        Text,
-        nullable=False,
-        server_default="none",
-        index=True,
-        info=unsealed(STATE),
-    ),
+    *_declared(Visit),
     *_times(),
+    Index("ix_visits_visited_on", "visited_on"),
+    Index("ix_visits_capture_state", "capture_state"),
     Index("ix_visits_person_id_visited_on", "person_id", "visited_on"),
 )
 
@@ -273,12 +271,8 @@ orders = Table(
     Column("visit_id", Text, ForeignKey("visits.id"), nullable=False, index=True, info=KEY),
     Column("person_id", Text, ForeignKey("persons.id"), nullable=False, index=True, info=KEY),
     Column("state", Text, nullable=False, info=STATE),
-    _text("shop", checked("who made the device")),
-    Column("due_on", Date, info=WHEN),
-    _text("remarks", EMPTIED),
+    *_declared(Order),
     _release(),
-    # folder that the papers were written to last, on whichever computer: it may be named after them
-    _text("place", EMPTIED),
     *_times(),
     Index("ix_orders_state_due_on", "state", "due_on"),
 )
@@ -420,6 +414,15 @@ clinic = Table(
 for _table in metadata.sorted_tables:
     for _column in _table.columns:
         check_values(_column)
+
+
+def empty_value(column: Column[Any]) -> Any:
+    """Return what a column holds that nobody has filled."""
+    if column.nullable:
+        return None
+    default = column.server_default
+    return default.arg if isinstance(default, DefaultClause) else ""
+
 
 FIRST_HASH = "0" * 64
 """previous_hash of the first line of the audit log."""

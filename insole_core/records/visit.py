@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from datetime import date
 from enum import StrEnum
+from typing import Annotated
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
-from insole_core.records.field_checks import check_number, check_text, check_visit_day
+from insole_core.records.field_checks import MOST_TEXT
+from insole_core.records.marks import DEVICE, EMPTIED, STATE, WHEN, unsealed
 from insole_core.records.person import Person, new_id
 from insole_core.records.prescription import Base
+from insole_core.records.record_field import (
+    Line,
+    Lines,
+    Made,
+    Number,
+    Typed,
+    VisitDay,
+    check_fields,
+    typed_fields,
+)
 
 
 class CaptureState(StrEnum):
@@ -38,18 +50,32 @@ class Visit:
     """
 
     person_id: str
-    visited_on: date
-    reason: str = ""
-    findings: str = ""
-    weight_kg: float | None = None
-    shoe_size_eu: float | None = None
-    measures: Mapping[str, float] = field(default_factory=dict)
-    capture_state: CaptureState = CaptureState.NONE
+    visited_on: Annotated[date, VisitDay(
+        "day of the visit", WHEN, label="Day", is_needed=True, is_told=False,
+    )]  # fmt: skip
+    reason: Annotated[str, Line(
+        "reason", EMPTIED, label="Reason", most=MOST_TEXT, has_breaks=True,
+    )] = ""  # fmt: skip
+    findings: Annotated[str, Lines("findings", EMPTIED, label="Findings")] = ""
+    weight_kg: Annotated[float | None, Number(
+        "weight in kg", EMPTIED, label="Weight (kg)", least=1, most=400,
+    )] = None  # fmt: skip
+    shoe_size_eu: Annotated[float | None, Number(
+        "shoe size", DEVICE, label="Shoe size EU", least=10, most=60,
+    )] = None  # fmt: skip
+    measures: Annotated[Mapping[str, float], Made(
+        "measures", EMPTIED, stored="{}",
+    )] = field(default_factory=dict)  # fmt: skip
+    capture_state: Annotated[CaptureState, Made(
+        "state of the capture", unsealed(STATE), stored=CaptureState.NONE,
+    )] = CaptureState.NONE  # fmt: skip
+    terms: Annotated[OrderTerms, Made(
+        "terms of the order", EMPTIED, stored="{}",
+    )] = field(default_factory=OrderTerms)  # fmt: skip
     id: str = field(default_factory=new_id)
     created_at: str = ""
     changed_at: str = ""
     revision: int = 0
-    terms: OrderTerms = field(default_factory=OrderTerms)
 
     def checked(self, today: date) -> Visit:
         """Return the visit as it is stored.
@@ -59,14 +85,19 @@ class Visit:
         InputError
             Names the first field that cannot be right.
         """
-        return replace(
-            self,
-            visited_on=check_visit_day(self.visited_on, today),
-            reason=check_text(self.reason, "reason of the visit"),
-            findings=check_text(self.findings, "findings"),
-            weight_kg=check_number(self.weight_kg, "weight in kg", 1, 400),
-            shoe_size_eu=check_number(self.shoe_size_eu, "shoe size", 10, 60),
-        )
+        return check_fields(self, today)
+
+
+def fields_of_patient() -> dict[str, Typed]:
+    """Return what the fields of a case's patient are, see `visits.patient_of`."""
+    person, visit = typed_fields(Person), typed_fields(Visit)
+    return {
+        "name": person["name"],
+        "born": person["birth_date"],
+        "visit": visit["visited_on"],
+        "notes": person["notes"],
+        "pseudonym": person["pseudonym"],
+    }
 
 
 @dataclass(frozen=True)

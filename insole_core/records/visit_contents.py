@@ -7,6 +7,7 @@ from typing import Final
 from sqlalchemy import Connection, func, select
 
 from insole_core.errors import RecordsError
+from insole_core.records.record_field import typed_fields
 from insole_core.records.schema import (
     captures,
     follow_ups,
@@ -52,8 +53,8 @@ def check_empty(connection: Connection, visit: Visit) -> None:
             day=day,
             **counts,
         )
-    fields = (visit.reason, visit.findings, visit.weight_kg, visit.shoe_size_eu, visit.measures)
-    if any(fields):
+    fields = typed_fields(Visit).items()
+    if visit.measures or any(getattr(visit, name) for name, field in fields if not field.is_needed):
         raise RecordsError(
             "The visit of {day} has a reason, findings, weight, shoe size or measures, and is "
             "kept; clear them under “Edit…” first if it was made by mistake.",

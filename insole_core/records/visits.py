@@ -5,7 +5,7 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import date
-from typing import Any, Final
+from typing import Any
 
 from sqlalchemy import Row, Select, delete, insert, select, update
 
@@ -21,23 +21,13 @@ from insole_core.records.person_rows import locked_person, person_of
 from insole_core.records.prescription import Base
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.presence import Presence
+from insole_core.records.record_field import changed_fields
 from insole_core.records.rights import Right
 from insole_core.records.schema import persons, presence, visits
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
 from insole_core.records.visit_contents import check_empty, held_by
 from insole_core.records.visit_rows import all_visits, visit_from, visit_of, visit_values
-
-_EDITED: Final = (
-    "visited_on",
-    "reason",
-    "findings",
-    "weight_kg",
-    "shoe_size_eu",
-    "measures",
-    "capture_state",
-    "terms",
-)
 
 
 class Visits:
@@ -117,7 +107,7 @@ class Visits:
                     "Somebody else has changed the fields of this visit meanwhile; choose which "
                     "to keep.",
                 )
-            changed = [n for n in _EDITED if getattr(visit, n) != getattr(stored, n)]
+            changed = changed_fields(stored, visit)
             if not changed:
                 return stored
             values = visit_values(visit, changed)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
 from insole_core.cases.case_record import CaseRecord, Patient
@@ -16,7 +16,7 @@ from insole_studio.document.kept_visit import KeptVisit
 if TYPE_CHECKING:
     from insole_core.workflows.records.keep_case import CaseChange
 
-_FIELDS = ("name", "born", "visit", "notes", "pseudonym")
+_FIELDS = tuple(part.name for part in fields(Patient))
 _MOST_REVISIONS = 2**53
 
 

@@ -22,8 +22,7 @@ from insole_core.records.visit import CaptureState, Visit
 from insole_core.records.visits import patient_of
 from insole_core.workflows.records.visit_measures import visit_measures
 
-FIELDS: Final = ("name", "born", "visit", "notes", "pseudonym")
-"""Of a patient, as the window changes them."""
+_PATIENT: Final = tuple(field.name for field in fields(Patient))
 _TERMS: Final = tuple(field.name for field in fields(OrderTerms))
 
 
@@ -106,7 +105,7 @@ def keep_case(records: Records, change: CaseChange, reason: str = "") -> KeptCha
         person = records.persons.get(visit.person_id)
         stored, now = patient_of(person, visit), change.now.patient
         before = _as_stored_here(change, stored)
-        theirs, collided = merge_fields(before, now, stored, FIELDS)
+        theirs, collided = merge_fields(before, now, stored, _PATIENT)
         person = _keep_person(records, person, theirs)
         for side, base in change.bases.items():
             foot = change.now.of_side(side)
@@ -131,7 +130,7 @@ def _as_stored_here(change: CaseChange, stored: Patient) -> Patient:
     """Return the fields as this editing has stored them last, though its answer was lost."""
     own = {
         name: getattr(stored, name)
-        for name in FIELDS
+        for name in _PATIENT
         if any(getattr(stored, name) == getattr(sent, name) for sent in change.sent)
     }
     return replace(change.before, **own)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 from insole_core.cases.case_json import foot_to_json
 from insole_core.cases.case_record import FootRecord, Patient
@@ -14,14 +14,17 @@ from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.records.capture import Capture
 from insole_core.records.follow_up import FollowUp
+from insole_core.records.marks import Erased
 from insole_core.records.order import Order, OrderFile
 from insole_core.records.person import Person
 from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
+from insole_core.records.record_field import typed_fields
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_core.workflows.nameless import require_nameless
 
+Value = TypeVar("Value", Visit, Order)
 _TYPED_KEYS = frozenset({"name", "device", "material", "notes"})
 """Of a case, the texts that somebody may have typed; authors are not the patient."""
 _SHOP_SUFFIXES = (".stl", ".3mf", ".obj", ".ply", "-job-sheet.pdf", "-checks.json")
@@ -143,18 +146,25 @@ def pseudonymous(dossier: PersonDossier) -> PersonDossier:
 
 def _pseudonymous_visit(dossier: VisitDossier) -> VisitDossier:
     versions = tuple(replace(version, reason="") for version in dossier.versions)
-    visit = replace(dossier.visit, reason="", findings="", terms=OrderTerms())
+    visit = replace(_without_texts(dossier.visit), terms=OrderTerms())
     return VisitDossier(visit, versions, ())
 
 
 def _pseudonymous_order(order: Order, name: str) -> Order:
     return replace(
-        order,
-        remarks="",
+        _without_texts(order),
         place="",
         events=tuple(replace(event, remarks="") for event in order.events),
         files=tuple(file for file in order.files if _is_for_the_shop(file, name)),
     )
+
+
+def _without_texts(value: Value) -> Value:
+    """Return a visit or an order without what somebody has typed about the person."""
+    fields = typed_fields(type(value)).items()
+    texts = [n for n, f in fields if f.kind is str and f.mark.erased is Erased.EMPTIED]
+    emptied: dict[str, Any] = dict.fromkeys(texts, "")
+    return replace(value, **emptied)
 
 
 def _is_for_the_shop(file: OrderFile, name: str) -> bool:

@@ -29,7 +29,9 @@ from insole_core.records.person import Person
 from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.program_version import program_version
+from insole_core.records.record_field import typed_fields
 from insole_core.records.times import utc_now
+from insole_core.records.visit import Visit
 from insole_core.solids.checks import survey_side
 from insole_core.workflows.records.person_dossier import PersonDossier, VisitDossier
 
@@ -152,7 +154,7 @@ def person_report(
     ]
     not_there = list(map(translate, left_out))
     lists = {"orders": orders, "follow_ups": follow_ups, "left_out": not_there, "files": files}
-    sections = [_section("person", texts["person"], _person_lines(dossier.person, texts)), *visits]
+    sections = [_section("person", texts["person"], _field_lines(dossier.person, texts)), *visits]
     sections += [_section(key, texts[key], lines) for key, lines in lists.items() if lines]
     sections.append(_section("program", texts["program"], [f"Insole Studio {program_version()}"]))
     return Report(texts["title"], "", utc_now(), tuple(sections), wording.language, texts["page"])
@@ -162,9 +164,17 @@ def _section(key: str, title: str, lines: Iterable[str]) -> ReportSection:
     return ReportSection(key, title, sentences=tuple(lines))
 
 
-def _person_lines(person: Person, texts: _Texts) -> list[str]:
-    keys = ("name", "birth_date", "personal_number", "pseudonym", "contact", "consent_on", "notes")
-    return [line for key in keys for line in _fact(texts, key, getattr(person, key))]
+def _field_lines(value: Person | Visit, texts: _Texts) -> list[str]:
+    """Return what was filled in, each field with its label in front."""
+    lines: list[str] = []
+    for name, field in typed_fields(type(value)).items():
+        said = getattr(value, name)
+        text = number_message(said) if isinstance(said, float) else field.written(said)
+        if field.is_told and text:
+            translated = texts.translate(text) if isinstance(said, float) else text
+            first, *others = translated.splitlines()
+            lines += [f"{texts.translate(field.label)}: {first}", *others]
+    return lines
 
 
 def _visit_section(
@@ -172,8 +182,7 @@ def _visit_section(
 ) -> ReportSection:
     visit = dossier.visit
     day = visit.visited_on.isoformat()
-    keys = ("reason", "findings", "weight_kg", "shoe_size_eu")
-    lines = [line for key in keys for line in _fact(texts, key, getattr(visit, key))]
+    lines = _field_lines(visit, texts)
     for picture in pictures:
         version = dossier.newest(picture.side)
         if version is not None:
@@ -273,15 +282,6 @@ def _measure_name(key: str, texts: _Texts) -> str:
     unit = ", mm" if name.endswith("_mm") else ""
     name = name.removesuffix("_mm").replace("_", " ")
     return f"{texts.translate(side)}, {texts.translate(name)}{unit}"
-
-
-def _fact(texts: _Texts, key: str, value: object) -> list[str]:
-    """Return a fact, each line of a longer text as a line of its own; nothing where it is empty."""
-    if value is None or value == "":
-        return []
-    text = texts.translate(number_message(value)) if isinstance(value, float) else str(value)
-    first, *others = text.splitlines()
-    return [f"{texts[key]}: {first}", *others]
 
 
 def _lines(head: str, text: str) -> list[str]:

@@ -744,28 +744,12 @@
             <translation>Ditt eget lösenord</translation>
         </message>
         <message>
-            <source>birth date</source>
-            <translation>födelsedatum</translation>
-        </message>
-        <message>
             <source>captures</source>
             <translation>avbildningar</translation>
         </message>
         <message>
-            <source>consent</source>
-            <translation>samtycke</translation>
-        </message>
-        <message>
-            <source>contact</source>
-            <translation>kontakt</translation>
-        </message>
-        <message>
             <source>damaged</source>
             <translation>skadade</translation>
-        </message>
-        <message>
-            <source>day of the visit</source>
-            <translation>besöksdag</translation>
         </message>
         <message>
             <source>digest</source>
@@ -800,10 +784,6 @@
             <translation>sparas till</translation>
         </message>
         <message>
-            <source>kind of number</source>
-            <translation>slag av nummer</translation>
-        </message>
-        <message>
             <source>last line</source>
             <translation>sista raden</translation>
         </message>
@@ -820,10 +800,6 @@
             <translation>sammanslagen</translation>
         </message>
         <message>
-            <source>name</source>
-            <translation>namn</translation>
-        </message>
-        <message>
             <source>never</source>
             <translation>aldrig</translation>
         </message>
@@ -834,10 +810,6 @@
         <message>
             <source>none</source>
             <translation>inget</translation>
-        </message>
-        <message>
-            <source>notes</source>
-            <translation>anteckningar</translation>
         </message>
         <message>
             <source>number</source>
@@ -860,16 +832,8 @@
             <translation>person</translation>
         </message>
         <message>
-            <source>personal number</source>
-            <translation>personnummer</translation>
-        </message>
-        <message>
             <source>prescriptions</source>
             <translation>ordinationer</translation>
-        </message>
-        <message>
-            <source>pseudonym</source>
-            <translation>pseudonym</translation>
         </message>
         <message>
             <source>reason</source>
@@ -900,10 +864,6 @@
             <translation>provpatient</translation>
         </message>
         <message>
-            <source>shoe size</source>
-            <translation>skostorlek</translation>
-        </message>
-        <message>
             <source>side</source>
             <translation>sida</translation>
         </message>
@@ -918,14 +878,6 @@
         <message>
             <source>state</source>
             <translation>läge</translation>
-        </message>
-        <message>
-            <source>state of the capture</source>
-            <translation>avbildningens läge</translation>
-        </message>
-        <message>
-            <source>terms of the order</source>
-            <translation>beställningens villkor</translation>
         </message>
         <message>
             <source>time of keeping over</source>
@@ -946,10 +898,6 @@
         <message>
             <source>visits</source>
             <translation>besök</translation>
-        </message>
-        <message>
-            <source>weight</source>
-            <translation>vikt</translation>
         </message>
         <message>
             <source>wrong passwords: {count}</source>

@@ -304,8 +304,8 @@
             <translation>Tillverkarens adress</translation>
         </message>
         <message>
-            <source>Agreed on</source>
-            <translation>Samtycke</translation>
+            <source>Address, phone</source>
+            <translation>Adress, telefon</translation>
         </message>
         <message>
             <source>Ahead of the toes</source>
@@ -644,6 +644,10 @@
             <translation>Beräknad var</translation>
         </message>
         <message>
+            <source>Consent on</source>
+            <translation>Samtycke den</translation>
+        </message>
+        <message>
             <source>Contact</source>
             <translation>Kontakt</translation>
         </message>
@@ -748,6 +752,10 @@
             <translation>Datum</translation>
         </message>
         <message>
+            <source>Day</source>
+            <translation>Dag</translation>
+        </message>
+        <message>
             <source>Delivery date</source>
             <translation>Leveransdag</translation>
         </message>
@@ -816,6 +824,10 @@
             <translation>Finsko, trekvarts</translation>
         </message>
         <message>
+            <source>Due</source>
+            <translation>Klar senast</translation>
+        </message>
+        <message>
             <source>EU size</source>
             <translation>EU-storlek</translation>
         </message>
@@ -882,6 +894,10 @@
         <message>
             <source>Face {face}: {across} to the right, {along} downwards</source>
             <translation>Sida {face}: {across} åt höger, {along} nedåt</translation>
+        </message>
+        <message>
+            <source>Family name</source>
+            <translation>Efternamn</translation>
         </message>
         <message>
             <source>Feet</source>
@@ -1096,6 +1112,10 @@
             <translation>Ange den kända längden i mm, mellan två olika markörer.</translation>
         </message>
         <message>
+            <source>Given name</source>
+            <translation>Förnamn</translation>
+        </message>
+        <message>
             <source>Graphics</source>
             <translation>Grafik</translation>
         </message>
@@ -1290,6 +1310,10 @@
         <message>
             <source>Kind</source>
             <translation>Typ</translation>
+        </message>
+        <message>
+            <source>Kind of personal number</source>
+            <translation>Slag av personnummer</translation>
         </message>
         <message>
             <source>Kirby, Podiatry Today</source>
@@ -2188,8 +2212,12 @@
             <translation>Skostorlek</translation>
         </message>
         <message>
-            <source>Shoe size (EU)</source>
-            <translation>Skostorlek (EU)</translation>
+            <source>Shoe size EU</source>
+            <translation>Skostorlek EU</translation>
+        </message>
+        <message>
+            <source>Shop</source>
+            <translation>Verkstad</translation>
         </message>
         <message>
             <source>Side</source>
@@ -3956,8 +3984,8 @@
             <translation>Väntar tills säkerhetskopieringen har stannat</translation>
         </message>
         <message>
-            <source>Weight in kg</source>
-            <translation>Vikt i kg</translation>
+            <source>Weight (kg)</source>
+            <translation>Vikt (kg)</translation>
         </message>
         <message>
             <source>Western European</source>
@@ -4365,7 +4393,7 @@
         </message>
         <message>
             <source>birth date</source>
-            <translation>Födelsedatumet</translation>
+            <translation>födelsedatum</translation>
         </message>
         <message>
             <source>birth date unknown</source>
@@ -4613,11 +4641,7 @@
         </message>
         <message>
             <source>date of consent</source>
-            <translation>datum för samtycke</translation>
-        </message>
-        <message>
-            <source>date of the consent</source>
-            <translation>Samtyckets datum</translation>
+            <translation>samtyckesdatum</translation>
         </message>
         <message>
             <source>date of the follow-up</source>
@@ -4629,7 +4653,11 @@
         </message>
         <message>
             <source>date that it is due</source>
-            <translation>Leveransdatumet</translation>
+            <translation>leveransdatum</translation>
+        </message>
+        <message>
+            <source>day of the visit</source>
+            <translation>besöksdag</translation>
         </message>
         <message>
             <source>default</source>
@@ -4809,7 +4837,7 @@
         </message>
         <message>
             <source>findings</source>
-            <translation>Fynden</translation>
+            <translation>fynd</translation>
         </message>
         <message>
             <source>finish</source>
@@ -5504,6 +5532,10 @@
             <translation>sparad</translation>
         </message>
         <message>
+            <source>kind of number</source>
+            <translation>slag av nummer</translation>
+        </message>
+        <message>
             <source>kind{where} has {count} letters, and must have 1 to {most}; shorten it, or leave it out.</source>
             <translation>kind{where} har {count} bokstäver och måste ha 1 till {most}; korta den, eller utelämna den.</translation>
         </message>
@@ -5666,6 +5698,10 @@
         <message>
             <source>mean {mean:.2f} mm, 95 % {p95:.2f} mm, largest {max:.2f} mm, signed mean {signed:+.2f} mm</source>
             <translation>medel {mean:.2f} mm, 95 % {p95:.2f} mm, störst {max:.2f} mm, medel med tecken {signed:+.2f} mm</translation>
+        </message>
+        <message>
+            <source>measures</source>
+            <translation>mått</translation>
         </message>
         <message>
             <source>medial</source>
@@ -5913,7 +5949,7 @@
         </message>
         <message>
             <source>name of the shop</source>
-            <translation>Verkstadens namn</translation>
+            <translation>verkstadens namn</translation>
         </message>
         <message>
             <source>name of who released the order</source>
@@ -6281,7 +6317,7 @@
         </message>
         <message>
             <source>pseudonym</source>
-            <translation>Pseudonymen</translation>
+            <translation>pseudonym</translation>
         </message>
         <message>
             <source>pternion to metatarsale tibiale, along the foot axis</source>
@@ -6341,15 +6377,11 @@
         </message>
         <message>
             <source>reason</source>
-            <translation>Orsaken</translation>
+            <translation>orsak</translation>
         </message>
         <message>
             <source>reason for the export</source>
             <translation>Skälet till exporten</translation>
-        </message>
-        <message>
-            <source>reason of the visit</source>
-            <translation>Besöksorsaken</translation>
         </message>
         <message>
             <source>record</source>
@@ -6417,7 +6449,7 @@
         </message>
         <message>
             <source>remarks</source>
-            <translation>Anmärkningarna</translation>
+            <translation>anmärkningar</translation>
         </message>
         <message>
             <source>reset password</source>
@@ -6646,6 +6678,10 @@
         <message>
             <source>sprain</source>
             <translation>stukning</translation>
+        </message>
+        <message>
+            <source>state of the capture</source>
+            <translation>avbildningens läge</translation>
         </message>
         <message>
             <source>step</source>
@@ -7113,7 +7149,7 @@
         </message>
         <message>
             <source>weight in kg</source>
-            <translation>Vikten i kg</translation>
+            <translation>vikt i kg</translation>
         </message>
         <message>
             <source>what it holds does not follow the rules of the format</source>

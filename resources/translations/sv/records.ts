@@ -60,10 +60,6 @@
             <translation>Lägg till hos denna patient</translation>
         </message>
         <message>
-            <source>Address, phone</source>
-            <translation>Adress, telefon</translation>
-        </message>
-        <message>
             <source>Adjusted</source>
             <translation>Justerad</translation>
         </message>
@@ -182,10 +178,6 @@
         <message>
             <source>Compare two visits…</source>
             <translation>Jämför två besök…</translation>
-        </message>
-        <message>
-            <source>Consent on</source>
-            <translation>Samtycke den</translation>
         </message>
         <message>
             <source>Day</source>
@@ -314,10 +306,6 @@
         <message>
             <source>Kept</source>
             <translation>Behållen</translation>
-        </message>
-        <message>
-            <source>Kind of personal number</source>
-            <translation>Slag av personnummer</translation>
         </message>
         <message>
             <source>Last visit</source>
@@ -506,10 +494,6 @@
         <message>
             <source>Patients whose feet wait to be captured</source>
             <translation>Patienter vars fötter väntar på avbildning</translation>
-        </message>
-        <message>
-            <source>Personal number</source>
-            <translation>Personnummer</translation>
         </message>
         <message>
             <source>Photo</source>

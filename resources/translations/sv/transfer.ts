@@ -52,16 +52,8 @@
             <translation>Exporterat till {folder}.</translation>
         </message>
         <message>
-            <source>Family name</source>
-            <translation>Efternamn</translation>
-        </message>
-        <message>
             <source>File</source>
             <translation>Fil</translation>
-        </message>
-        <message>
-            <source>Given name</source>
-            <translation>Förnamn</translation>
         </message>
         <message>
             <source>Import case files</source>

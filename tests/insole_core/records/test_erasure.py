@@ -265,7 +265,10 @@ def test_a_name_that_was_changed_long_ago_is_not_left_in_free_pages(records: Rec
 
 def test_a_merge_drops_nothing_that_a_person_has(records: Records) -> None:
     kept = records.persons.add(Person("Eva Berg"))
-    full = Person("Eva Berg", date(1971, 4, 2), "19640823-3234", "se", "Storgatan 1", "shy", TODAY)
+    full = Person(
+        "Eva Berg", date(1971, 4, 2), "19640823-3234", "se", contact="Storgatan 1", notes="shy",
+        consent_on=TODAY,
+    )  # fmt: skip
     other = records.persons.add(full)
     records.persons.merge(kept.id, other.id)
     joined = records.persons.get(kept.id)

@@ -203,7 +203,9 @@ def test_who_moves_an_order_second_is_told(records: Records, order: Order) -> No
 
 
 def test_an_order_is_changed_and_gets_files(records: Records, order: Order, tmp_path: Path) -> None:
-    order = records.orders.change(order.id, "Other", None, "red", order.revision)
+    order = records.orders.change(
+        order.id, {"shop": "Other", "due_on": None, "remarks": "red"}, order.revision
+    )
     assert (order.shop, order.due_on, order.remarks) == ("Other", None, "red")
     sheet = tmp_path / "sheet.pdf"
     sheet.write_bytes(b"%PDF")

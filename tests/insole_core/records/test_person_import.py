@@ -17,7 +17,6 @@ from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.person_columns import (
     ColumnMapping,
-    PersonField,
     asks_date_order,
     propose_mapping,
 )
@@ -31,7 +30,6 @@ from insole_core.records.persons_of_table import read_persons
 from insole_core.records.text_table import read_table
 
 _TODAY = date(2026, 11, 22)
-_F = PersonField
 
 
 @pytest.fixture
@@ -44,12 +42,12 @@ def records(local_place):
 @pytest.mark.parametrize(
     ("headings", "fields"),
     [
-        ("Name,Date of birth,E-mail", (_F.NAME, _F.BIRTH_DATE, _F.CONTACT)),
-        ("Förnamn,Efternamn,Personnummer,Ort", (_F.GIVEN_NAME, _F.FAMILY_NAME,
-                                                _F.PERSONAL_NUMBER, _F.CONTACT)),
-        ("Nachname,Vorname,Geb.,PLZ", (_F.FAMILY_NAME, _F.GIVEN_NAME, _F.BIRTH_DATE, _F.CONTACT)),
-        ("Patient,First name,Last name,Ålder", (None, _F.GIVEN_NAME, _F.FAMILY_NAME, None)),
-        ("Name,Name,,Notes 1,Notes 2", (_F.NAME, None, None, _F.NOTES, _F.NOTES)),
+        ("Name,Date of birth,E-mail", ("name", "birth_date", "contact")),
+        ("Förnamn,Efternamn,Personnummer,Ort", ("given_name", "family_name",
+                                                "personal_number", "contact")),
+        ("Nachname,Vorname,Geb.,PLZ", ("family_name", "given_name", "birth_date", "contact")),
+        ("Patient,First name,Last name,Ålder", (None, "given_name", "family_name", None)),
+        ("Name,Name,,Notes 1,Notes 2", ("name", None, None, "notes", "notes")),
     ],
 )  # fmt: skip
 def test_headings_of_three_languages_propose_the_columns(tmp_path, headings, fields):
@@ -104,7 +102,7 @@ def test_all_that_is_mapped_arrives_and_several_columns_become_lines(tmp_path):
 )
 def test_rows_that_cannot_be_right_are_refused_with_their_line_and_reason(tmp_path, row, words):
     table = _table(tmp_path, f"Name,Born,Pnr\nPer Ek,1980-01-01,\n{row}\n")
-    mapping = ColumnMapping((_F.NAME, _F.BIRTH_DATE, _F.PERSONAL_NUMBER), number_kind="se")
+    mapping = ColumnMapping(("name", "birth_date", "personal_number"), number_kind="se")
     rows = read_persons(table, mapping, _TODAY)
     assert [row.person.name for row in rows.accepted] == ["Per Ek"]
     (refused,) = rows.refused
@@ -129,9 +127,9 @@ def test_names_in_any_script_and_commands_are_only_texts(tmp_path, records):
 @pytest.mark.parametrize(
     "fields",
     [
-        (None, _F.NOTES, None),
-        (_F.NAME, _F.GIVEN_NAME, None),
-        (_F.NAME, _F.BIRTH_DATE, _F.BIRTH_DATE),
+        (None, "notes", None),
+        ("name", "given_name", None),
+        ("name", "birth_date", "birth_date"),
     ],
 )
 def test_columns_that_make_no_person_are_refused(tmp_path, fields):

@@ -18,7 +18,7 @@ from insole_studio.cli.records.place import add_place, opened
 if TYPE_CHECKING:
     from insole_core.cases.written_dates import DateOrder
     from insole_core.records.import_report import Outcomes
-    from insole_core.records.person_columns import ColumnMapping, PersonField
+    from insole_core.records.person_columns import ColumnMapping
     from insole_core.records.persons_of_table import PersonRows
     from insole_core.records.records import Records
     from insole_core.records.text_table import TextTable
@@ -47,9 +47,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--column", action="append", default=[], metavar="HEADING=FIELD",
-        help="what a column holds: name, given name, family name, birth date, personal number, "
-        "contact, notes, date of consent, pseudonym, or - for nothing; a number in place of the "
-        "heading counts columns from 1 (default: what the headings say)",
+        help="what a column holds: given name, family name, or a field of a person such as birth "
+        "date or contact (an unknown one is answered with the list of all), or - for nothing; a "
+        "number in place of the heading counts columns from 1 (default: what the headings say)",
     )  # fmt: skip
     order = parser.add_mutually_exclusive_group()
     order.add_argument(
@@ -142,7 +142,7 @@ def _persons(records: Records, arguments: argparse.Namespace, progress: Progress
 
 
 def _read(arguments: argparse.Namespace) -> PersonRows:
-    from insole_core.records.person_columns import asks_date_order
+    from insole_core.records.person_columns import IMPORTED, asks_date_order
     from insole_core.records.persons_of_table import read_persons
     from insole_core.records.text_table import read_table
 
@@ -150,7 +150,8 @@ def _read(arguments: argparse.Namespace) -> PersonRows:
     print(f"Read as {table.encoding}", file=sys.stderr)
     mapping = _mapping(table, arguments)
     for heading, field in zip(table.headings, mapping.fields, strict=True):
-        print(f"{heading or '(no heading)'}: {field or 'left out'}", file=sys.stderr)
+        holds = IMPORTED[field].noun if field else "left out"
+        print(f"{heading or '(no heading)'}: {holds}", file=sys.stderr)
     if mapping.date_order is None and asks_date_order(table, mapping):
         raise UsageError(
             f"Some dates in {arguments.source} can be read in two ways; add --day-first or "
@@ -198,17 +199,17 @@ def _order(arguments: argparse.Namespace) -> DateOrder | None:
     return DateOrder.MONTH_FIRST if arguments.month_first else None
 
 
-def _column(table: TextTable, text: str) -> tuple[int, PersonField | None]:
-    from insole_core.records.person_columns import PersonField
+def _column(table: TextTable, text: str) -> tuple[int, str | None]:
+    from insole_core.records.person_columns import IMPORTED
 
-    heading, equals, field = text.rpartition("=")
+    named = {field.noun: name for name, field in IMPORTED.items()} | {_LEFT_OUT: None}
+    heading, equals, noun = text.rpartition("=")
     if heading in table.headings:
         number = table.headings.index(heading)
     elif heading.isdecimal() and 1 <= int(heading) <= len(table.headings):
         number = int(heading) - 1
     else:
         raise UsageError(f"--column {text}: the table has no column “{heading}”; check its name.")
-    if not equals or field not in (_LEFT_OUT, *PersonField):
-        known = ", ".join((*PersonField, _LEFT_OUT))
-        raise UsageError(f"--column {text}: name one of: {known}.")
-    return number, None if field == _LEFT_OUT else PersonField(field)
+    if not equals or noun not in named:
+        raise UsageError(f"--column {text}: name one of: {', '.join(named)}.")
+    return number, named[noun]

@@ -9,6 +9,9 @@ from typing import Final
 from insole_core.geometry.side import Side
 from insole_core.records.author import Role
 from insole_core.records.order import OrderState
+from insole_core.records.person import Person
+from insole_core.records.record_field import fields_of
+from insole_core.records.visit import Visit
 from insole_studio.texts import tr, translate_core_message
 
 NAMES: Final[Mapping[str, Callable[[], str]]] = {
@@ -61,22 +64,9 @@ WORDS: Final[Mapping[str, Callable[[], str]]] = {
 }
 """Values that are words."""
 FIELDS: Final[Mapping[str, Callable[[], str]]] = {
-    "name": lambda: tr("name"),
-    "birth_date": lambda: tr("birth date"),
-    "personal_number": lambda: tr("personal number"),
-    "number_kind": lambda: tr("kind of number"),
-    "contact": lambda: tr("contact"),
-    "notes": lambda: tr("notes"),
-    "consent_on": lambda: tr("consent"),
-    "pseudonym": lambda: tr("pseudonym"),
-    "visited_on": lambda: tr("day of the visit"),
-    "reason": lambda: tr("reason"),
-    "findings": lambda: tr("findings"),
-    "weight_kg": lambda: tr("weight"),
-    "shoe_size_eu": lambda: tr("shoe size"),
-    "measures": lambda: tr("measures"),
-    "capture_state": lambda: tr("state of the capture"),
-    "terms": lambda: tr("terms of the order"),
+    name: partial(translate_core_message, field.noun)
+    for kind in (Person, Visit)
+    for name, field in fields_of(kind).items()
 }
 """Fields of a person and of a visit, whose names a line lists when they were changed."""
 

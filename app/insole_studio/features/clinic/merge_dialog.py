@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
-from insole_core.records.person import PersonSummary
+from insole_core.records.person import Person, PersonSummary
+from insole_core.records.record_field import typed_fields
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.person_picker import PersonPicker
@@ -22,13 +23,6 @@ if TYPE_CHECKING:
     from insole_core.records.records import Records
 
 _SIZE = (920, 640)
-_FIELDS = {
-    "birth_date": "birth date",
-    "personal_number": "personal number",
-    "contact": "contact",
-    "consent_on": "date of the consent",
-    "notes": "notes",
-}
 _MERGE_TAB = 0
 
 
@@ -160,9 +154,9 @@ class MergeDialog(RecordDialog):
                 kept=_named(kept),
             )
         ]
-        filled = [
-            translate_core_message(_FIELDS[name]) for name in preview.filled if name in _FIELDS
-        ]
+        fields = typed_fields(Person)
+        told = (fields[name] for name in preview.filled if fields[name].is_told)
+        filled = [translate_core_message(field.noun) for field in told]
         if filled:
             lines.append(
                 tr("Filled in, as it is empty: {fields}.").format(fields=", ".join(filled))

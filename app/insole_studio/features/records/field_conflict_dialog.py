@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import date
 from typing import Any, Final, TypeAlias
 
 from PySide6.QtCore import Qt
@@ -20,22 +19,31 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.records.field_merge import FieldChoice
-from insole_studio.texts import localised, tr
+from insole_core.records.record_field import Lines, Typed
+from insole_studio.features.records.record_form import shown_text
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
-VISIT_FIELDS: Final = ("visited_on", "reason", "findings", "weight_kg", "shoe_size_eu")
-_TEXTS: Final = ("contact", "notes", "findings")
-"""Fields of several lines, of which both values can be kept."""
 _SIZE: Final = (760, 360)
 
 
 @dataclass(frozen=True)
 class CollidedField:
-    """A field with two values."""
+    """A field with two values.
+
+    Parameters
+    ----------
+    label
+        What it is called.
+    is_joinable
+        Whether both values can be kept, one below the other.
+    """
 
     name: str
+    label: str
     mine: str
     theirs: str
+    is_joinable: bool = False
 
 
 AskFields: TypeAlias = Callable[
@@ -44,9 +52,20 @@ AskFields: TypeAlias = Callable[
 """Asks about fields, and calls a function with the choice for each."""
 
 
-def collided_fields(mine: Any, theirs: Any, names: Sequence[str]) -> list[CollidedField]:
-    """Return some fields of two persons or visits as they are shown."""
-    return [CollidedField(n, _shown(getattr(mine, n)), _shown(getattr(theirs, n))) for n in names]
+def collided_fields(
+    mine: Any, theirs: Any, names: Sequence[str], fields: Mapping[str, Typed]
+) -> list[CollidedField]:
+    """Return some fields of two persons, visits or patients as they are shown."""
+    return [
+        CollidedField(
+            name,
+            translate_core_message(fields[name].label),
+            shown_text(fields[name], getattr(mine, name)),
+            shown_text(fields[name], getattr(theirs, name)),
+            isinstance(fields[name], Lines),
+        )
+        for name in names
+    ]
 
 
 class FieldConflictDialog(QDialog):
@@ -98,7 +117,7 @@ class FieldConflictDialog(QDialog):
         }  # fmt: skip
 
     def _add(self, grid: QGridLayout, row: int, field: CollidedField) -> None:
-        name = QLabel(field_label(field.name))
+        name = QLabel(field.label)
         name.setObjectName("numbers")
         grid.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
         group = self._groups[field.name] = QButtonGroup(self)
@@ -112,41 +131,20 @@ class FieldConflictDialog(QDialog):
             cell.addWidget(self._radio(group, field, choice, text))
             cell.addWidget(_value_label(value))
             grid.addLayout(cell, row, column, Qt.AlignmentFlag.AlignTop)
-        if field.name in _TEXTS:
+        if field.is_joinable:
             both = self._radio(group, field, FieldChoice.BOTH, tr("Both, one below the other"))
             grid.addWidget(both, row + 1, 1, 1, 2)
-        preselected = FieldChoice.BOTH if field.name in _TEXTS else FieldChoice.MINE
+        preselected = FieldChoice.BOTH if field.is_joinable else FieldChoice.MINE
         self.choice_buttons[field.name, preselected].setChecked(True)
 
     def _radio(
         self, group: QButtonGroup, field: CollidedField, choice: FieldChoice, text: str
     ) -> QRadioButton:
         radio = QRadioButton(text)
-        radio.setAccessibleName(f"{field_label(field.name)}: {text}")
+        radio.setAccessibleName(f"{field.label}: {text}")
         group.addButton(radio)
         self.choice_buttons[field.name, choice] = radio
         return radio
-
-
-def field_label(name: str) -> str:
-    """Return what a field of a person or visit is called."""
-    return {
-        "name": tr("Name"),
-        "birth_date": tr("Born"),
-        "born": tr("Born"),
-        "personal_number": tr("Personal number"),
-        "number_kind": tr("Kind of personal number"),
-        "contact": tr("Address, phone"),
-        "consent_on": tr("Consent on"),
-        "pseudonym": tr("Pseudonym"),
-        "notes": tr("Notes"),
-        "visit": tr("Day"),
-        "visited_on": tr("Day"),
-        "reason": tr("Reason"),
-        "findings": tr("Findings"),
-        "weight_kg": tr("Weight (kg)"),
-        "shoe_size_eu": tr("Shoe size EU"),
-    }[name]
 
 
 def _value_label(value: str) -> QLabel:
@@ -155,11 +153,3 @@ def _value_label(value: str) -> QLabel:
     label.setWordWrap(True)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     return label
-
-
-def _shown(value: object) -> str:
-    if isinstance(value, date):
-        return value.isoformat()
-    if isinstance(value, float):
-        return localised(value, "g")
-    return "" if value is None else str(value)

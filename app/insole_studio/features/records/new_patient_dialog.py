@@ -20,15 +20,14 @@ from insole_core.cases.days import read_day
 from insole_core.errors import InputError
 from insole_core.records.field_checks import MOST_NAME, check_name
 from insole_core.records.person import Person
-from insole_core.records.personal_numbers import KINDS, check_personal_number
-from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
+from insole_core.records.personal_numbers import KINDS, MOST_NUMBER, check_personal_number
+from insole_studio.features.records.record_form import choice_box, label_of
+from insole_studio.texts import tr
 from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 
 _WIDTH_PX = 460
-_MOST_NUMBER = 40
 
 
 class NewPatientDialog(QDialog):
@@ -50,9 +49,8 @@ class NewPatientDialog(QDialog):
         self.name.setMaxLength(MOST_NAME + 1)
         self.born = DateField()
         self.number = QLineEdit()
-        self.number.setMaxLength(_MOST_NUMBER + 1)
-        self.kind = ComboBox(number_kinds())
-        self.kind.setAccessibleName(tr("Kind of personal number"))
+        self.number.setMaxLength(MOST_NUMBER + 1)
+        self.kind = choice_box(Person, "number_kind")
         self.kind.show_value(number_kind)
         self.consent = QCheckBox(tr("The patient agrees that these data are kept (today)"))
         self.refusal = MessageLabel("warning")
@@ -75,9 +73,9 @@ class NewPatientDialog(QDialog):
         number.addWidget(self.kind)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow(tr("Name"), self.name)
-        form.addRow(tr("Born"), self.born)
-        form.addRow(tr("Personal number"), number)
+        form.addRow(label_of(Person, "name"), self.name)
+        form.addRow(label_of(Person, "birth_date"), self.born)
+        form.addRow(label_of(Person, "personal_number"), number)
         form.addRow("", self.consent)
         mark_labels(form)
         layout = QVBoxLayout(self)
@@ -122,8 +120,3 @@ class NewPatientDialog(QDialog):
             consent_on=today if self.consent.isChecked() else None,
         )
         return replace(person, number_kind=kind if person.personal_number else "")
-
-
-def number_kinds() -> list[tuple[str, str]]:
-    """Return key and name of the kinds of personal numbers."""
-    return [(kind.key, translate_core_message(kind.name)) for kind in KINDS.values()]

@@ -185,10 +185,8 @@ class OrderActions(QObject):
         dialog.open()
 
     def _change(self, order: Order, dialog: OrderDialog) -> None:
-        shop, due_on = dialog.shop.text(), dialog.due_on
-        remarks = dialog.remarks.toPlainText()
         self._clinic.write(
-            lambda r: r.orders.change(order.id, shop, due_on, remarks, order.revision),
+            lambda records: records.orders.change(order.id, dialog.typed, order.revision),
             lambda _order: None,
             self._tell,
         )

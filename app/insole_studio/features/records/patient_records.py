@@ -21,7 +21,8 @@ from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fi
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.prescription import VersionSummary
-from insole_core.records.visit import CaptureState, Visit
+from insole_core.records.record_field import typed_fields
+from insole_core.records.visit import CaptureState, Visit, fields_of_patient
 from insole_core.visible_text import visible_line
 from insole_studio.document.case_name import case_name
 from insole_studio.document.clinic_record import RecordState
@@ -35,7 +36,6 @@ from insole_studio.features.records.conflict_dialog import (
 )
 from insole_studio.features.records.earlier_scan import EarlierScan
 from insole_studio.features.records.field_conflict_dialog import (
-    VISIT_FIELDS,
     CollidedField,
     FieldConflictDialog,
     collided_fields,
@@ -393,7 +393,7 @@ class PatientRecords(QObject):
             return
         dialog = VisitDialog(shown.visit, self._services.window)
         dialog.finished.connect(dialog.deleteLater)
-        dialog.accepted.connect(lambda: self._change_visit(shown.visit, dialog.visit))
+        dialog.accepted.connect(lambda: self._change_visit(shown.visit, dialog.value))
         dialog.open()
 
     def _change_visit(self, before: Visit, visit: Visit) -> None:
@@ -416,9 +416,9 @@ class PatientRecords(QObject):
         )
 
     def _change_over(self, before: Visit, mine: Visit, theirs: Visit) -> None:
-        names = (*VISIT_FIELDS, "capture_state")
-        merged, collided = merge_fields(before, mine, theirs, names)
-        fields = collided_fields(mine, theirs, [n for n in collided if n in VISIT_FIELDS])
+        typed = typed_fields(Visit)
+        merged, collided = merge_fields(before, mine, theirs, (*typed, "capture_state"))
+        fields = collided_fields(mine, theirs, [n for n in collided if n in typed], typed)
 
         def store(choices: Mapping[str, FieldChoice]) -> None:
             self._change_visit(theirs, settle_fields(merged, mine, choices))
@@ -526,8 +526,8 @@ class PatientRecords(QObject):
                 chosen = settle_fields(conflict.theirs, conflict.mine, choices)
                 self._keeper.settle_patient(chosen)
 
-        fields = collided_fields(conflict.mine, conflict.theirs, conflict.collided)
-        self._ask_fields(fields, settle)
+        mine, theirs, collided = conflict.mine, conflict.theirs, conflict.collided
+        self._ask_fields(collided_fields(mine, theirs, collided, fields_of_patient()), settle)
 
     def _settle(
         self, conflict: Conflict, choice: Choice | None, theirs: FootRecord, author: str

@@ -13,26 +13,19 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPlainTextEdit,
     QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
-from insole_core.records.personal_numbers import KINDS
-from insole_studio.features.records.rows import (
-    DATE_FIELDS,
-    MOST_LETTERS,
-    PERSON_FIELDS,
-    PictureKey,
-    Trend,
-    VisitRow,
-)
+from insole_core.records.person import Person
+from insole_core.records.record_field import typed_fields
+from insole_studio.features.records.record_form import new_editor
+from insole_studio.features.records.rows import PictureKey, Trend, VisitRow
 from insole_studio.features.records.trend_chart import TrendChart
 from insole_studio.features.records.visit_card import VisitCard
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.notes_field import NotesField
@@ -41,6 +34,7 @@ from insole_studio.widgets.validation_bubble import ValidationBubble
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 FIELDS_PX = 320
+PERSON = typed_fields(Person)
 
 
 class PersonPage(QWidget):
@@ -58,25 +52,18 @@ class PersonPage(QWidget):
         super().__init__(parent)
         self._name = ElidedLabel("")
         self._name.setObjectName("title")
-        self._fields = {key: _field(key) for key in PERSON_FIELDS if key != "notes"}
-        for key, field in self._fields.items():
-            field.setProperty("key", key)
-            field.editingFinished.connect(self._line_edited)
-        self._kind = ComboBox(
-            [(kind.key, translate_core_message(kind.name)) for kind in KINDS.values()]
-        )
-        self._kind.setAccessibleName(tr("Kind of personal number"))
-        self._kind.edited.connect(self._kind_edited)
         self._pseudonym = QLabel()
         self._pseudonym.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._fields = {key: new_editor(f) for key, f in PERSON.items() if key != "pseudonym"}
         self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
-        self._notes = NotesField()
-        self._typed_fields: dict[str, QLineEdit | QPlainTextEdit] = {
-            **self._fields,
-            "notes": self._notes,
-        }
-        self._refusals["notes"] = ValidationBubble(self._notes)
-        self._notes.left.connect(self._notes_edited)
+        for key, field in self._fields.items():
+            field.setProperty("key", key)
+            if isinstance(field, ComboBox):
+                field.edited.connect(self._chosen)
+            elif isinstance(field, NotesField):
+                field.left.connect(self._text_edited)
+            elif isinstance(field, QLineEdit):
+                field.editingFinished.connect(self._line_edited)
         self.chart = TrendChart()
         self.cards: dict[str, VisitCard] = {}
         self._cards = QVBoxLayout()
@@ -96,15 +83,17 @@ class PersonPage(QWidget):
         """Say that this is the sample patient, which keeps its name, and offer to remove it."""
         self._sample.setVisible(is_sample)
         self._is_sample = is_sample
-        self._fields["name"].setReadOnly(is_sample or not self._is_editable)
+        self._allow_typing()
 
-    def show_person(self, name: str, pseudonym: str, values: Mapping[str, str]) -> None:
+    def show_person(self, values: Mapping[str, str]) -> None:
         """Show the fields; text being typed stays until it is entered or forgotten."""
-        self._name.setText(name)
-        self._pseudonym.setText(pseudonym)
+        self._name.setText(values["name"])
+        self._pseudonym.setText(values["pseudonym"])
         self._name.updateGeometry()
-        self._kind.show_value(values["number_kind"])
-        for key, field in self._typed_fields.items():
+        for key, field in self._fields.items():
+            if isinstance(field, ComboBox):
+                field.show_value(values[key])
+                continue
             show_unless_typing(field, values[key])
             if isinstance(field, QLineEdit) and not field.hasFocus():
                 field.setCursorPosition(0)  # else a long address shows its end
@@ -113,8 +102,9 @@ class PersonPage(QWidget):
 
     def forget_typed(self) -> None:
         """Let the next values replace text being typed: it belongs to another person."""
-        for field in self._typed_fields.values():
-            forget_typed(field)
+        for field in self._fields.values():
+            if not isinstance(field, ComboBox):
+                forget_typed(field)
 
     def show_refusal(self, key: str, sentence: str) -> None:
         """Say beside a field why what was typed is not taken."""
@@ -151,29 +141,25 @@ class PersonPage(QWidget):
     def show_editable(self, editable: bool) -> None:
         """Show whether fields can be changed and visits added."""
         self._is_editable = editable
-        for key, field in self._fields.items():
-            field.setReadOnly(not editable or (key == "name" and self._is_sample))
-        self._notes.setReadOnly(not editable)
-        self._kind.setEnabled(editable)
+        self._allow_typing()
         for key in ("new_visit", "new_visit_same", "follow_up"):
             self._buttons[key].setEnabled(editable)
+
+    def _allow_typing(self) -> None:
+        for key, field in self._fields.items():
+            if isinstance(field, ComboBox):
+                field.setEnabled(self._is_editable)
+            else:
+                field.setReadOnly(not self._is_editable or (key == "name" and self._is_sample))
 
     def _lay_out(self) -> None:
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setVerticalSpacing(8)
-        for key, label in (
-            ("name", tr("Name")),
-            ("birth_date", tr("Born")),
-            ("personal_number", tr("Personal number")),
-            ("contact", tr("Address, phone")),
-            ("consent_on", tr("Consent on")),
-        ):
-            form.addRow(label, self._fields[key])
-            if key == "personal_number":
-                form.addRow("", self._kind)
-        form.addRow(tr("Pseudonym"), self._pseudonym)
-        form.addRow(tr("Notes"), self._notes)
+        shown = {**self._fields, "pseudonym": self._pseudonym}
+        for key, declared in PERSON.items():
+            label = translate_core_message(declared.label) if declared.is_told else ""
+            form.addRow(label, shown[key])
         mark_labels(form)
         left = QWidget()
         left.setFixedWidth(FIELDS_PX)
@@ -261,17 +247,12 @@ class PersonPage(QWidget):
             field.setModified(False)
             self.field_edited.emit(field.property("key"), field.text())
 
-    def _kind_edited(self, kind: str) -> None:
-        self.field_edited.emit("number_kind", kind)
+    def _chosen(self, word: str) -> None:
+        self.field_edited.emit(self.sender().property("key"), word)
 
-    def _notes_edited(self) -> None:
-        if self._notes.document().isModified():
-            self._notes.document().setModified(False)
-            self.field_edited.emit("notes", self._notes.toPlainText())
-
-
-def _field(key: str) -> QLineEdit:
-    field = DateField() if key in DATE_FIELDS else QLineEdit()
-    if key in MOST_LETTERS:
-        field.setMaxLength(MOST_LETTERS[key] + 1)  # one more, so that too long a text is told
-    return field
+    def _text_edited(self) -> None:
+        field = self.sender()
+        assert isinstance(field, NotesField)
+        if field.document().isModified():
+            field.document().setModified(False)
+            self.field_edited.emit(field.property("key"), field.toPlainText())

@@ -4,31 +4,29 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import date
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
-from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, InputError, InsoleError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.capture import Capture
-from insole_core.records.field_checks import check_name, check_text
 from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.order import OrderSummary
 from insole_core.records.person import Person
-from insole_core.records.personal_numbers import check_personal_number
 from insole_core.records.prescription import VersionSummary
+from insole_core.records.record_field import changed_fields
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.field_conflict_dialog import AskFields, collided_fields
 from insole_studio.features.records.order_rows import order_text
-from insole_studio.features.records.person_page import PersonPage
+from insole_studio.features.records.person_page import PERSON, PersonPage
+from insole_studio.features.records.record_form import shown_texts
 from insole_studio.features.records.record_texts import (
     capture_text,
-    day_text,
     measures_text,
     mirrored_text,
     prescribed_text,
@@ -37,7 +35,7 @@ from insole_studio.features.records.record_texts import (
     version_text,
     visit_time_text,
 )
-from insole_studio.features.records.rows import DATE_FIELDS, PERSON_FIELDS, FootLine, VisitRow
+from insole_studio.features.records.rows import FootLine, VisitRow
 from insole_studio.features.records.trends import trends_of
 from insole_studio.features.records.visit_pictures import VisitPictures
 from insole_studio.texts import tr, translate_core_message
@@ -142,7 +140,7 @@ class PersonPresenter:
         if person is None:
             return
         try:
-            after = _with_field(person, key, text, date.today())
+            after = person.with_typed(key, text, date.today())
         except InputError as error:
             self._page.show_refusal(key, translate_core_message(error.message))
             self._show_fields()
@@ -185,7 +183,7 @@ class PersonPresenter:
         if self._person is None or self._person.id != person.id:
             return
         wanted, self._wanted, self._person = self._wanted, None, person
-        if wanted is not None and _fields_of(wanted) != _fields_of(person):
+        if wanted is not None and changed_fields(person, wanted):
             self._store(wanted)
         self._show_fields()
 
@@ -201,14 +199,13 @@ class PersonPresenter:
     def _store_over(self, wanted: Person, theirs: Person) -> None:
         """Store the fields that were changed here alone; ask about those changed by both."""
         assert self._person is not None
-        merged, collided = merge_fields(
-            self._person, wanted, theirs, (*PERSON_FIELDS, "number_kind")
-        )
+        merged, collided = merge_fields(self._person, wanted, theirs, tuple(PERSON))
         self._person = theirs
         self._store(merged)
         self._show_fields()
         if collided:
-            self._ask(collided_fields(wanted, theirs, collided), partial(self._settle, wanted))
+            asked = collided_fields(wanted, theirs, collided, PERSON)
+            self._ask(asked, partial(self._settle, wanted))
 
     def _settle(self, mine: Person, choices: Mapping[str, FieldChoice]) -> None:
         """Store what was chosen; undo brings back what was typed here."""
@@ -241,7 +238,7 @@ class PersonPresenter:
     def _show_fields(self) -> None:
         if (person := self.person) is not None:
             self._page.show_sample(person.is_sample)
-            self._page.show_person(person.name, person.pseudonym, _fields_of(person))
+            self._page.show_person(shown_texts(person))
 
 
 def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView:
@@ -279,49 +276,6 @@ def _of_versions(visit: Visit, told: Callable[[], list[_Told]]) -> list[_Told]:
     except InsoleError as error:
         log.warning("a version of visit %s cannot be read: %s", visit.id, error)
         return []
-
-
-def _fields_of(person: Person) -> dict[str, str]:
-    return {
-        "name": person.name,
-        "birth_date": day_text(person.birth_date),
-        "personal_number": person.personal_number,
-        "number_kind": person.number_kind,
-        "contact": person.contact,
-        "consent_on": day_text(person.consent_on),
-        "notes": person.notes,
-    }
-
-
-def _with_values(person: Person, values: dict[str, str]) -> Person:
-    """Return a person with checked texts in its fields."""
-    days = {
-        key: date.fromisoformat(text) if text else None
-        for key, text in values.items()
-        if key in DATE_FIELDS
-    }
-    return replace(person, **{**values, **days})  # type: ignore[arg-type]
-
-
-def _with_field(person: Person, key: str, text: str, today: date) -> Person:
-    """Return a person with a field as it was typed.
-
-    Raises
-    ------
-    InputError
-        When it cannot be right.
-    """
-    if key in DATE_FIELDS:
-        kind = "born" if key == "birth_date" else "visit"
-        return _with_values(person, {key: read_day(kind, text, today)})
-    if key == "name":
-        return replace(person, name=check_name(text))
-    if key == "personal_number":
-        return replace(person, personal_number=check_personal_number(text, person.number_kind))
-    if key == "number_kind":
-        number = check_personal_number(person.personal_number, text)
-        return replace(person, number_kind=text, personal_number=number)
-    return _with_values(person, {key: check_text(text, key)})
 
 
 def _row(shown: VisitView) -> VisitRow:

@@ -6,18 +6,6 @@ from dataclasses import dataclass
 
 from insole_core.geometry.side import Side
 
-PERSON_FIELDS = (
-    "name",
-    "birth_date",
-    "personal_number",
-    "contact",
-    "consent_on",
-    "notes",
-)
-DATE_FIELDS = ("birth_date", "consent_on")
-MOST_LETTERS = {"name": 200, "personal_number": 40, "contact": 400, "notes": 20_000}
-"""What the fields take; a name of ten thousand letters is none."""
-
 
 @dataclass(frozen=True)
 class FootLine:

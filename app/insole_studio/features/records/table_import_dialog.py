@@ -6,12 +6,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QScrollArea, QWidget
 
 from insole_core.cases.written_dates import DateOrder
-from insole_core.records.person_columns import ColumnMapping, PersonField
+from insole_core.records.person import Person
+from insole_core.records.person_columns import IMPORTED, ColumnMapping
 from insole_core.records.text_table import TextTable
 from insole_core.visible_text import visible_line, visible_value
 from insole_studio.features.records.import_dialog import ImportDialog
-from insole_studio.features.records.new_patient_dialog import number_kinds
-from insole_studio.texts import tr
+from insole_studio.features.records.record_form import choice_box
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.message_label import MessageLabel
 
@@ -58,7 +59,7 @@ class TableImportDialog(ImportDialog):
         self.order = ComboBox(_orders())
         self.order.show_value(mapping.date_order or "")
         self.order.edited.connect(self.mapping_changed)
-        self.kind = ComboBox(number_kinds())
+        self.kind = choice_box(Person, "number_kind")
         self.kind.show_value(mapping.number_kind)
         self.kind.edited.connect(self.mapping_changed)
         self._others = QFormLayout()
@@ -72,7 +73,7 @@ class TableImportDialog(ImportDialog):
     @property
     def mapping(self) -> ColumnMapping:
         """What the user has chosen."""
-        fields = tuple(PersonField(v) if (v := box.currentData()) else None for box in self.columns)
+        fields = tuple(box.currentData() or None for box in self.columns)
         order = self.order.currentData()
         return ColumnMapping(fields, DateOrder(order) if order else None, self.kind.currentData())
 
@@ -99,23 +100,13 @@ class TableImportDialog(ImportDialog):
 
     def _ask_kind(self) -> None:
         """Ask for the kind of personal numbers if there are any."""
-        asked = PersonField.PERSONAL_NUMBER in self.mapping.fields
+        asked = "personal_number" in self.mapping.fields
         self._others.setRowVisible(self.kind, asked)
 
 
 def _fields() -> list[tuple[str, str]]:
-    return [
-        ("", tr("not imported")),
-        (PersonField.NAME, tr("Name")),
-        (PersonField.GIVEN_NAME, tr("Given name")),
-        (PersonField.FAMILY_NAME, tr("Family name")),
-        (PersonField.BIRTH_DATE, tr("Born")),
-        (PersonField.PERSONAL_NUMBER, tr("Personal number")),
-        (PersonField.CONTACT, tr("Address, phone")),
-        (PersonField.NOTES, tr("Notes")),
-        (PersonField.CONSENT_ON, tr("Consent on")),
-        (PersonField.PSEUDONYM, tr("Pseudonym")),
-    ]
+    fields = ((name, translate_core_message(field.label)) for name, field in IMPORTED.items())
+    return [("", tr("not imported")), *fields]
 
 
 def _orders() -> list[tuple[str, str]]:

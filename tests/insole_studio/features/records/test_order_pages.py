@@ -234,7 +234,8 @@ def test_a_revision_keeps_what_was_agreed_with_the_shop_meanwhile(
     terms = OrderTerms(remarks="soft heel", deliver_on=SOON)
     records.visits.change(replace(visit, terms=terms), visit.revision)
     later = SOON + timedelta(days=5)
-    records.orders.change(order.id, "CNC", later, "soft heel\ncall on Monday", order.revision)
+    typed = {"shop": "CNC", "due_on": later, "remarks": "soft heel\ncall on Monday"}
+    records.orders.change(order.id, typed, order.revision)
     clinic.features.records.open_visit(visit.id)
     qtbot.waitUntil(lambda: clinic.case.kept is not None)
     rest()
@@ -274,7 +275,8 @@ def test_a_revision_exported_while_the_record_is_away_is_stored_when_it_is_back(
         opened.features.export.exported_files.emit(opened.case.record, ordered, visit.id)
         qtbot.waitUntil(lambda: bool(opened.services.messages.dialogs))
         assert states[0] is RecordState.AWAY
-    records.orders.change(order.id, "CNC", SOON, "call", order.revision)  # at another station
+    called = {"shop": "CNC", "due_on": SOON, "remarks": "call"}
+    records.orders.change(order.id, called, order.revision)  # at another station
     qtbot.waitUntil(lambda: records.orders.get(order.id).release == 2)
     rest()
     assert opened.case.record.order.revision == 2

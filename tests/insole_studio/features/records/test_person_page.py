@@ -196,8 +196,8 @@ def test_both_values_of_a_visit_are_shown_to_who_saves_second(
     stored = other_station.visits.get(visit.id)
     theirs = replace(stored, findings="Flat foot", weight_kg=70.0)
     other_station.visits.change(theirs, stored.revision)
-    form.findings.setPlainText("Tight calf")
-    form.shoe_size.setText("41")
+    form.editors["findings"].setPlainText("Tight calf")
+    form.editors["shoe_size_eu"].setText("41")
     QTest.mouseClick(form.keep, LEFT)
     dialog = field_dialog(clinic, qtbot)
     QTest.mouseClick(dialog.store, LEFT)
@@ -268,10 +268,10 @@ def test_the_fields_of_a_visit_are_edited(
 ) -> None:
     press(page, visit, "edit")
     (dialog,) = clinic.window.findChildren(VisitDialog)
-    dialog.weight.setText("abc")
+    dialog.editors["weight_kg"].setText("abc")
     QTest.mouseClick(dialog.keep, LEFT)
     assert dialog.refusal.text() == "Abc is no number; write it such as 72.5."
-    dialog.weight.setText("72,5")
+    dialog.editors["weight_kg"].setText("72,5")
     dialog.capture.setChecked(True)
     QTest.mouseClick(dialog.keep, LEFT)
     rest()

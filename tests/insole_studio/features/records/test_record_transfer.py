@@ -100,7 +100,7 @@ def test_a_column_that_is_no_name_is_told_until_one_is_chosen(rest, tmp_path, op
     assert "No column holds the names" in dialog.trouble.text()
     assert not dialog.order.isVisible()
     assert not dialog.kind.isVisible()
-    _choose(dialog.columns[1], "personal number")
+    _choose(dialog.columns[1], "personal_number")
     assert dialog.kind.isVisible()
     _choose(dialog.columns[0], "name")
     rest()

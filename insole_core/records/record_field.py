@@ -1,0 +1,318 @@
+"""A field of the record, declared once on the value that holds it.
+
+`Person`, `Visit` and `Order` say in the annotation of a field what it is called, what it may hold,
+and what an erasure and a merge do to it. Column, checks, forms, conflicts, erasure, merging,
+import, export and papers follow; nothing else lists the fields.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import KW_ONLY, dataclass, replace
+from datetime import date
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar, get_type_hints
+
+from insole_core.cases.days import EARLIEST, LATEST_AHEAD, read_day
+from insole_core.errors import InputError
+from insole_core.records.field_checks import (
+    MOST_NAME,
+    MOST_TEXT,
+    check_between,
+    check_day,
+    check_line,
+    check_name,
+    check_number,
+    check_text,
+)
+from insole_core.records.marks import Info, Mark
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+    Value = TypeVar("Value", bound=DataclassInstance)
+
+
+@dataclass(frozen=True)
+class Field(ABC):
+    """What general code has to know of a field.
+
+    Parameters
+    ----------
+    noun
+        Within a sentence.
+    info
+        What an erasure and a merge do to its column, see `marks`.
+    is_needed
+        Whether it is never empty.
+    """
+
+    noun: str
+    info: Info
+    _: KW_ONLY
+    is_needed: bool = False
+
+    kind: ClassVar[type] = str
+    """Of what the column holds."""
+
+    @property
+    def mark(self) -> Mark:
+        """What general code has to know of the column."""
+        mark: Mark = self.info["mark"]
+        return mark
+
+    @property
+    def empty(self) -> str | None:
+        """What the column holds that nobody has filled."""
+        return "" if self.kind is str else None
+
+    @abstractmethod
+    def checked(self, value: Any, today: date) -> Any:
+        """Return a value as it is stored.
+
+        Raises
+        ------
+        InputError
+            When it cannot be right.
+        """
+
+
+@dataclass(frozen=True, kw_only=True)
+class Made(Field):
+    """What the program fills by itself, and no form shows.
+
+    Parameters
+    ----------
+    stored
+        What the column holds at first.
+    """
+
+    stored: str
+
+    @property
+    def empty(self) -> str:
+        """What the column holds that nobody has filled."""
+        return self.stored
+
+    def checked(self, value: Any, today: date) -> Any:
+        """Return it as it is."""
+        return value
+
+
+@dataclass(frozen=True, kw_only=True)
+class Typed(Field):
+    """What somebody fills in.
+
+    Parameters
+    ----------
+    label
+        In forms, and in front of the value on paper.
+    headings
+        Of a column that usually holds it in lists of other programs, in English, Swedish and
+        German; none for a field that is not imported.
+    is_told
+        Whether papers and sentences tell it; not, if it only says how another one is meant.
+    """
+
+    label: str
+    headings: tuple[str, ...] = ()
+    is_told: bool = True
+
+    def read(self, text: str, today: date) -> Any:
+        """Return what was typed, as it is stored.
+
+        Raises
+        ------
+        InputError
+            When it cannot be right.
+        """
+        return self.checked(text, today)
+
+    def written(self, value: Any) -> str:
+        """Return a value as it can be typed."""
+        return "" if value is None else str(value)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Line(Typed):
+    """A text of one line.
+
+    Parameters
+    ----------
+    most
+        Characters.
+    has_breaks
+        Whether it may hold line breaks all the same.
+    """
+
+    most: int = MOST_NAME
+    has_breaks: bool = False
+
+    def checked(self, value: Any, today: date) -> str:
+        """Return the text without spaces around it."""
+        if self.is_needed:
+            return check_name(value, self.noun)
+        check = check_text if self.has_breaks else check_line
+        return check(value, self.noun, self.most)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lines(Typed):
+    """A text of several lines, of which two can be kept, one below the other.
+
+    Parameters
+    ----------
+    is_low
+        Whether a form shows it in one line, as there is little room.
+    keeps_headings
+        Whether each line is led by the heading of its column where an import finds several.
+    """
+
+    is_low: bool = False
+    keeps_headings: bool = False
+
+    most: ClassVar[int] = MOST_TEXT
+
+    def checked(self, value: Any, today: date) -> str:
+        """Return the text without spaces around it."""
+        return check_text(value, self.noun, self.most)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice(Typed):
+    """One of a few words.
+
+    Parameters
+    ----------
+    names
+        By the word that is stored, what it is called.
+    """
+
+    names: Mapping[str, str]
+
+    def checked(self, value: Any, today: date) -> str:
+        """Return the word; whatever it says of another field is checked there."""
+        return str(value)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Day(Typed):
+    """A day not far from today."""
+
+    kind = date
+    limits: ClassVar[str] = "visit"
+    """As `read_day` knows them."""
+
+    def checked(self, value: Any, today: date) -> date | None:
+        """Return the day."""
+        return check_day(value, self.noun, today)
+
+    def read(self, text: str, today: date) -> date | None:
+        """Return the day, written in any way that has one reading; None for nothing."""
+        day = read_day(self.limits, text, today)
+        return self.checked(date.fromisoformat(day), today) if day else None
+
+
+@dataclass(frozen=True, kw_only=True)
+class BirthDate(Day):
+    """A day on which somebody was born."""
+
+    limits = "born"
+
+    def checked(self, value: Any, today: date) -> date | None:
+        """Return the day."""
+        return check_between(value, EARLIEST, today, self.noun)
+
+
+@dataclass(frozen=True, kw_only=True)
+class VisitDay(Day):
+    """A day on which somebody was there, or is to come."""
+
+    def checked(self, value: Any, today: date) -> date | None:
+        """Return the day."""
+        return check_between(value, EARLIEST, today + LATEST_AHEAD, self.noun)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Number(Typed):
+    """A number between two limits."""
+
+    least: float
+    most: float
+
+    kind = float
+
+    def checked(self, value: Any, today: date) -> float | None:
+        """Return the number."""
+        return check_number(value, self.noun, self.least, self.most)
+
+    def read(self, text: str, today: date) -> float | None:
+        """Return the number, with a point or a comma; None for nothing."""
+        text = text.strip()
+        if not text:
+            return None
+        try:
+            number = float(text.replace(",", "."))
+        except ValueError:
+            raise InputError(
+                "{text} is no number; write it such as 72.5.", text=text[:40]
+            ) from None
+        return self.checked(number, today)
+
+    def written(self, value: Any) -> str:
+        """Return the number without needless digits."""
+        return "" if value is None else f"{value:g}"
+
+
+def fields_of(kind: type[object]) -> Mapping[str, Field]:
+    """Return the declared fields of a kind of value by their names, in the order of its forms."""
+    if kind not in _KNOWN:
+        found = {
+            name: field
+            for name, hint in get_type_hints(kind, include_extras=True).items()
+            for field in getattr(hint, "__metadata__", ())
+            if isinstance(field, Field)
+        }
+        _KNOWN[kind] = MappingProxyType(found)
+    return _KNOWN[kind]
+
+
+_KNOWN: Final[dict[type[object], Mapping[str, Field]]] = {}
+"""Fields that were asked for: to read them from annotations takes long for each of many rows."""
+
+
+def typed_fields(kind: type[object]) -> dict[str, Typed]:
+    """Return those fields that somebody fills in."""
+    return {name: f for name, f in fields_of(kind).items() if isinstance(f, Typed)}
+
+
+def check_fields(value: Value, today: date) -> Value:
+    """Return a value with its declared fields as they are stored.
+
+    Raises
+    ------
+    InputError
+        Names the first field that cannot be right.
+    """
+    names = fields_of(type(value))
+    held = {name: getattr(value, name) for name in names}
+    return replace(value, **checked_values(type(value), held, today))
+
+
+def checked_values(kind: type[object], values: Mapping[str, Any], today: date) -> dict[str, Any]:
+    """Return values of declared fields as they are stored.
+
+    Raises
+    ------
+    InputError
+        Names the first one that cannot be right.
+    """
+    fields = fields_of(kind)
+    return {name: fields[name].checked(value, today) for name, value in values.items()}
+
+
+def changed_fields(before: DataclassInstance, after: DataclassInstance) -> list[str]:
+    """Return the names of the declared fields that differ."""
+    names = fields_of(type(after))
+    return [name for name in names if getattr(before, name) != getattr(after, name)]

@@ -1,0 +1,233 @@
+"""Whatever field is declared on a person, a visit or an order, all that goes by fields knows it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from insole_core.errors import InputError
+from insole_core.evaluation.report import section_lines
+from insole_core.records.author import Author
+from insole_core.records.field_merge import merge_fields
+from insole_core.records.marks import Erased, Merged
+from insole_core.records.open import open_records
+from insole_core.records.order import Order
+from insole_core.records.person import Person
+from insole_core.records.person_columns import IMPORTED, field_of, propose_mapping
+from insole_core.records.person_import import Outcome, plan_import
+from insole_core.records.persons_of_table import read_persons
+from insole_core.records.place import RecordsPlace
+from insole_core.records.record_field import (
+    Choice,
+    Day,
+    Number,
+    Typed,
+    fields_of,
+    typed_fields,
+)
+from insole_core.records.records import Records
+from insole_core.records.retention import ErasureReason, erase_person
+from insole_core.records.text_table import read_table
+from insole_core.records.visit import Visit
+from insole_core.workflows.records.person_dossier import pseudonymous, read_dossier
+from insole_core.workflows.records.person_json import person_json
+from insole_core.workflows.records.person_summary import person_report
+
+TODAY = date.today()
+KNOWN = {"name": "Zaphodina Uniqname", "personal_number": "19811228-9874"}
+"""What must be of a form of its own."""
+OF_PERSON = typed_fields(Person)
+OF_VISIT = typed_fields(Visit)
+SCHEMA = Path(__file__).parents[4] / "docs/formats/record.schema.json"
+
+
+def sample(name: str, field: Typed) -> Any:
+    """A value that the field can hold, and that stands nowhere else."""
+    if isinstance(field, Day):
+        return date(1971, 4, 2) if name == "birth_date" else date(2026, 4, 2)
+    if isinstance(field, Number):
+        return field.least + 0.5
+    if isinstance(field, Choice):
+        return next(reversed(field.names))
+    return KNOWN.get(name, f"planted {name}")
+
+
+PERSON = Person(**{name: sample(name, field) for name, field in OF_PERSON.items()})
+VISIT = {name: sample(name, field) for name, field in OF_VISIT.items()}
+
+
+@pytest.fixture(scope="module")
+def records(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Records]:
+    folder = tmp_path_factory.mktemp("fields")
+    opened = open_records(RecordsPlace.local(folder / "record"), Author("anna", "desk"))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def person(records: Records) -> Iterator[Person]:
+    """Somebody in the record with a value in every field, and a visit with one in every field."""
+    fresh = Person("")
+    added = records.persons.add(
+        replace(PERSON, id=fresh.id, pseudonym=f"{PERSON.pseudonym} {fresh.pseudonym}")
+    )
+    records.visits.add(Visit(added.id, **VISIT))
+    yield added
+    erase_person(records.context, added.id, ErasureReason.REQUEST, date(2099, 1, 1))
+
+
+def words_of(records: Records, person: Person, *, is_pseudonymous: bool = False) -> str:
+    """All that an export writes of a person, for programs and for people."""
+    dossier = read_dossier(records, person.id)
+    dossier = pseudonymous(dossier) if is_pseudonymous else dossier
+    data = json.dumps(person_json(dossier, {}, (), ()), ensure_ascii=False)
+    sections = person_report(dossier, {}, (), ()).sections
+    return "\n".join([data, *(line for section in sections for line in section_lines(section))])
+
+
+@pytest.mark.parametrize("kind", [Person, Visit, Order])
+def test_no_two_fields_are_called_the_same(kind: type) -> None:
+    fields = fields_of(kind).values()
+    labels = [field.label for field in typed_fields(kind).values()]
+    assert len(set(labels)) == len(labels)
+    assert len({field.noun for field in fields}) == len(fields)
+
+
+def test_all_that_is_filled_in_is_stored(records: Records, person: Person) -> None:
+    assert records.persons.get(person.id) == person
+    (visit,) = records.visits.of_person(person.id)
+    assert {name: getattr(visit, name) for name in OF_VISIT} == VISIT
+
+
+@pytest.mark.parametrize("name", OF_PERSON)
+def test_a_field_is_typed_as_it_is_written(name: str) -> None:
+    written = OF_PERSON[name].written(getattr(PERSON, name))
+    assert PERSON.with_typed(name, written, TODAY) == PERSON
+
+
+@pytest.mark.parametrize("name", [n for n in OF_PERSON if n not in ("number_kind",)])
+def test_a_change_of_a_field_is_stored_told_and_refused_to_who_comes_second(
+    records: Records, person: Person, name: str
+) -> None:
+    field = OF_PERSON[name]
+    value = date(1972, 5, 3) if isinstance(field, Day) else f"other {name}"
+    number = {"number_kind": ""} if name == "personal_number" else {}
+    changed = records.persons.change(replace(person, **{name: value}, **number), person.revision)
+    assert getattr(changed, name) == value
+    details = json.loads(records.audit.lines(subject_id=person.id)[0].details)
+    assert set(details["fields"].split()) == {name, *number}
+    merged, collided = merge_fields(person, person, changed, tuple(OF_PERSON))
+    assert collided == ()
+    assert getattr(merged, name) == value
+    records.persons.change(replace(changed, **{name: getattr(person, name)}), changed.revision)
+
+
+@pytest.mark.parametrize(
+    "name", [n for n, f in OF_PERSON.items() if f.mark.merged is Merged.FILLED]
+)
+def test_a_merge_takes_a_field_over_and_gives_it_back(
+    records: Records, person: Person, name: str
+) -> None:
+    kept = records.persons.add(Person("Berta"))
+    assert name in records.persons.preview_merge(kept.id, person.id).filled
+    merge = records.persons.merge(kept.id, person.id)
+    assert getattr(records.persons.get(kept.id), name) == getattr(person, name)
+    records.persons.undo_merge(merge)
+    assert not getattr(records.persons.get(kept.id), name)
+
+
+@pytest.mark.parametrize("kind", [Person, Visit])
+def test_an_erasure_empties_every_field_that_has_no_reason_to_stay(
+    records: Records, person: Person, kind: type
+) -> None:
+    (visit,) = records.visits.of_person(person.id)
+    erase_person(records.context, person.id, ErasureReason.REQUEST, TODAY)
+    left = records.persons.get(person.id) if kind is Person else records.visits.get(visit.id)
+    empty = {name for name in typed_fields(kind) if not getattr(left, name)}
+    emptied = {n for n, f in typed_fields(kind).items() if f.mark.erased is Erased.EMPTIED}
+    assert empty == emptied
+    if kind is Person:
+        assert emptied == OF_PERSON.keys() - {"name", "pseudonym"}
+
+
+@pytest.mark.parametrize("name", OF_PERSON | OF_VISIT)
+def test_an_export_holds_every_field(records: Records, person: Person, name: str) -> None:
+    field = {**OF_PERSON, **OF_VISIT}[name]
+    value = field.written({**vars(PERSON), **VISIT}[name])
+    said = words_of(records, person)
+    assert f'"{name}": ' in said
+    assert value in said
+    if field.is_told:
+        assert f"{field.label}: {value}" in said
+
+
+def test_a_pseudonymous_export_holds_no_text_about_the_person(
+    records: Records, person: Person
+) -> None:
+    said = words_of(records, person, is_pseudonymous=True)
+    texts = {n for n, f in {**OF_PERSON, **OF_VISIT}.items() if f.kind is str and f.is_told}
+    planted = {**vars(PERSON), **VISIT}
+    assert {name for name in texts if str(planted[name]) in said} == {"pseudonym"}
+    assert "1971-04-02" not in said
+
+
+def test_the_schema_of_the_export_knows_every_field(records: Records, person: Person) -> None:
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    data = person_json(read_dossier(records, person.id), {}, (), ())
+    jsonschema.validate(data, schema)
+    for kind in (Person, Visit, Order):
+        known = schema["$defs"][kind.__name__.lower()]["properties"]
+        assert fields_of(kind).keys() - known.keys() == set()
+
+
+@pytest.mark.parametrize("name", IMPORTED)
+def test_a_list_brings_every_field_by_each_of_its_headings(tmp_path: Path, name: str) -> None:
+    field = IMPORTED[name]
+    value = sample(name, field)
+    for heading in field.headings:
+        assert field_of(heading) == name
+        path = tmp_path / "list.csv"
+        whole = "" if name in ("name", "given_name") else "Given name;"
+        path.write_text(f"{whole}{heading}\n{whole and 'Anna;'}{field.written(value)}\n", "utf-8")
+        table = read_table(path)
+        (row,) = read_persons(table, propose_mapping(table), TODAY).accepted
+        held = getattr(row.person, "name" if name in ("given_name", "family_name") else name)
+        assert held == (f"Anna {value}" if name == "family_name" else value)
+
+
+def test_every_field_is_imported_but_the_kind_of_the_number() -> None:
+    assert OF_PERSON.keys() - IMPORTED.keys() == {"number_kind"}
+
+
+@pytest.mark.parametrize("name", ["contact", "notes"])
+def test_a_row_that_tells_more_of_a_namesake_is_no_repetition(
+    records: Records, person: Person, tmp_path: Path, name: str
+) -> None:
+    path = tmp_path / "list.csv"
+    heading, value = IMPORTED[name].headings[0], getattr(person, name)
+    rows = f"{PERSON.name};{value}\n{PERSON.name};{value} and more\n"
+    path.write_text(f"Name;{heading}\n{rows}", "utf-8")
+    table = read_table(path)
+    lines = plan_import(records, read_persons(table, propose_mapping(table), TODAY)).lines
+    assert lines[1].outcome is Outcome.DOUBTFUL
+
+
+@pytest.mark.parametrize("name", OF_PERSON | OF_VISIT)
+def test_what_a_field_cannot_hold_is_refused_by_its_name(name: str) -> None:
+    field = {**OF_PERSON, **OF_VISIT}[name]
+    value = PERSON if name in OF_PERSON else Visit(PERSON.id, **VISIT)
+    wrong: Any = "x" * 30_000
+    if isinstance(field, Day):
+        wrong = date(1801, 1, 1)
+    if isinstance(field, Number):
+        wrong = field.most + 1
+    what = "kind of personal number" if isinstance(field, Choice) else field.noun
+    with pytest.raises(InputError, match=f"The {what} |no {what}"):
+        replace(value, **{name: wrong}).checked(TODAY)
