@@ -30,7 +30,8 @@ _KNOWN_NUMBERS = {
 _KNOWN_LETTERS = "DFHNPQSTXYZ"
 _USUAL_OFFSET: WorkOffset = "G54"
 _USUAL_PARKING = ("G0 Z{park_mm}",)
-"""Of machine files from before they named a parking place."""
+_USUAL_ACCELERATION_MM_S2 = (500.0, 500.0, 200.0)
+"""Of machine files from before they named these."""
 _CHANGING = ("G20", "G91")
 """Inches and relative places; programs are in millimetres and absolute."""
 _COMMENT = re.compile(r"\([^()]*\)|;.*$")
@@ -153,6 +154,8 @@ class Machine:
     ----------
     travel_mm
         Along x, y and z.
+    acceleration_mm_s2
+        Of the axes x, y and z.
     length_along
         Axis along which the block's length lies.
     work_offset
@@ -162,6 +165,7 @@ class Machine:
     name: str
     travel_mm: tuple[float, float, float]
     rapid_mm_min: float
+    acceleration_mm_s2: tuple[float, float, float]
     safe_height_mm: float
     length_along: Axis
     work_offset: WorkOffset
@@ -193,6 +197,7 @@ def read_machine(path: Path) -> Machine:
         name=root.text("name"),
         travel_mm=(travel[0], travel[1], travel[2]),
         rapid_mm_min=root.number("rapid_mm_min", 100, 100_000),
+        acceleration_mm_s2=_acceleration(root),
         safe_height_mm=root.number("safe_height_mm", 1, 200),
         length_along=root.choice("length_along", get_args(Axis)),
         work_offset=root.choice("work_offset", get_args(WorkOffset))
@@ -234,6 +239,13 @@ def _as_json(value: Any) -> dict[str, Any]:
         else plain(getattr(value, field.name))
         for field in fields(value)
     }
+
+
+def _acceleration(root: JsonObject) -> tuple[float, float, float]:
+    if "acceleration_mm_s2" not in root.values:
+        return _USUAL_ACCELERATION_MM_S2
+    x, y, z = root.numbers("acceleration_mm_s2", 3, 1, 100_000)
+    return x, y, z
 
 
 def _positive(item: JsonObject, key: str, most: float) -> float:

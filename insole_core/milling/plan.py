@@ -18,7 +18,7 @@ from insole_core.milling.drop_cutter import STEEPEST, tip_heights
 from insole_core.milling.machine import Machine
 from insole_core.milling.sides import both_sides_of, mill_side, one_side_of, turned_over
 from insole_core.milling.surface import Surface
-from insole_core.milling.tool_path import Motion, Operation, SideName, total_minutes
+from insole_core.milling.tool_path import Motion, Operation, SideName
 from insole_core.progress import SILENT, Progress
 
 _MOST_LEFT_MM = 0.2
@@ -126,8 +126,8 @@ class MillingPlan:
 
     @property
     def minutes(self) -> float:
-        """Time of the path, without changes of cutters and of speed."""
-        return total_minutes(self.operations, self.machine.rapid_mm_min)
+        """Time of the path, without changes of cutters."""
+        return sum(operation.minutes(self.machine) for operation in self.operations)
 
     @property
     def most_left_mm(self) -> float:

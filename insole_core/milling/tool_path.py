@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Literal, TypeAlias
@@ -10,7 +9,8 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.milling.machine import Cutter
+from insole_core.milling.machine import Cutter, Machine
+from insole_core.milling.motion_time import motion_minutes
 
 OperationName: TypeAlias = Literal["dowels", "roughing", "finishing", "contour"]
 _STRAIGHT = 1e-9
@@ -51,14 +51,15 @@ class Operation:
         length = np.linalg.norm(np.diff(self.points_mm, axis=0), axis=1)
         return float(length[self.motion[1:] == motion].sum())
 
-    def minutes(self, rapid_mm_min: float) -> float:
-        """Return the time of the path at full speed, without the changes of speed."""
-        speed = {
-            Motion.RAPID: rapid_mm_min,
-            Motion.PLUNGE: self.cutter.plunge_mm_min,
-            Motion.FEED: self.cutter.feed_mm_min,
-        }
-        return sum(self.lengths_mm(motion) / speed[motion] for motion in Motion)
+    def minutes(self, machine: Machine) -> float:
+        """Return the time of the path, with what the machine needs to change its speed."""
+        speed = np.zeros(len(Motion))
+        speed[Motion.RAPID] = machine.rapid_mm_min
+        speed[Motion.PLUNGE] = self.cutter.plunge_mm_min
+        speed[Motion.FEED] = self.cutter.feed_mm_min
+        order = [1, 0, 2] if machine.length_along == "x" else [0, 1, 2]
+        acceleration = np.array(machine.acceleration_mm_s2)[order]
+        return float(motion_minutes(self.points_mm, speed[self.motion[1:]], acceleration).sum())
 
 
 class PathWriter:
@@ -174,8 +175,3 @@ def without_collinear(points_mm: FloatArray) -> FloatArray:
     kept = np.ones(len(points_mm), bool)
     kept[1:-1] = turn < (1 - _STRAIGHT) * np.sqrt(length2[:-1] * length2[1:])
     return np.asarray(points_mm[kept])
-
-
-def total_minutes(operations: Iterable[Operation], rapid_mm_min: float) -> float:
-    """Return the time of all operations, without changes of cutters."""
-    return sum(operation.minutes(rapid_mm_min) for operation in operations)

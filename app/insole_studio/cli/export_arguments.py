@@ -197,7 +197,7 @@ def _facts(plan: MillingPlan) -> list[str]:
     lines = [
         f"{operation.side}, {operation.name}, {operation.cutter.name}: "
         f"{operation.lengths_mm(Motion.FEED) / 1000:.1f} m, "
-        f"{operation.minutes(plan.machine.rapid_mm_min):.0f} min"
+        f"{operation.minutes(plan.machine):.0f} min"
         for operation in plan.operations
     ]
     return [

@@ -22,6 +22,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.milling.gcode import gcode, origin_mm
 from insole_core.milling.machine import Machine, read_machine, write_machine
+from insole_core.milling.motion_time import motion_minutes
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.milling.sides import turned_over
 from insole_core.resources import resource_path
@@ -32,6 +33,7 @@ from tests.insole_core.milling.judgement import (
     seen_from_above,
     tabs_that_hold,
 )
+from tests.insole_core.milling.planner import program_minutes
 from tests.insole_core.milling.removal import Removal, Tool
 
 FloatArray = npt.NDArray[np.float64]
@@ -305,14 +307,15 @@ def test_every_stop_is_made_at_the_parking_place(name, parking):
         assert re.fullmatch(r"G0 Z[-\d.]+", after[1])
 
 
-def test_a_machine_file_from_before_parking_parks_above_the_block(tmp_path):
+def test_a_machine_file_from_before_these_keys_has_the_usual_ones(tmp_path):
     content = json.loads(resource_path("milling/linuxcnc.json").read_text())
-    del content["work_offset"], content["texts"]["parking"]
+    del content["work_offset"], content["acceleration_mm_s2"], content["texts"]["parking"]
     path = Path(tmp_path / "machine.json")
     path.write_text(json.dumps(content))
     how = read_machine(path)
     assert how.texts.parking == ("G0 Z{park_mm}",)
     assert how.work_offset == "G54"
+    assert how.acceleration_mm_s2 == (500.0, 500.0, 200.0)
 
 
 def test_the_chosen_work_offset_stands_in_the_program():
@@ -322,29 +325,50 @@ def test_the_chosen_work_offset_stands_in_the_program():
         assert offsets == [chosen]
 
 
-def test_time_and_length_are_those_of_the_program():
-    how = machine()
-    plan = plan_milling([solid()], BLOCK_MM, how)
-    place, mode, feed, minutes, metres = np.zeros(3), "", 0.0, 0.0, 0.0
-    started = False
-    for line in gcode(plan).splitlines():
-        words = dict(re.findall(r"([GXYZF])(-?[\d.]+)", re.sub(r"\(.*?\)", "", line)))
-        if words.get("G") in ("0", "1"):
-            mode = words["G"]
-        if "G43" in line or "G53" in line or not words.keys() & set("XYZ"):
-            started = started and "(" not in line
-            continue
-        feed = float(words.get("F", feed))
-        there = np.array([float(words.get(a, p)) for a, p in zip("XYZ", place, strict=True)])
-        length = math.dist(place, there)
-        place = there
-        if mode == "1":
-            metres += length / 1000
-        if started:
-            minutes += length / (how.rapid_mm_min if mode == "0" else feed)
-        started = True
+@pytest.mark.parametrize(
+    ("name", "acceleration", "both_sides"),
+    [
+        ("linuxcnc", (500.0, 500.0, 200.0), False),
+        ("grbl", (2000.0, 150.0, 30.0), True),
+        ("mach3", (1e5, 1e5, 1e5), False),
+    ],
+)
+def test_time_and_length_are_those_of_a_planner_that_reads_the_program(
+    name, acceleration, both_sides
+):
+    how = replace(machine(name), acceleration_mm_s2=acceleration, length_along="x")
+    plan = plan_milling([solid(arched=both_sides)], BLOCK_MM, how, both_sides=both_sides)
+    minutes, plain, metres = program_minutes(gcode(plan), how.rapid_mm_min, acceleration)
     assert plan.length_m == pytest.approx(metres, rel=0.01)
-    assert plan.minutes == pytest.approx(minutes, rel=0.03)
+    assert plan.minutes == pytest.approx(minutes, rel=0.05)
+    assert (plan.minutes < 1.05 * plain) == (name == "mach3")
+
+
+@pytest.mark.parametrize(
+    ("points", "seconds"),
+    [
+        ([(0, 0, 0), (100, 0, 0)], 2.1),  # up to 50 mm/s in 0.1 s and 2.5 mm, and back
+        ([(0, 0, 0), (40, 0, 0), (40, 0, 0), (100, 0, 0)], 2.1),
+        ([(0, 0, 0), (2, 0, 0)], 2 * math.sqrt(2 / 500)),  # never at full speed
+        ([(0, 0, 0), (0, 0, 100)], 2.25),  # the upright axis is slower
+        ([(0, 0, 0), (100, 0, 0), (0, 0, 0)], 4.2),  # it turns back at rest
+    ],
+)
+def test_a_move_is_a_trapezoid_of_speed(points, seconds):
+    path = np.array(points, float)
+    speed = np.full(len(path) - 1, 3000.0)
+    minutes = motion_minutes(path, speed, np.array([500.0, 500.0, 200.0]))
+    assert minutes.sum() * 60 == pytest.approx(seconds, rel=1e-6)
+
+
+def test_a_right_angle_is_passed_at_the_speed_of_its_arc():
+    path = np.array([[0, 0, 0], [100, 0, 0], [100, 100, 0]], float)
+    minutes = motion_minutes(path, np.full(2, 3000.0), np.array([500.0, 500.0, 500.0]))
+    half = math.sqrt(0.5)
+    corner = math.sqrt(500 / half * 0.01 * half / (1 - half))
+    ramp, way = (50 - corner) / 500, (50**2 - corner**2) / 1000
+    assert minutes[0] * 60 == pytest.approx(0.1 + ramp + (100 - 2.5 - way) / 50, rel=1e-9)
+    assert minutes[0] == pytest.approx(minutes[1])
 
 
 def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
@@ -430,6 +454,8 @@ def test_a_machine_is_kept_as_it_is(tmp_path, name):
         (("contour", "cutter"), 7, "no cutter has that number"),
         (("cutters", 1, "number"), 1, "has two cutters of one number"),
         (("origin", "at"), "above", 'must be "corner" or "middle"'),
+        (("acceleration_mm_s2",), [500, 500], "acceleration_mm_s2"),
+        (("acceleration_mm_s2",), [500, 0, 500], "acceleration_mm_s2"),
         (("work_offset",), "G92", 'work_offset is "G92", but must be "G54", "G55"'),
         (("texts", "parking"), ["G0 Z{high}"], 'has the word "high", which no controller'),
     ],
