@@ -14,9 +14,9 @@ import trimesh
 from benchmarks import _fuzz_samples as samples
 from benchmarks._fuzz_mutations import Mutation, byte_mutations
 from benchmarks._fuzz_pool import Expected
-from insole_core.export.obj import write_obj
-from insole_core.export.ply import write_ply
-from insole_core.export.stl import write_ascii_stl, write_stl
+from insole_core.formats.obj import write_obj
+from insole_core.formats.ply import write_ply
+from insole_core.formats.stl import write_ascii_stl, write_stl
 from insole_core.geometry.mesh import TriangleMesh
 
 

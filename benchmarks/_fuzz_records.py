@@ -479,7 +479,7 @@ def odd_names(_rng: random.Random) -> Iterator[Trial]:
 
 
 def _names(folder: Path) -> None:
-    from insole_core.export.ply import write_ply
+    from insole_core.formats.ply import write_ply
 
     (folder / FILE).write_bytes(sound_record())
     (folder / "list.csv").write_text(LIST, encoding="utf-8")

@@ -11,11 +11,12 @@ import trimesh
 
 from benchmarks._measure import median_ms, print_table
 from benchmarks._random_designs import random_foot
-from insole_core.export.obj import write_obj
-from insole_core.export.ply import write_ply
-from insole_core.export.stl import write_ascii_stl, write_stl
-from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.foot.foot import Foot
+from insole_core.formats.obj import write_obj
+from insole_core.formats.ply import write_ply
+from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.stl import write_ascii_stl, write_stl
+from insole_core.formats.three_mf import write_3mf
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -56,7 +57,7 @@ def main() -> None:
             "write ASCII STL": (lambda: write_ascii_stl(fresh(), path / "c.stl"), ""),
             "write PLY": (lambda: write_ply(fresh(), path / "d.ply"), ""),
             "write OBJ": (lambda: write_obj(fresh(), path / "e.obj"), ""),
-            "write 3MF": (lambda: write_3mf([ThreeMfPart(solid, "insole")], path / "f.3mf"), ""),
+            "write 3MF": (lambda: write_3mf([SolidPart(solid, "insole")], path / "f.3mf"), ""),
         }
         for title, (write, limit) in writers.items():
             rows.append([title, len(solid.triangles), f"{median_ms(write, 5):.0f}", limit])

@@ -18,8 +18,9 @@ from benchmarks._witnesses import (
     by_trimesh,
 )
 from insole_core.errors import DesignError
-from insole_core.export.stl import write_stl
-from insole_core.export.three_mf import ThreeMfPart, write_3mf
+from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.stl import write_stl
+from insole_core.formats.three_mf import write_3mf
 from insole_core.geometry.arrays import FloatArray
 from insole_core.solids.solid import DEFAULT_OPTIONS, KINDS, make_solid
 
@@ -39,7 +40,7 @@ def main() -> None:
             solid = make_solid(insole, kind, options)
             stl, three_mf = folder / "solid.stl", folder / "solid.3mf"
             write_stl(solid, stl)
-            write_3mf([ThreeMfPart(solid, kind)], three_mf)
+            write_3mf([SolidPart(solid, kind)], three_mf)
             answers = {
                 "trimesh: watertight": by_trimesh(stl),
                 "ADMesh: no fault": by_admesh(stl),

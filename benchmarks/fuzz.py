@@ -874,7 +874,7 @@ def _is_elsewhere(word: str) -> bool:
 
 
 def _files(folder: Path) -> None:
-    from insole_core.export.ply import write_ply
+    from insole_core.formats.ply import write_ply
 
     os.mkfifo(folder / "pipe")
     (folder / "s.zip").write_bytes(samples.SESSION)

@@ -22,9 +22,9 @@ import numpy as np
 from benchmarks._fuzz_samples import DATA, case_bytes, design_values, foot_mesh
 from benchmarks._measure import print_table
 from benchmarks._printed_commands import Printed, printed_commands
-from insole_core.export.obj import write_obj
-from insole_core.export.ply import write_ply
-from insole_core.export.stl import write_stl
+from insole_core.formats.obj import write_obj
+from insole_core.formats.ply import write_ply
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.recording.writer import write_session

@@ -20,8 +20,8 @@ from benchmarks._scan_variants import KnownFoot, turned
 from benchmarks.scan_import import Result, examine_all, result_of
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InsoleError
-from insole_core.export.ply import write_ply
 from insole_core.foot.foot_candidate import PoseClicks
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.workflows.import_scan import examine_scan

@@ -23,8 +23,8 @@ from benchmarks._measure import print_table
 from benchmarks._scan_variants import KnownFoot, known_feet, quarter_turns, turned
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InsoleError
-from insole_core.export.ply import write_ply
 from insole_core.foot.foot_candidate import FoundFoot
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_angle_deg

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks._measure import print_table
-from insole_core.export.stl import write_stl
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.simulate.foot_model import build_foot

@@ -19,8 +19,8 @@ import numpy as np
 from benchmarks._printed_density import BED_MM, sliced
 from benchmarks._random_designs import DESIGNS_PER_FOOT, random_design, random_foot
 from insole_core.errors import InsoleError
-from insole_core.export.slicer_3mf import Infill, write_slicer_3mf
 from insole_core.foot.foot import Foot
+from insole_core.formats.slicer_3mf import Infill, write_slicer_3mf
 from insole_core.insole.build import build_insole
 from insole_core.solids.export_job import standing
 from insole_core.solids.export_rules import read_rules

@@ -85,7 +85,7 @@ def write_large_scan(path: Path) -> None:
     """Write a simulated foot whose triangles are divided until there are enough of them."""
     import trimesh
 
-    from insole_core.export.ply import write_ply
+    from insole_core.formats.ply import write_ply
     from insole_core.geometry.mesh import TriangleMesh
     from insole_core.simulate.foot_model import build_foot
     from insole_core.simulate.foot_shape import FootShape

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.insole.elements import Pelott, Posting
 from insole_core.resources import resource_path
 from insole_core.workflows.foot_landmarks import metatarsal_line

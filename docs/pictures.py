@@ -25,7 +25,7 @@ from hand import HANDS
 from journeys import Circumstances, walk
 
 from insole_core.cases.case_file import read_case
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott, Posting
 from insole_core.pressure.sole_print import SolePrint

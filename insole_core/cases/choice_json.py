@@ -6,11 +6,11 @@ from typing import Any
 
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.foot.foot_candidate import PoseClicks
+from insole_core.formats.units import MM_PER_UNIT
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.json_object import JsonObject
 from insole_core.scans.scale import KnownDistance, KnownFootLength, KnownShoeSize, KnownSize
-from insole_core.scans.units import MM_PER_UNIT
 
 _MOST = 1e9  # of a coordinate, in any unit
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from insole_core.foot.foot_candidate import PoseClicks
+from insole_core.formats.units import Unit
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.scans.scale import KnownSize
-from insole_core.scans.units import Unit
 
 
 @dataclass(frozen=True)

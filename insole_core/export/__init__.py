@@ -1,6 +1,5 @@
-"""What is written for others: meshes and papers; and how anything is written safely.
+"""What is written for others: orders and papers; and how anything is written safely.
 
 ``atomic.replacing_file`` and ``transaction.Transaction`` let results take their places whole,
-``file_lock.FileLock`` keeps a second process away; ``solid_file.write_solids`` knows the formats of
-solids.
+``file_lock.FileLock`` keeps a second process away.
 """

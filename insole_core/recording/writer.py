@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from insole_core.export.atomic import replacing_file, replacing_folder, scratch_folder
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

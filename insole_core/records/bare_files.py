@@ -10,14 +10,14 @@ from pathlib import Path, PurePath
 from insole_core.cases.name_words import holds_any
 from insole_core.errors import InputError
 from insole_core.export.atomic import scratch_folder
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
+from insole_core.formats.reading import read_raw
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.recording.reader import read_session
 from insole_core.recording.session_layout import MANIFEST
 from insole_core.recording.writer import write_session
 from insole_core.records.content_store import ContentStore, DamagedContent
 from insole_core.records.stored_contents import put_file
-from insole_core.scans.formats import read_raw
 from insole_core.scans.scan_folder import part_content, scan_parts
 from insole_core.zip_archive import ZipArchive
 

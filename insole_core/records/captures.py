@@ -12,6 +12,7 @@ from sqlalchemy import Connection, Row, func, insert, select, update
 from insole_core.errors import InputError, RecordsError
 from insole_core.export.atomic import scratch_folder
 from insole_core.file_digest import sha256_of
+from insole_core.formats.file_formats import SCAN_SUFFIXES
 from insole_core.given_file import given_errors
 from insole_core.recording.session_layout import MANIFEST
 from insole_core.recording.writer import pack_session
@@ -26,7 +27,6 @@ from insole_core.records.schema import captures, visits
 from insole_core.records.stored_contents import put_file, refer_to
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState
-from insole_core.scans.scan_suffixes import SCAN_SUFFIXES
 
 SESSION: Final = "session"
 MESH: Final = "mesh"

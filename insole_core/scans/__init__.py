@@ -1,5 +1,4 @@
 """Scans of any scanner: read, and made a clean surface in millimetres.
 
-``mesh_file.read_mesh`` reads any format and returns a ``mesh_file.ReadMesh``; ``units.Unit`` is
-what its numbers are taken for.
+``mesh_file.read_mesh`` reads any format and returns a ``mesh_file.ReadMesh``.
 """

@@ -9,6 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.errors import InputError
+from insole_core.formats.raw_surface import RawSurface
+from insole_core.formats.reading import read_raw
+from insole_core.formats.units import MM_PER_UNIT, UNIT_NAMES, Unit, UnitError
 from insole_core.geometry.far_away import coordinate_step, far_origin
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -16,14 +19,11 @@ from insole_core.geometry.thinning import thinned
 from insole_core.geometry.transforms import rigid
 from insole_core.messages import Message
 from insole_core.scans.facing import INSIDE_OUT, faces_outwards
-from insole_core.scans.formats import read_raw
 from insole_core.scans.length_unit import checked_length, stated_or_likely_unit
 from insole_core.scans.point_surface import even_points, surface_through, without_outliers
-from insole_core.scans.raw_surface import RawSurface
 from insole_core.scans.scale import KnownSize, provisional_mm_per_unit
 from insole_core.scans.scan_folder import ScanPart, part_content, scan_parts
 from insole_core.scans.spikes import without_spikes
-from insole_core.scans.units import MM_PER_UNIT, UNIT_NAMES, Unit, UnitError
 from insole_core.scans.vertex_merging import (
     merged,
     without_double_triangles,

@@ -7,17 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from insole_core.errors import InputError
+from insole_core.formats.file_formats import SCAN_SUFFIXES, check_scan_suffix, read_rank
+from insole_core.formats.scan_content import ScanContent, archive_content, file_content
 from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.regular_file import is_folder
-from insole_core.scans.scan_content import ScanContent, archive_content, file_content
-from insole_core.scans.scan_suffixes import SCAN_SUFFIXES, check_suffix
 from insole_core.zip_archive import ZipArchive
 
 _MOST_FILES = 2000
 _DEPTH = 2
 _MANIFEST = "manifest.json"  # of a session
-_PREFERRED = (".ply", ".stl", ".glb", ".gltf", ".obj", ".3mf", ".off", ".xyz", ".asc", ".pts")
 _WORD = re.compile(r"[A-Z]?[a-zäöüéÄÖ]+|[A-ZÄÖ]+(?![a-zäöü])")
 _LEFT = {"left", "lf", "lt", "links", "linker", "linke", "vänster", "vanster", "gauche",
          "izquierdo", "izquierda", "izq", "sinistro", "sinistra", "sx", "leftfoot"}  # fmt: skip
@@ -64,7 +63,7 @@ def scan_parts(path: Path) -> tuple[ScanPart, ...]:
         return _chosen(path, _names_in_folder(path))
     if path.suffix.lower() == ".zip":
         return _chosen(path, _scans_among(ZipArchive(str(path), path).names))
-    check_suffix(path)
+    check_scan_suffix(path)
     if not path.exists():
         raise InputError("{path} does not exist; check the name of the file.", path=path)
     return (ScanPart(path, "", side_of_name(path.stem)),)
@@ -182,13 +181,10 @@ def _one_format_each(names: list[str]) -> list[str]:
     best: dict[str, str] = {}
     for name in names:
         stem = str(PurePosixPath(name).with_suffix(""))
-        if stem not in best or _rank(name) < _rank(best[stem]):
+        rank = read_rank(PurePosixPath(name))
+        if stem not in best or rank < read_rank(PurePosixPath(best[stem])):
             best[stem] = name
     return list(best.values())
-
-
-def _rank(name: str) -> int:
-    return _PREFERRED.index(PurePosixPath(name).suffix.lower())
 
 
 def holds_scans(path: Path) -> bool:

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
+from insole_core.formats.texture import mean_colors
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.scans.texture import mean_colors
 
 _MIX = np.uint64(0x9E3779B97F4A7C15)  # odd and without pattern (Knuth's multiplicative hashing)
 _BLOCK = 2**14

@@ -17,10 +17,11 @@ from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
 from insole_core.export.sheet_terms import as_keyword, sheet_terms
 from insole_core.export.shop_order import OrderTerms, Release
-from insole_core.export.slicer_3mf import Printer, write_slicer_3mf
-from insole_core.export.solid_file import check_suffix, write_solids
-from insole_core.export.three_mf import ThreeMfPart
 from insole_core.export.transaction import Transaction
+from insole_core.formats.file_formats import can_carry, check_solid_suffix
+from insole_core.formats.slicer_3mf import Printer, write_slicer_3mf
+from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.writing import write_solids
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
@@ -184,7 +185,7 @@ class PlacedPart:
             if finding.place_mm is not None and not finding.passed
         )
 
-    def objects(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
+    def objects(self, shop: Shop) -> tuple[SolidPart, ...]:
         """Return the objects of the file."""
         return tuple(
             replace(layer, mesh=layer.mesh.transformed(self.insole2file))
@@ -221,7 +222,7 @@ def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
     OutputError
         If a path cannot be written.
     """
-    check_suffix(places.solid)
+    check_solid_suffix(places.solid)
     for paper in (places.job_sheet, places.prescription):
         if paper is not None and paper.suffix.lower() != ".pdf":
             raise UsageError(
@@ -313,7 +314,7 @@ def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> 
     label = ", ".join(filter(None, (mirrored, job.identification.get("pseudonym", ""))))
     if job.printing is None:
         objects = [layer for each in placed for layer in each.objects(job.shop)]
-        write_solids(objects, path, ascii_stl=job.ascii_stl, label=label, note=mirrored)
+        write_solids(objects, path, as_text=job.ascii_stl, label=label, note=mirrored)
         return
     prints = [
         placed_print(job.printing.zoned[each.part.side].printed, each.insole2file)
@@ -337,7 +338,7 @@ def require_3mf(path: Path) -> None:
     UsageError
         If its suffix is not .3mf.
     """
-    if path.suffix.lower() != ".3mf":
+    if not can_carry(path.suffix, "print settings"):
         raise UsageError(
             "Only a .3mf file holds zones and settings for a slicer, and {path} is none; change "
             "its suffix, or name no printer.",

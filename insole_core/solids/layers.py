@@ -8,7 +8,7 @@ from dataclasses import replace
 import manifold3d
 import numpy as np
 
-from insole_core.export.three_mf import ThreeMfPart
+from insole_core.formats.solid_content import SolidPart
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.block import close_block
 from insole_core.insole.build import Insole
@@ -24,7 +24,7 @@ _BESIDE_MM = 60.0
 
 def layer_parts(
     insole: Insole, solid: TriangleMesh, makes: Mapping[LayerName, LayerMake], name: str
-) -> tuple[ThreeMfPart, ...]:
+) -> tuple[SolidPart, ...]:
     """Cut a finished insole along the surfaces between its layers.
 
     Parameters
@@ -40,7 +40,7 @@ def layer_parts(
 
     Returns
     -------
-    tuple of ThreeMfPart
+    tuple of SolidPart
         From the foot down, together exactly the solid; layers without material are left out.
     """
     layers, rest = insole.design.layers, to_manifold(solid)
@@ -57,7 +57,7 @@ def layer_parts(
         rest ^= below
     bodies.append(("base", rest))
     return tuple(
-        ThreeMfPart(from_manifold(body), f"{name}, {layer}", makes[layer].color,
+        SolidPart(from_manifold(body), f"{name}, {layer}", makes[layer].color,
              makes[layer].density_percent, assembly=name)
         for layer, body in bodies
         if body.volume() > _LEAST_VOLUME_MM3

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 from insole_core.errors import DesignError
 from insole_core.export.lettering import missing_letters
-from insole_core.export.three_mf import ThreeMfPart
 from insole_core.foot.landmarks import Landmarks, find_landmarks
+from insole_core.formats.solid_content import SolidPart
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
@@ -101,11 +101,11 @@ class Part:
         """Name the object in a file: side and kind."""
         return f"{self.side} {self.order.kind}"
 
-    def layers(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
+    def layers(self, shop: Shop) -> tuple[SolidPart, ...]:
         """Return the objects of the file."""
         if self.order.layered and self.order.kind == "insole":
             return layer_parts(self.insole, self.solid, shop.layers, self.name)
-        return (ThreeMfPart(self.solid, self.name),)
+        return (SolidPart(self.solid, self.name),)
 
 
 def make_part(

@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
-from insole_core.export.slicer_3mf import PATTERNS, Pattern
+from insole_core.formats.slicer_3mf import PATTERNS, Pattern
 from insole_core.insole.prescription.materials import WEIGHT
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path

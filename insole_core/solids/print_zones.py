@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
 from insole_core.errors import UsageError
-from insole_core.export.slicer_3mf import (
+from insole_core.formats.slicer_3mf import (
     PATTERNS,
     PRINTER_NAMES,
     Infill,

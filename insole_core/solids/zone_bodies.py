@@ -11,9 +11,9 @@ import manifold3d
 import numpy as np
 
 from insole_core.errors import DesignError
-from insole_core.export.slicer_3mf import Modifier, PrintedPart
-from insole_core.export.solid_file import merged
 from insole_core.foot.landmarks import Landmarks, find_landmarks
+from insole_core.formats.slicer_3mf import Modifier, PrintedPart
+from insole_core.formats.solid_content import merged
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, active_pads

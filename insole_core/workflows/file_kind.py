@@ -5,12 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.errors import InputError
+from insole_core.formats.file_formats import SCAN_SUFFIXES
 from insole_core.messages import joined
 from insole_core.recording.reader import is_session
 from insole_core.scans.scan_folder import holds_scans
-from insole_core.scans.scan_suffixes import SCAN_SUFFIXES
 
-MESH_SUFFIXES = SCAN_SUFFIXES
 CASE_SUFFIX = ".insole"
 
 
@@ -28,12 +27,12 @@ def kind_of(path: Path) -> str:
         return "manifest"
     if is_session(path):
         return "mesh" if holds_scans(path) else "session"
-    if path.suffix.lower() in MESH_SUFFIXES:
+    if path.suffix.lower() in SCAN_SUFFIXES:
         return "mesh"
     raise InputError(
         "{path} is neither a case, a session nor a mesh; open a {case_suffix} file, the folder or "
         "zip archive of a session, or a {mesh_suffixes} file.",
         path=path,
         case_suffix=CASE_SUFFIX,
-        mesh_suffixes=joined(MESH_SUFFIXES),
+        mesh_suffixes=joined(SCAN_SUFFIXES),
     )

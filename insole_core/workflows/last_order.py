@@ -10,8 +10,8 @@ from typing import Any, get_args, get_type_hints
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import make_output_folder, replacing_file
-from insole_core.export.solid_file import SUFFIXES
 from insole_core.forgiving_json import remembered
+from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.milling.machine import Machine
 from insole_core.solids.print_presets import LEAST_PERCENT, MOST_PERCENT
@@ -121,7 +121,7 @@ def _printing(kept: dict[str, Any]) -> PrintChoice | None:
 def _is_possible(name: str, value: object) -> bool:
     """Return whether a form could have held a value."""
     if name == "suffix":
-        return value in SUFFIXES
+        return value in SOLID_SUFFIXES
     if name == "package":
         return value in get_args(Package)
     if isinstance(value, str):

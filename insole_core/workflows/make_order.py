@@ -15,6 +15,7 @@ from insole_core.cases.days import doubtful_days
 from insole_core.errors import DesignError, InputError
 from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.export.transaction import Transaction
+from insole_core.formats.file_formats import CHECKS, JOB_SHEET, PROGRAM, can_carry
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -63,7 +64,7 @@ class OrderChoice:
     suffix, ascii_stl
         The file format.
     layered
-        Whether the layers are separate parts; only in 3MF.
+        Whether the layers are separate parts, in formats that carry bodies.
     draft_deg, chamfer_mm
         Of the walls.
     most_triangles
@@ -113,6 +114,11 @@ class OrderChoice:
     checks: bool = False
     terms: OrderTerms = field(default_factory=OrderTerms)
     package: Package = ""
+
+    @property
+    def has_layers(self) -> bool:
+        """Whether the file keeps the layers apart."""
+        return self.layered and can_carry(self.suffix, "bodies") and self.printing is None
 
     def makes_alike(self, other: OrderChoice) -> bool:
         """Return whether both give the same solids; papers and formats do not matter."""
@@ -214,7 +220,7 @@ def _part(
         relief=choice.relief or "engraved",
         most_triangles=choice.most_triangles,
         most_deviation_mm=choice.most_deviation_mm,
-        layered=choice.layered and choice.suffix == ".3mf" and choice.printing is None,
+        layered=choice.has_layers,
     )
     return make_part(
         insole,
@@ -259,7 +265,7 @@ def prepare(
     Cancelled
     """
     if choice.printing is not None:
-        if choice.suffix != ".3mf":
+        if not can_carry(choice.suffix, "print settings"):
             raise DesignError(
                 "Only a 3MF holds zones and settings for a slicer; choose 3MF as the format, or "
                 "no printer."
@@ -370,8 +376,7 @@ def write_order(
 
 def _laid_out(parts: Sequence[Part], choice: OrderChoice) -> list[Part]:
     """Return the parts with layers of their own, or in one piece, as the choice says now."""
-    layered = choice.layered and choice.suffix == ".3mf" and choice.printing is None
-    return [replace(part, order=replace(part.order, layered=layered)) for part in parts]
+    return [replace(part, order=replace(part.order, layered=choice.has_layers)) for part in parts]
 
 
 def _export_job(
@@ -497,10 +502,10 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Exp
 
     return ExportPaths(
         path.with_name(stem + choice.suffix),
-        named(choice.checks or overridden, "-checks.json"),
-        named(choice.job_sheet, "-job-sheet.pdf"),
+        named(choice.checks or overridden, CHECKS.ending),
+        named(choice.job_sheet, JOB_SHEET.ending),
         named(choice.prescription, "-prescription.pdf"),
-        named(choice.milling is not None, ".nc"),
+        named(choice.milling is not None, PROGRAM.ending),
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError, UsageError
 from insole_core.export.atomic import write_text
+from insole_core.formats.file_formats import PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.milling.gcode import gcode
@@ -34,9 +35,6 @@ class MillingChoice:
 
     machine: Machine
     both_sides: bool = False
-
-
-SUFFIXES = (".nc", ".ngc", ".gcode", ".tap")
 
 
 def clinic_machines(folder: Path) -> NamedFiles[Machine]:
@@ -84,11 +82,11 @@ def check_program_suffix(path: Path) -> None:
     UsageError
         When its suffix is none that controllers open.
     """
-    if path.suffix.lower() not in SUFFIXES:
+    if path.suffix.lower() not in PROGRAM.endings:
         raise UsageError(
             "{path} is no name of a program; choose {suffixes}.",
             path=path,
-            suffixes=", ".join(SUFFIXES),
+            suffixes=", ".join(PROGRAM.endings),
         )
 
 

@@ -16,7 +16,6 @@ from insole_core.errors import InputError, UsageError
 from insole_core.export.order_verification import read_order, side_in_name
 from insole_core.export.shop_order import (
     ORDER_FILE,
-    FileRole,
     OrderedFile,
     OrderItem,
     OrderTerms,
@@ -30,6 +29,7 @@ from insole_core.export.temporary import make_folder, release, remove
 from insole_core.export.transaction import Transaction
 from insole_core.export.write_errors import output_errors
 from insole_core.file_digest import sha256_of
+from insole_core.formats.file_formats import role_of
 from insole_core.geometry.side import Side
 from insole_core.given_file import given_errors, read_given
 from insole_core.messages import Translate
@@ -48,10 +48,6 @@ from insole_core.workflows.make_order import (
 )
 from insole_core.workflows.nameless import require_nameless
 
-_ROLES: Final[Mapping[str, FileRole]] = {
-    ".stl": "solid", ".3mf": "solid", ".obj": "solid", ".ply": "solid",
-    ".nc": "gcode", ".ngc": "gcode", ".gcode": "gcode", ".tap": "gcode", ".cnc": "gcode",
-}  # fmt: skip
 _MOST_BYTES: Final = 512 * 2**20
 _COMPRESSION: Final = 1
 """Of the archive: meshes shrink by half, and higher levels gain 3 % for three times the time."""
@@ -284,15 +280,7 @@ def _added(
 def _listed(path: Path, sides: tuple[Side, ...]) -> OrderedFile:
     with given_errors(path, _MOST_BYTES):
         size = path.stat().st_size
-        return OrderedFile(path.name, _role(path.name), sides, sha256_of(path), size)
-
-
-def _role(name: str) -> FileRole:
-    if name.endswith("-job-sheet.pdf"):
-        return "job_sheet"
-    if name.endswith("-checks.json"):
-        return "checks"
-    return _ROLES.get(Path(name).suffix.lower(), "other")
+        return OrderedFile(path.name, role_of(path.name), sides, sha256_of(path), size)
 
 
 def _sides_of(path: Path, ordered: tuple[Side, ...]) -> tuple[Side, ...]:

@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias, get_args
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import UsageError
-from insole_core.export.slicer_3mf import Infill, Printer
+from insole_core.formats.slicer_3mf import Infill, Printer
 from insole_core.geometry.side import Side
 from insole_core.pressure.laid_map import PressureMap
 from insole_core.progress import SILENT, Progress

@@ -14,11 +14,11 @@ from insole_core.foot.foot_proportions import LENGTH_MM, is_within
 from insole_core.foot.levelling import at_origin
 from insole_core.foot.measures import shoe_size_eu
 from insole_core.foot.toe_relief import LEAST_RELIEF_MM, has_ankle, toe_relief_mm
+from insole_core.formats.units import MM_PER_UNIT, UNIT_NAMES, UnitReading
 from insole_core.imprints.form import Form
 from insole_core.messages import Message, joined
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.scans.scan_folder import ScanPart
-from insole_core.scans.units import MM_PER_UNIT, UNIT_NAMES, UnitReading
 from insole_core.workflows.foot_said import NOTHING_SAID, FootSaid
 
 _ADULT_MM = 210.0

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from insole_core.formats.units import Unit
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.item_name import MOST_CHARACTERS
 from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.shoes.last import last_outline
 from insole_core.scans.mesh_file import read_mesh
-from insole_core.scans.units import Unit
 
 
 def shoe_of_last(path: Path, side: Side, unit: Unit | None = None, *, either: bool = False) -> Shoe:

@@ -13,6 +13,7 @@ from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import whole
+from insole_studio.cli.foot_argument import A_MESH
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             name,
             type=Path,
             metavar=name.upper(),
-            help="a mesh (.ply .stl .obj), a session, or a mould or insole recorded in one view",
+            help=f"{A_MESH}, a session, or a mould or insole recorded in one view",
         )
     parser.add_argument("--report", action=OutputPath, required=True, metavar="difference.json")
     parser.add_argument("--picture", action=OutputPath, metavar="difference.png")
@@ -62,8 +63,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.compare.comparison_paper import write_report
     from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
     from insole_core.export.atomic import write_text
-    from insole_core.export.ply import write_ply
     from insole_core.export.transaction import Transaction
+    from insole_core.formats.ply import write_ply
 
     with Transaction() as outputs:
         report, picture, surface, paper = (

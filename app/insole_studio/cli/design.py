@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
+from insole_core.formats.file_formats import SOLID_SUFFIXES, check_solid_suffix
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli import export_arguments, foot_argument, prescribed, shoe_arguments
@@ -26,14 +27,15 @@ HELP = "make the insole of a session or a scanned foot, for the shop"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument(
-        "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
+        "foot", type=Path, metavar="FOOT", help=f"a session, or {foot_argument.A_MESH}"
     )
     parser.add_argument(
         "--out",
         action=OutputPath,
         required=True,
         metavar="insole.stl",
-        help=".stl .3mf .ply .obj; of a session of both feet insole_left.stl and insole_right.stl",
+        help=f"{' '.join(SOLID_SUFFIXES)}; of a session of both feet insole_left.stl and "
+        "insole_right.stl",
     )
     parser.add_argument("--prescription", type=Path, metavar="design.json")
     parser.add_argument(
@@ -52,9 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the foot, build the insole and write it."""
-    from insole_core.export.solid_file import check_suffix
-
-    check_suffix(arguments.out)
+    check_solid_suffix(arguments.out)
     shoe_arguments.check(arguments)
     if arguments.pair is not None and arguments.block is None:
         raise UsageError("--pair nests two insoles into one block; name it with --block.")

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
+from insole_core.formats.file_formats import can_carry, carriers
 from insole_core.progress import Progress
 from insole_studio.cli import prescribed, print_arguments
 from insole_studio.cli.argument_parser import number, whole
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from insole_core.solids.order import Order, Part
     from insole_core.solids.prescription_paper import Responsible
     from insole_core.solids.shop import Block, Shop
+
+_LAYERED = " or ".join(f"a {form.ending} file" for form in carriers("bodies"))
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -44,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     shape.add_argument(
         "--layers",
         action="store_true",
-        help="cover, middle layer and base as objects of a 3MF file",
+        help=f"cover, middle layer and base as objects of {_LAYERED}",
     )
     shape.add_argument("--ascii", action="store_true", help="STL as text")
     shape.add_argument(
@@ -103,8 +106,8 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
     """Open every output file before the work begins; if the work fails, none is kept."""
     from insole_core.solids.export_job import outputs as open_places
 
-    if arguments.layers and arguments.out.suffix.lower() != ".3mf":
-        raise UsageError(f"--layers needs a .3mf file, and --out is {arguments.out}; change one.")
+    if arguments.layers and not can_carry(arguments.out.suffix, "bodies"):
+        raise UsageError(f"--layers needs {_LAYERED}, and --out is {arguments.out}; change one.")
     if arguments.gcode is not None:
         _check_milling(arguments)
     print_arguments.check(arguments)

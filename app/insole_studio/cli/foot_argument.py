@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import InputError, UsageError
+from insole_core.formats.file_formats import SCAN_SUFFIXES
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.progress import Progress
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
     from insole_core.cases.import_choice import ImportChoice
     from insole_core.foot.foot import Foot
     from insole_core.workflows.scanned_foot import ScannedFoot
+
+
+A_MESH = f"a mesh ({' '.join(SCAN_SUFFIXES)})"
 
 
 def add_arguments(parser: argparse.ArgumentParser, *, reads_both: bool = False) -> None:

@@ -26,7 +26,7 @@ HELP = "measure a session or a scanned foot, and find its landmarks"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument(
-        "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
+        "foot", type=Path, metavar="FOOT", help=f"a session, or {foot_argument.A_MESH}"
     )
     parser.add_argument("--report", action=OutputPath, required=True, metavar="measures.json")
     foot_argument.add_arguments(parser)

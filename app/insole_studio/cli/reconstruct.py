@@ -63,8 +63,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     start = time.perf_counter()
     # Imported here, so that usage errors are reported at once.
     from insole_core.export.atomic import write_text
-    from insole_core.export.ply import write_ply
     from insole_core.export.transaction import Transaction
+    from insole_core.formats.ply import write_ply
     from insole_core.reconstruct import RegistrationLimits
     from insole_core.workflows.make_feet import reconstruct_feet
     from insole_core.workflows.make_foot import open_session

@@ -8,13 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
+from insole_core.formats.file_formats import SCAN_SUFFIXES
 
 if TYPE_CHECKING:
     from insole_core.geometry.side import Side
     from insole_core.insole.prescription.design import InsoleDesign
     from insole_core.insole.prescription.shoe import Shoe
-
-_SURFACES = (".stl", ".ply", ".obj", ".3mf", ".glb")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -78,7 +77,7 @@ def _shoe(side: Side, arguments: argparse.Namespace, *, either: bool) -> Shoe | 
 
 
 def _is_file(shoe: str) -> bool:
-    return Path(shoe).suffix.lower() in _SURFACES or Path(shoe).exists()
+    return Path(shoe).suffix.lower() in SCAN_SUFFIXES or Path(shoe).exists()
 
 
 def _millimetres(width: str) -> float | None:

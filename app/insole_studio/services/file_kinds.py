@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
+from insole_core.formats.file_formats import SCAN_SUFFIXES, patterns
+from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.texts import tr
 
 TEMPLATE_SUFFIX = ".insole-template"
 DEVICE_SUFFIX = ".insole-device"
 FINDING_SUFFIX = ".insole-findings"
 MATERIALS_SUFFIX = ".insole-materials"
+_WITH_ARCHIVES = patterns((".zip", *SCAN_SUFFIXES))
 
 
 def case_kinds() -> str:
@@ -46,13 +48,17 @@ def material_kinds() -> str:
 
 def scan_kinds() -> str:
     """Return the filter for archives and meshes."""
-    patterns = " ".join(f"*{suffix}" for suffix in (".zip", *MESH_SUFFIXES))
-    return tr("Session or mesh") + f" ({patterns})"
+    return tr("Session or mesh") + f" ({_WITH_ARCHIVES})"
+
+
+def mesh_kinds() -> str:
+    """Return the filter for meshes and archives with some."""
+    return tr("Mesh or archive") + f" ({_WITH_ARCHIVES})"
 
 
 def surface_kinds() -> str:
     """Return the filter for surfaces, such as lasts."""
-    return tr("Surface") + f" ({' '.join(f'*{suffix}' for suffix in MESH_SUFFIXES)})"
+    return tr("Surface") + f" ({patterns(SCAN_SUFFIXES)})"
 
 
 def complete_name(typed: Path, kinds: str, chosen: str = "") -> Path:

@@ -10,6 +10,7 @@ from insole_core.cases.case_json import foot_to_json
 from insole_core.cases.case_record import FootRecord, Patient
 from insole_core.errors import InputError
 from insole_core.export.shop_order import OrderTerms
+from insole_core.formats.file_formats import names_nobody
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.records.capture import Capture
@@ -27,8 +28,6 @@ from insole_core.workflows.nameless import require_nameless
 Value = TypeVar("Value", Visit, Order)
 _TYPED_KEYS = frozenset({"name", "device", "material", "notes"})
 """Of a case, the texts that somebody may have typed; authors are not the patient."""
-_SHOP_SUFFIXES = (".stl", ".3mf", ".obj", ".ply", "-job-sheet.pdf", "-checks.json")
-"""Endings of the files of an order that name nobody (decision 0066)."""
 
 
 @dataclass(frozen=True)
@@ -173,7 +172,7 @@ def _is_for_the_shop(file: OrderFile, name: str) -> bool:
         require_nameless(Patient(name=name), {"file": file.name})
     except InputError:
         return False
-    return file.name.lower().endswith(_SHOP_SUFFIXES)
+    return names_nobody(file.name)
 
 
 def _withheld(

@@ -508,12 +508,8 @@
             <translation>Fräsmaskiner…</translation>
         </message>
         <message>
-            <source>STL as text</source>
-            <translation>STL som text</translation>
-        </message>
-        <message>
-            <source>STL is read everywhere; 3MF also holds unit, name and layers</source>
-            <translation>STL läses överallt; 3MF har även enhet, namn och skikt</translation>
+            <source>STL is read everywhere; unit, names and layers are in {formats}</source>
+            <translation>STL läses överallt; enhet, namn och skikt finns i {formats}</translation>
         </message>
         <message>
             <source>Save the blocks</source>
@@ -750,6 +746,10 @@
         <message>
             <source>warns</source>
             <translation>varnar</translation>
+        </message>
+        <message>
+            <source>{format} as text</source>
+            <translation>{format} som text</translation>
         </message>
         <message>
             <source>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles</source>

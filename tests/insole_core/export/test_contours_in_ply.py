@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.scans.mesh_file import read_mesh
 

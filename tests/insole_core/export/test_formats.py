@@ -12,9 +12,11 @@ import pytest
 import trimesh
 
 from insole_core.errors import OutputError, UsageError
-from insole_core.export.solid_file import SUFFIXES, merged, write_solids
-from insole_core.export.stl import write_ascii_stl
-from insole_core.export.three_mf import CORE, OWN, ThreeMfPart, write_3mf
+from insole_core.formats.file_formats import SOLID_SUFFIXES
+from insole_core.formats.solid_content import merged
+from insole_core.formats.stl import write_ascii_stl
+from insole_core.formats.three_mf import CORE, OWN, SolidPart, write_3mf
+from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
 
 CORNERS = np.array([[0.0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.125]])
@@ -23,11 +25,11 @@ COLORS = np.array([[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 8, 7]], np.uint8)
 TETRA = TriangleMesh(CORNERS, FACES, COLORS)
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", SOLID_SUFFIXES)
 @pytest.mark.parametrize("name", ["insole", "Fuß – 足 'x' & y"])
 def test_every_format_keeps_size_and_volume(suffix, name, tmp_path: Path):
     path = tmp_path / f"{name}{suffix}"
-    write_solids([ThreeMfPart(TETRA, "left")], path)
+    write_solids([SolidPart(TETRA, "left")], path)
     read = trimesh.load_mesh(path)
     assert read.bounds[1] == pytest.approx([10, 20, 30.125])
     assert read.volume == pytest.approx(TETRA.volume_mm3)
@@ -37,14 +39,14 @@ def test_every_format_keeps_size_and_volume(suffix, name, tmp_path: Path):
 def test_obj_and_ply_keep_colours(tmp_path: Path):
     for suffix in (".obj", ".ply"):
         path = tmp_path / f"foot{suffix}"
-        write_solids([ThreeMfPart(TETRA, "foot")], path)
+        write_solids([SolidPart(TETRA, "foot")], path)
         read = trimesh.load_mesh(path, process=False)
         assert np.array_equal(read.visual.vertex_colors[:, :3], COLORS)
 
 
 def test_ply_paints_parts_without_colours_of_their_own(tmp_path: Path):
     plain = TriangleMesh(CORNERS, FACES)
-    parts = [ThreeMfPart(plain, "cover", (200, 10, 20)), ThreeMfPart(plain, "shell", (1, 2, 3))]
+    parts = [SolidPart(plain, "cover", (200, 10, 20)), SolidPart(plain, "shell", (1, 2, 3))]
     write_solids(parts, tmp_path / "i.ply")
     colors = trimesh.load_mesh(tmp_path / "i.ply", process=False).visual.vertex_colors[:, :3]
     assert colors.tolist() == [[200, 10, 20]] * 4 + [[1, 2, 3]] * 4
@@ -62,8 +64,8 @@ def test_ascii_stl_is_text_with_the_same_numbers(tmp_path: Path):
 def test_3mf_keeps_zones_apart(tmp_path: Path):
     path = tmp_path / "zones.3mf"
     parts = [
-        ThreeMfPart(TETRA, 'heel "soft" <1>', (255, 128, 0), 15.0),
-        ThreeMfPart(TETRA.transformed(np.diag([1.0, 1, 1, 1])), "Längsgewölbe 足"),
+        SolidPart(TETRA, 'heel "soft" <1>', (255, 128, 0), 15.0),
+        SolidPart(TETRA.transformed(np.diag([1.0, 1, 1, 1])), "Längsgewölbe 足"),
     ]
     write_3mf(parts, path, "Åsa & Co")
     with zipfile.ZipFile(path) as archive:
@@ -86,7 +88,7 @@ def test_other_formats_put_the_parts_side_by_side(tmp_path: Path):
     path = tmp_path / "pair.stl"
     away = np.eye(4)
     away[0, 3] = 50
-    write_solids([ThreeMfPart(TETRA, "left"), ThreeMfPart(TETRA.transformed(away), "right")], path)
+    write_solids([SolidPart(TETRA, "left"), SolidPart(TETRA.transformed(away), "right")], path)
     read = trimesh.load_mesh(path)
     assert read.body_count == 2
     assert read.volume == pytest.approx(2 * TETRA.volume_mm3)
@@ -95,10 +97,10 @@ def test_other_formats_put_the_parts_side_by_side(tmp_path: Path):
 
 def test_unknown_format(tmp_path: Path):
     with pytest.raises(UsageError, match=r"choose \.stl, \.3mf, \.ply, \.obj"):
-        write_solids([ThreeMfPart(TETRA, "left")], tmp_path / "insole.step")
+        write_solids([SolidPart(TETRA, "left")], tmp_path / "insole.step")
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", SOLID_SUFFIXES)
 def test_full_disk_leaves_the_old_file(suffix, tmp_path: Path, monkeypatch):
     path = tmp_path / f"insole{suffix}"
     path.write_text("of yesterday")
@@ -109,17 +111,17 @@ def test_full_disk_leaves_the_old_file(suffix, tmp_path: Path, monkeypatch):
     monkeypatch.setattr(Path, "open", full)
     monkeypatch.setattr(zipfile.ZipFile, "writestr", full)
     with pytest.raises(OutputError, match="the disk is full"):
-        write_solids([ThreeMfPart(TETRA, "left")], path)
+        write_solids([SolidPart(TETRA, "left")], path)
     monkeypatch.undo()
     assert path.read_text() == "of yesterday"
     assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", SOLID_SUFFIXES)
 def test_places_that_cannot_be_written(suffix, tmp_path: Path):
     with pytest.raises(OutputError, match="its folder does not exist"):
-        write_solids([ThreeMfPart(TETRA, "left")], tmp_path / "no" / f"insole{suffix}")
+        write_solids([SolidPart(TETRA, "left")], tmp_path / "no" / f"insole{suffix}")
     taken = tmp_path / f"folder{suffix}"
     taken.mkdir()
     with pytest.raises(OutputError, match="a folder of that name"):
-        write_solids([ThreeMfPart(TETRA, "left")], taken)
+        write_solids([SolidPart(TETRA, "left")], taken)

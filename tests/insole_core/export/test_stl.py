@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from insole_core.errors import OutputError
-from insole_core.export.stl import write_stl
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 
 WEDGE = TriangleMesh(

@@ -11,9 +11,9 @@ import trimesh
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.import_choice import ImportChoice
-from insole_core.export.ply import write_ply
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.foot.foot import Foot
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
 from insole_core.geometry.side import Side

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from insole_core.export.stl import write_stl
 from insole_core.foot.foot_placement import place_foot
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.block import block_solid

@@ -16,7 +16,7 @@ from sqlalchemy import Column, MetaData, select
 
 from insole_core.cases.case_record import Annotations, FootRecord, KeyPoint, Variant
 from insole_core.cases.scan_source import ScanSource
-from insole_core.export.stl import write_stl
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.template import Template

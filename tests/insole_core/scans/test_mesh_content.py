@@ -10,8 +10,8 @@ import pytest
 import trimesh
 
 from insole_core.errors import InputError
-from insole_core.export.obj import write_obj
-from insole_core.export.stl import write_ascii_stl, write_stl
+from insole_core.formats.obj import write_obj
+from insole_core.formats.stl import write_ascii_stl, write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.scans.mesh_file import read_mesh
 

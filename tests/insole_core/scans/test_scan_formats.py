@@ -16,7 +16,8 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from insole_core.errors import InputError
-from insole_core.export.three_mf import ThreeMfPart, write_3mf
+from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.three_mf import write_3mf
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.mesh_file import read_mesh
@@ -69,7 +70,7 @@ def test_nodes_of_a_glb_move_turn_and_mirror_their_mesh(left_mesh, tmp_path):
 
 def test_three_mf_keeps_its_unit(left_mesh, tmp_path):
     path = tmp_path / "foot.3mf"
-    write_3mf([ThreeMfPart(replace(left_mesh, vertices=left_mesh.vertices / 25.4), "foot")], path)
+    write_3mf([SolidPart(replace(left_mesh, vertices=left_mesh.vertices / 25.4), "foot")], path)
     content = {}
     with zipfile.ZipFile(path) as archive:
         content = {name: archive.read(name) for name in archive.namelist()}

@@ -15,8 +15,8 @@ import pytest
 
 from benchmarks._printed_density import BED_MM, sliced
 from insole_core.errors import DesignError, InputError, OutputError, UsageError
-from insole_core.export.slicer_3mf import PRINTERS, Infill, Printer, write_slicer_3mf
-from insole_core.export.three_mf import CORE
+from insole_core.formats.slicer_3mf import PRINTERS, Infill, Printer, write_slicer_3mf
+from insole_core.formats.three_mf import CORE
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.elements import Pelott

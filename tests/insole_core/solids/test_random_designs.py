@@ -9,9 +9,10 @@ import pytest
 
 from benchmarks._random_designs import random_solids
 from benchmarks._witnesses import by_admesh, by_manifold, by_prusa_info, by_trimesh
-from insole_core.export.stl import write_stl
-from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.foot.foot_placement import place_foot
+from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.stl import write_stl
+from insole_core.formats.three_mf import write_3mf
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -49,7 +50,7 @@ def test_prusa_slicer_calls_them_manifold(solids, tmp_path: Path):
     stl, three_mf = tmp_path / "solid.stl", tmp_path / "solid.3mf"
     for solid in solids[::3]:
         write_stl(solid, stl)
-        write_3mf([ThreeMfPart(solid, "Ünïcode <&> 足")], three_mf)
+        write_3mf([SolidPart(solid, "Ünïcode <&> 足")], three_mf)
         info, packed = by_prusa_info(stl), by_prusa_info(three_mf)
         if info is None or packed is None:
             pytest.skip("the program prusa-slicer is not installed")

@@ -11,7 +11,7 @@ import pytest
 
 from insole_core.errors import DesignError
 from insole_core.export.lettering import with_known_letters
-from insole_core.export.stl import write_stl
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from insole_core.cases.import_choice import ImportChoice
-from insole_core.export.ply import write_ply
 from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form

@@ -12,8 +12,8 @@ import pytest
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.import_choice import ImportChoice
-from insole_core.export.ply import write_ply
 from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg, transform

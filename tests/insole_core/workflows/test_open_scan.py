@@ -8,9 +8,9 @@ import pytest
 
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError, UsageError
-from insole_core.export.ply import write_ply
 from insole_core.foot.foot_candidate import PoseClicks
 from insole_core.foot.foot_placement import DoubtfulScanError
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.workflows.open_scan import open_scan

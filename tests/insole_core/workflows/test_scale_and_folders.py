@@ -12,8 +12,8 @@ from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError
-from insole_core.export.stl import write_stl
 from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.scale import KnownDistance, KnownFootLength, KnownShoeSize, known_length_mm

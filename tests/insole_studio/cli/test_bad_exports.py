@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 import trimesh
 
-from insole_core.export import solid_file
-from insole_core.export.ply import write_ply
-from insole_core.export.solid_file import merged
+from insole_core.formats import stl
+from insole_core.formats.ply import write_ply
+from insole_core.formats.solid_content import merged
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.mesh_file import read_mesh
@@ -54,7 +54,7 @@ def test_disk_that_is_full_while_exporting(
         path.write_bytes(b"half")
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(solid_file, "write_stl", write_half)
+    monkeypatch.setattr(stl, "write_stl", write_half)
     options = ["--job-sheet", str(tmp_path / "s.pdf"), "--checks", str(tmp_path / "c.json")]
     assert run([*call, *options]) == 1
     assert "the disk is full; free some space and try again" in last_line(capsys)

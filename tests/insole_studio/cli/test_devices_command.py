@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign

@@ -13,7 +13,7 @@ import pytest
 import trimesh
 from read_pdf import text_of_pdf
 
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run

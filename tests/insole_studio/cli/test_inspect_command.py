@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.export.stl import write_stl
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.side import Side
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot

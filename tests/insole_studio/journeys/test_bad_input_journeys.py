@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import BrushStroke, Posting

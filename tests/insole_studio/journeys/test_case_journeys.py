@@ -9,8 +9,8 @@ import pytest
 from hands import Hands
 
 from insole_core.cases.case_file import read_case
-from insole_core.export.obj import write_obj
-from insole_core.export.ply import write_ply
+from insole_core.formats.obj import write_obj
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott, Posting

@@ -18,8 +18,8 @@ from round_foot import round_foot
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
-from insole_core.export.ply import write_ply
 from insole_core.foot.foot import Foot
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole

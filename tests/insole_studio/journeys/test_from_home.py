@@ -13,7 +13,7 @@ from hands import MANUAL_SIZE, Hands
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott, Posting
 from insole_core.simulate import FootShape, build_foot

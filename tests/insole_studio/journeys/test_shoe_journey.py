@@ -10,7 +10,7 @@ from canned_questions import CannedQuestions
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from insole_core.export.stl import write_stl
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.errors import OutputError
-from insole_core.export.ply import write_ply
+from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import HeelLift, Pelott
 from insole_core.insole.prescription.design import InsoleDesign

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.export.shop_order import OrderTerms
+from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
@@ -43,7 +44,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--kind", choices=["insole", "block", "positive"], default="insole",
         help="the insole (default), the contact surface in a block, or the foot as a mould",
     )  # fmt: skip
-    parser.add_argument("--format", choices=["stl", "3mf", "obj", "ply"], default="stl")
+    names = [suffix[1:] for suffix in SOLID_SUFFIXES]
+    parser.add_argument("--format", choices=names, default="stl")
     parser.add_argument(
         "--triangles", type=whole, default=40_000, metavar="N", help="at most (default: 40000)"
     )

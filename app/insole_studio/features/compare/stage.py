@@ -14,13 +14,13 @@ from insole_studio.features.compare.presenter import ComparePresenter
 from insole_studio.features.compare.rows import FOLDER
 from insole_studio.features.compare.view import CompareView
 from insole_studio.jobs import Jobs
+from insole_studio.services.file_kinds import mesh_kinds
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
 
 _SIZE = (1280, 700)
-_SOURCES = "(*.ply *.stl *.obj *.zip)"
 _REPORTS = "PDF (*.pdf);;JSON (*.json);;PNG (*.png);;PLY (*.ply)"
 
 
@@ -91,7 +91,7 @@ class CompareStage(StageFrame):
     def _ask_source(self, kind: str) -> Path | None:
         if kind == FOLDER:
             return self._questions.folder_to_open(tr("Open session"), Kept.SCANS)
-        return self._questions.file_to_open(f"{tr('Mesh or archive')} {_SOURCES}", Kept.SCANS)
+        return self._questions.file_to_open(mesh_kinds(), Kept.SCANS)
 
     def _ask_report(self) -> Path | None:
         return self._questions.file_to_write(f"{tr('difference')}.pdf", _REPORTS, Kept.PAPERS)

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QWidget
 from insole_core.cases.case_record import CaseRecord
 from insole_core.export.order_verification import Verification, verify_order
 from insole_core.export.shop_order import ORDER_FILE
+from insole_core.formats.file_formats import mesh_format
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.item_name import key_of
@@ -149,7 +150,8 @@ class ExportActions(StageWindow["ExportStage"]):
 
     def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
         """Let the user choose a file for the workshop, which never gets the patient's name."""
-        kinds = f"{suffix[1:].upper()} (*{suffix})"
+        form = mesh_format(suffix)
+        kinds = f"{form.name} ({form.patterns})"
         stem = re.sub(r'[<>:"/\\|?*\s]+', "_", pseudonym)
         return self._questions.name_to_write(f"{stem}-{word}{suffix}", kinds, Kept.EXPORTS)
 

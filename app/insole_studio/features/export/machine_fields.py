@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QMenu, QPushButton, QWidget
 
-from insole_core.export.slicer_3mf import PRINTER_NAMES, PRINTERS, Printer
+from insole_core.formats.slicer_3mf import PRINTER_NAMES, PRINTERS, Printer
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.insole.prescription.materials import WEIGHT
 from insole_core.milling.machine import Machine

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import cast
@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.export.shop_order import Release
+from insole_core.formats.file_formats import SOLID_FORMATS, can_carry, carriers
 from insole_core.geometry.side import Side
 from insole_core.solids.marking import Relief
 from insole_core.solids.print_presets import PrintPreset, read_print_presets
@@ -37,7 +38,9 @@ from insole_studio.widgets.fold import Fold
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
 
-_TEXT = ".stl text"
+_AS_TEXT = " text"
+"""Behind the suffix of a format that is written in text."""
+_PRINTED = carriers("print settings")[0].ending
 _REVISED, _NEW = "revised", "new"
 _LINES_PX = 52
 
@@ -118,12 +121,7 @@ class OrderForm(QWidget):
         self.walls.setToolTip(tr("Draft and chamfer as the shell of the prescription has them"))
         self.materials = {side: MaterialField(stock.materials) for side in Side}
         self.machine = MachineFields(stock.presets, self)
-        self.format = ComboBox(
-            [
-                (".stl", "STL"), (_TEXT, tr("STL as text")), (".3mf", "3MF"), (".obj", "OBJ"),
-                (".ply", "PLY"),
-            ]
-        )  # fmt: skip
+        self.format = ComboBox(list(_formats()))
         self.layered = QCheckBox(tr("Layers as objects"))
         self.limited = QCheckBox(tr("Fewer triangles"))
         self.triangles = NumberField("", least=2000, greatest=2_000_000, step=5000, decimals=0)
@@ -202,7 +200,7 @@ class OrderForm(QWidget):
         with QSignalBlocker(self):
             self.kind.show_value(choice.kind)
             self.block.show_value("" if choice.block is None else choice.block.name)
-            self.format.show_value(_TEXT if choice.ascii_stl else choice.suffix)
+            self.format.show_value(choice.suffix + _AS_TEXT * choice.ascii_stl)
             if choice.printing is None:
                 self._own_format = self.format.currentData()
             self.relief.show_value(choice.relief or "")
@@ -230,10 +228,12 @@ class OrderForm(QWidget):
         self.format.setToolTip(
             tr("A printer's program gets a 3MF")
             if is_print
-            else tr("STL is read everywhere; 3MF also holds unit, name and layers")
+            else tr("STL is read everywhere; unit, names and layers are in {formats}").format(
+                formats=", ".join(form.name for form in carriers("bodies"))
+            )
         )
         self.layered.setVisible(
-            choice.suffix == ".3mf" and choice.kind == "insole" and not is_print
+            can_carry(choice.suffix, "bodies") and choice.kind == "insole" and not is_print
         )
         self.machine.fit_rows(self._form)
         self._form.setRowVisible(self.text, choice.relief is not None)
@@ -280,12 +280,12 @@ class OrderForm(QWidget):
         """Return the order entered in the fields."""
         printing = self.machine.printing()
         form = self._own_format if self._choice.printing else self.format.currentData()
-        form = form if printing is None else ".3mf"
+        form = form if printing is None else _PRINTED
         return OrderChoice(
             kind=cast(Kind, self.kind.currentData()),
             both=self.both.isChecked(),
-            suffix=".stl" if form == _TEXT else form,
-            ascii_stl=form == _TEXT,
+            suffix=form.removesuffix(_AS_TEXT),
+            ascii_stl=form.endswith(_AS_TEXT),
             layered=self.layered.isChecked(),
             draft_deg=self.draft.value(),
             chamfer_mm=self.chamfer.value(),
@@ -435,3 +435,11 @@ def _of_side(text: str, side: Side) -> str:
 
 def _capitalised(text: str) -> str:
     return text[:1].upper() + text[1:]
+
+
+def _formats() -> Iterator[tuple[str, str]]:
+    """Yield what is chosen and what it is called, for every format of solids."""
+    for form in SOLID_FORMATS:
+        yield form.ending, form.name
+        if form.text_writer:
+            yield form.ending + _AS_TEXT, tr("{format} as text").format(format=form.name)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from insole_core.export.slicer_3mf import PrintedPart
-from insole_core.export.solid_file import merged
+from insole_core.formats.slicer_3mf import PrintedPart
+from insole_core.formats.solid_content import merged
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

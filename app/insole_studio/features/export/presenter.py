@@ -15,7 +15,7 @@ from insole_core.cases.days import read_day
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import InsoleError
 from insole_core.export.shop_order import OrderTerms, Release, ShopOrder
-from insole_core.export.solid_file import merged
+from insole_core.formats.solid_content import merged
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.materials import MaterialTable

@@ -19,9 +19,9 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.cases.import_choice import ImportChoice
+from insole_core.formats.units import Unit
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.scans.units import Unit
 from insole_studio.features.import_scan.scan_texts import form_options, side_text
 from insole_studio.features.import_scan.size_fields import SizeFields
 from insole_studio.scene.point_picker import PointPicker

@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
+from insole_core.formats.units import Unit
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -19,7 +20,6 @@ from insole_core.geometry.transforms import inverse, rigid, transform
 from insole_core.imprints.form import Form
 from insole_core.progress import Progress
 from insole_core.scans.scale import KnownDistance, KnownFootLength
-from insole_core.scans.units import Unit
 from insole_core.workflows.import_scan import take_foot
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.features.import_scan.found_scan import FoundScan, find_scan

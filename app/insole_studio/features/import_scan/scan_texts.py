@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
+from insole_core.formats.units import Unit, UnitReading
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
-from insole_core.scans.units import Unit, UnitReading
 from insole_core.workflows.scan_doubts import foot_text as foot_text_in
 from insole_studio.texts import fill, tr, translate_core_message
 

@@ -10,8 +10,8 @@ import pytest
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
-from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot
+from insole_core.formats.stl import write_stl
 from insole_core.insole.elements import Pelott
 from insole_core.records.author import Author
 from insole_core.records.capture import CaptureFacts

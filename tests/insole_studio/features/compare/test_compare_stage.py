@@ -14,9 +14,9 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan_source import ScanSource
-from insole_core.export.ply import write_ply
-from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot
+from insole_core.formats.ply import write_ply
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about

@@ -15,8 +15,8 @@ from pointing import pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from insole_core.export.ply import write_ply
-from insole_core.export.stl import write_stl
+from insole_core.formats.ply import write_ply
+from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about

@@ -1,49 +1,23 @@
-"""Formats of scans: which file is read by what."""
+"""Reading of scans: the reader that the name of a file selects, and one sentence for each fault."""
 
 from __future__ import annotations
 
 import binascii
 import json
 import struct
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 from xml.parsers import expat
 
 from insole_core.errors import InputError
 from insole_core.foreign_files import HEAD_BYTES, check_no_other_kind, pressure_device
+from insole_core.formats.file_formats import MESH_FORMATS, mesh_format
+from insole_core.formats.number_text import BYTE_ORDER_MARKS, DecimalCommaError
+from insole_core.formats.raw_surface import RawSurface
+from insole_core.formats.scan_content import ScanContent, padding_note, unreadable
 from insole_core.messages import Message
-from insole_core.scans.gltf import read_gltf
-from insole_core.scans.number_text import BYTE_ORDER_MARKS, DecimalCommaError
-from insole_core.scans.obj import read_obj
-from insole_core.scans.off import read_off
-from insole_core.scans.ply import read_ply
-from insole_core.scans.point_text import read_point_text
-from insole_core.scans.raw_surface import RawSurface
-from insole_core.scans.scan_content import ScanContent, padding_note, unreadable
-from insole_core.scans.stl import read_stl
-from insole_core.scans.three_mf import read_three_mf
 
-_READERS: Final[dict[str, Callable[[ScanContent], RawSurface]]] = {
-    ".stl": read_stl,
-    ".ply": read_ply,
-    ".obj": read_obj,
-    ".3mf": read_three_mf,
-    ".glb": read_gltf,
-    ".gltf": read_gltf,
-    ".off": read_off,
-    ".xyz": read_point_text,
-    ".asc": read_point_text,
-    ".pts": read_point_text,
-}
-_SIGNATURES: Final = (
-    (b"glTF", "GLB", {".glb", ".gltf"}),
-    (b"ply\n", "PLY", {".ply"}),
-    (b"ply\r\n", "PLY", {".ply"}),
-    (b"PK\x03\x04", "zip archive", {".3mf"}),
-    (b"solid ", "STL", {".stl"}),
-    (b"OFF\n", "OFF", {".off"}),
-)
+_ZIP: Final = b"PK\x03\x04"
 _UNREADABLE = (
     ValueError, LookupError, TypeError, AttributeError, struct.error, OverflowError, MemoryError,
     RecursionError, binascii.Error, json.JSONDecodeError, expat.ExpatError,
@@ -70,19 +44,11 @@ def read_raw(source: ScanContent) -> RawSurface:
             path=source.path,
             device=device,
         )
-    for signature, name, suffixes in _SIGNATURES:
-        if source.content.startswith(signature) and source.suffix not in suffixes:
-            raise InputError(
-                "{path} holds something else than its name says ({format}, not {suffix}); choose "
-                "another file, or give it its right name.",
-                path=source.path,
-                format=name,
-                suffix=source.suffix,
-            )
+    _check_signature(source)
     text = _without_padding(source)
     padding = len(source.content) - len(text.content)
     try:
-        raw = _READERS[source.suffix](text)
+        raw = mesh_format(source.suffix).read(text)
     except DecimalCommaError as error:
         raise InputError(
             "{path} is written with decimal commas, which no {format} file has; choose "
@@ -94,6 +60,22 @@ def read_raw(source: ScanContent) -> RawSurface:
         raise unreadable(source, _reason(error)) from error
 
     return replace(raw, notes=(*raw.notes, padding_note(padding))) if padding else raw
+
+
+def _check_signature(source: ScanContent) -> None:
+    """Refuse a file whose first bytes are those of another format."""
+    named = mesh_format(source.suffix)
+    held = [form.name for form in MESH_FORMATS if source.content.startswith(form.begins_with)]
+    if source.content.startswith(_ZIP):
+        held = [named.name] if named.is_archive else ["zip archive"]
+    if held and held != [named.name]:
+        raise InputError(
+            "{path} holds something else than its name says ({format}, not {suffix}); choose "
+            "another file, or give it its right name.",
+            path=source.path,
+            format=held[0],
+            suffix=source.suffix,
+        )
 
 
 def _without_padding(source: ScanContent) -> ScanContent:

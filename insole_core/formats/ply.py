@@ -1,26 +1,30 @@
-"""Read PLY files: surfaces with colours, and clouds of points with normals.
+"""PLY: surfaces with colours, and clouds of points with normals; written in mm, binary.
 
-Every count of the header is held against the bytes before anything is made of it.
+Every count of a header that is read is held against the bytes before anything is made of it.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
-from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
+from insole_core.export.atomic import replacing_file
+from insole_core.formats.number_text import Lines, floats, plain_text, words_per_line
+from insole_core.formats.polygons import MOST_CORNERS, as_indices, fans
+from insole_core.formats.raw_surface import RawSurface
+from insole_core.formats.scan_content import ScanContent
+from insole_core.formats.solid_content import SolidContent
+from insole_core.formats.units import MM_PER_UNIT, Unit
+from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
-from insole_core.scans.number_text import Lines, floats, plain_text, words_per_line
-from insole_core.scans.polygons import MOST_CORNERS, as_indices, fans
-from insole_core.scans.raw_surface import RawSurface
-from insole_core.scans.scan_content import ScanContent
-from insole_core.scans.units import MM_PER_UNIT, Unit
 
 _HEAD_BYTES = 64 * 1024
 _UNIT = re.compile(r"comment\b.*\bunits?[ :=]+(mm|cm|m|inch)", re.IGNORECASE)
@@ -33,6 +37,9 @@ _TYPES = {
 }  # fmt: skip
 _POSITION, _NORMAL, _COLOR = ("x", "y", "z"), ("nx", "ny", "nz"), ("red", "green", "blue")
 _FACES = ("vertex_indices", "vertex_index")
+_WRITTEN_VERTEX = [("position", "<f4", 3)]
+_WRITTEN_COLOR = [("color", "u1", 3)]
+_WRITTEN_TRIANGLE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 
 _Table = dict[str, npt.NDArray[Any]]
 """Columns (n,) by name."""
@@ -329,3 +336,68 @@ def _touches(tables: dict[str, _Table]) -> ContourConstraints | None:
         return None
     values = values[np.isfinite(values).all(axis=1)]
     return ContourConstraints(values[:, :3], values[:, 3:])
+
+
+def write_parts(solid: SolidContent, path: Path) -> None:
+    """Write the parts as shells of one mesh, in their colours."""
+    write_ply(solid.painted, path, solid.note)
+
+
+def write_ply(mesh: TriangleMesh, path: Path, note: str = "") -> None:
+    """Write a mesh as little-endian binary PLY, atomically.
+
+    Contour constraints become an element of their own.
+
+    Parameters
+    ----------
+    mesh : mm
+    note
+        A further comment, one line of ASCII.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written; a file that was there before is untouched.
+    """
+    colors = mesh.colors
+    vertices = np.empty(
+        len(mesh.vertices), _WRITTEN_VERTEX + (_WRITTEN_COLOR if colors is not None else [])
+    )
+    vertices["position"] = mesh.vertices
+    if colors is not None:
+        vertices["color"] = colors
+    triangles = np.empty(len(mesh.triangles), _WRITTEN_TRIANGLE)
+    triangles["count"] = 3
+    triangles["corners"] = mesh.triangles
+    touches = _touch_rows(mesh)
+    with replacing_file(path) as beside, beside.open("wb") as file:
+        colored = colors is not None
+        file.write(_written_header(len(vertices), len(triangles), colored, len(touches), note))
+        file.write(vertices.tobytes())
+        file.write(triangles.tobytes())
+        file.write(touches.tobytes())
+
+
+def _touch_rows(mesh: TriangleMesh) -> Float32Array:
+    """Return points and normals (k, 6); other programs skip an element that they do not know."""
+    if mesh.touches is None:
+        return np.zeros((0, 6), np.float32)
+    return np.hstack([mesh.touches.points, mesh.touches.normals]).astype("<f4")
+
+
+def _written_header(vertices: int, triangles: int, colored: bool, touches: int, note: str) -> bytes:
+    lines = [
+        "ply",
+        "format binary_little_endian 1.0",
+        "comment Insole Studio, unit mm",
+        *([f"comment {note}"] if note else []),
+        f"element vertex {vertices}",
+        *(f"property float {axis}" for axis in "xyz"),
+        *(f"property uchar {name}" for name in ("red", "green", "blue") if colored),
+        f"element face {triangles}",
+        "property list uchar int vertex_indices",
+        *([f"element {PLY_ELEMENT} {touches}"] if touches else []),
+        *(f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz") if touches),
+        "end_header",
+    ]
+    return ("\n".join(lines) + "\n").encode("ascii")

@@ -18,16 +18,16 @@ import numpy.typing as npt
 import scipy
 
 from insole_core.errors import InputError
-from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
-from insole_core.messages import Message
-from insole_core.scans.raw_surface import RawSurface, placed
-from insole_core.scans.scan_content import MOST_BYTES, ScanContent
-from insole_core.scans.texture import (
+from insole_core.formats.raw_surface import RawSurface, placed
+from insole_core.formats.scan_content import MOST_BYTES, ScanContent
+from insole_core.formats.texture import (
     MOST_TEXTURE_BYTES,
     decode_texture,
     missing_texture,
     sampled,
 )
+from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
+from insole_core.messages import Message
 
 _MAGIC, _JSON_CHUNK, _BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 _MOST_JSON_BYTES = 16 * 2**20

@@ -16,8 +16,8 @@ from typing import Literal, TypeAlias, get_args
 from xml.sax.saxutils import quoteattr
 
 from insole_core.export.atomic import replacing_file
-from insole_core.export.solid_file import merged
-from insole_core.export.three_mf import (
+from insole_core.formats.solid_content import merged
+from insole_core.formats.three_mf import (
     assembly_xml,
     build_xml,
     model_head,

@@ -6,12 +6,12 @@ import re
 
 import numpy as np
 
+from insole_core.formats.number_text import Lines, floats, plain_text, words_per_line
+from insole_core.formats.polygons import as_indices, fans
+from insole_core.formats.raw_surface import RawSurface
+from insole_core.formats.scan_content import ScanContent
 from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
 from insole_core.messages import Message
-from insole_core.scans.number_text import Lines, floats, plain_text, words_per_line
-from insole_core.scans.polygons import as_indices, fans
-from insole_core.scans.raw_surface import RawSurface
-from insole_core.scans.scan_content import ScanContent
 
 _HEAD = re.compile(rb"\s*(ST)?(C)?(N)?OFF\b\s*(\d{1,10})\s+(\d{1,10})(?:\s+\d{1,10})?[ \t]*\n")
 _COMMENT = re.compile(rb"#[^\n]*")

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from insole_core.formats.number_text import floats, plain_text
+from insole_core.formats.scan_content import ScanContent
+from insole_core.formats.texture import MOST_TEXTURE_BYTES, decode_texture, missing_texture
 from insole_core.geometry.arrays import ByteArray
 from insole_core.messages import Message
-from insole_core.scans.number_text import floats, plain_text
-from insole_core.scans.scan_content import ScanContent
-from insole_core.scans.texture import MOST_TEXTURE_BYTES, decode_texture, missing_texture
 
 _MOST_LIBRARIES, _MOST_LIBRARY_BYTES = 10, 2**20
 _MOST_MATERIALS = 100

@@ -7,7 +7,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.messages import Message
-from insole_core.recording.images import picture_size
+from insole_core.picture_size import picture_size
 
 MOST_TEXTURE_BYTES = 128 * 2**20
 _MOST_PIXELS = 16384 * 8192

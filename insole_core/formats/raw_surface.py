@@ -6,10 +6,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from insole_core.formats.units import Unit
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.transforms import rigid
-from insole_core.scans.units import Unit
 
 
 def _no_triangles() -> IndexArray:

@@ -6,11 +6,11 @@ import re
 
 import numpy as np
 
+from insole_core.formats.number_text import floats, plain_text, words_per_line
+from insole_core.formats.raw_surface import RawSurface
+from insole_core.formats.scan_content import ScanContent
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.messages import Message
-from insole_core.scans.number_text import floats, plain_text, words_per_line
-from insole_core.scans.raw_surface import RawSurface
-from insole_core.scans.scan_content import ScanContent
 
 _MOST_HEAD_LINES = 50
 _MOST_LINE_BYTES, _MOST_COLUMNS = 4096, 64
