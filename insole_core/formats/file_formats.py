@@ -143,6 +143,11 @@ MESH_FORMATS: Final = (
         reader="obj.read_obj", writer="obj.write_parts", carries=frozenset({"colour"}),
     ),
     MeshFormat(
+        name="AMF", endings=(".amf",), role="solid", names_nobody=True, rank=8, is_archive=True,
+        reader="amf.read_amf", writer="amf.write_parts",
+        carries=frozenset({"unit", "colour", "bodies"}),
+    ),
+    MeshFormat(
         name="GLB", endings=(".glb", ".gltf"), rank=3, begins_with=(b"glTF",),
         reader="gltf.read_gltf",
     ),

@@ -5356,6 +5356,14 @@
             <translation>den innehåller ingen modell</translation>
         </message>
         <message>
+            <source>it holds no model, or several</source>
+            <translation>den innehåller ingen modell, eller flera</translation>
+        </message>
+        <message>
+            <source>it holds no object</source>
+            <translation>den innehåller inget föremål</translation>
+        </message>
+        <message>
             <source>it holds no object that is to be built</source>
             <translation>den innehåller inget föremål som ska byggas</translation>
         </message>
@@ -5526,6 +5534,10 @@
         <message>
             <source>its unit {unit} is none of 3MF</source>
             <translation>dess enhet {unit} finns inte i 3MF</translation>
+        </message>
+        <message>
+            <source>its unit {unit} is none of AMF</source>
+            <translation>dess enhet {unit} finns inte i AMF</translation>
         </message>
         <message>
             <source>kept</source>

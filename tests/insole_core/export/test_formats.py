@@ -25,12 +25,21 @@ COLORS = np.array([[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 8, 7]], np.uint8)
 TETRA = TriangleMesh(CORNERS, FACES, COLORS)
 
 
+def amf_by_hand(path: Path) -> trimesh.Trimesh:
+    """What ISO/ASTM 52915 says of a file, since trimesh does not read AMF."""
+    root = ElementTree.parse(path).getroot()
+    assert root.get("unit") == "millimeter"
+    places = [[float(axis.text or "") for axis in place] for place in root.iter("coordinates")]
+    faces = [[int(corner.text or "") for corner in face] for face in root.iter("triangle")]
+    return trimesh.Trimesh(places, faces)
+
+
 @pytest.mark.parametrize("suffix", SOLID_SUFFIXES)
 @pytest.mark.parametrize("name", ["insole", "Fuß – 足 'x' & y"])
 def test_every_format_keeps_size_and_volume(suffix, name, tmp_path: Path):
     path = tmp_path / f"{name}{suffix}"
     write_solids([SolidPart(TETRA, "left")], path)
-    read = trimesh.load_mesh(path)
+    read = amf_by_hand(path) if suffix == ".amf" else trimesh.load_mesh(path)
     assert read.bounds[1] == pytest.approx([10, 20, 30.125])
     assert read.volume == pytest.approx(TETRA.volume_mm3)
     assert [entry.name for entry in tmp_path.iterdir()] == [path.name]

@@ -1,0 +1,212 @@
+"""AMF, a format of 3-D printing (ISO/ASTM 52915): unit, names, colours, and bodies of an object.
+
+A file is XML, or a zip archive of one. It is written as plain XML, which more programs read.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final
+from xml.sax.saxutils import escape
+
+import numpy as np
+import scipy
+
+from insole_core.export.atomic import replacing_file
+from insole_core.formats.bounded_xml import walk_xml
+from insole_core.formats.raw_surface import RawSurface, placed
+from insole_core.formats.scan_content import MOST_BYTES, ScanContent
+from insole_core.formats.solid_content import SolidContent, SolidPart, merged
+from insole_core.formats.units import Unit
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.messages import Message
+from insole_core.zip_archive import ZipArchive
+
+_UNITS: Final[dict[str, tuple[Unit, float]]] = {
+    "millimeter": ("mm", 1.0), "meter": ("m", 1.0), "inch": ("inch", 1.0), "feet": ("inch", 12.0),
+    "micron": ("mm", 0.001),
+}  # fmt: skip
+_AXES: Final = ("x", "y", "z")
+_CORNERS: Final = ("v1", "v2", "v3")
+_MOVES: Final = ("deltax", "deltay", "deltaz")
+_TURNS: Final = ("rx", "ry", "rz")
+_NUMBERS: Final = frozenset((*_AXES, *_CORNERS, *_MOVES, *_TURNS))
+
+
+@dataclass(eq=False)
+class _Object:
+    vertices: array[float] = field(default_factory=lambda: array("d"))
+    triangles: array[int] = field(default_factory=lambda: array("q"))
+
+
+def read_amf(source: ScanContent) -> RawSurface:
+    """Read all objects, moved to the places that a constellation gives them.
+
+    Raises
+    ------
+    InputError
+        When its archive is damaged or unfolds to far more than a scan, or it declares entities.
+    ValueError, LookupError, expat.ExpatError
+        When it is damaged.
+    """
+    model = _Model()
+    walk_xml(_xml(source), source, model.start, model.end, model.text)
+    return model.surface()
+
+
+def _xml(source: ScanContent) -> bytes:
+    if not source.content.startswith(b"PK"):
+        return source.content
+    archive = ZipArchive(str(source.path), source.content)
+    names = [name for name in archive.names if name.lower().endswith(".amf")]
+    if len(names) != 1:
+        raise ValueError(Message("it holds no model, or several"))
+    return archive.read(names[0], MOST_BYTES)
+
+
+class _Model:
+    """The objects and places of an AMF, as its elements come."""
+
+    def __init__(self) -> None:
+        self._objects: dict[str, _Object] = {}
+        self._places: list[tuple[str, FloatArray]] = []
+        self._unit, self._factor = _UNITS["millimeter"]
+        self._current = _Object()
+        self._instance = ""
+        self._numbers: dict[str, float] = {}
+        self._number: list[str] | None = None
+
+    def start(self, name: str, attributes: dict[str, str]) -> None:
+        """Take the start of an element."""
+        self._number = [] if name in _NUMBERS else None
+        if name == "amf":
+            unit = attributes.get("unit", "millimeter").lower()
+            if unit not in _UNITS:
+                raise ValueError(Message("its unit {unit} is none of AMF", unit=unit[:20]))
+            self._unit, self._factor = _UNITS[unit]
+        elif name == "object":
+            self._current = self._objects.setdefault(attributes["id"], _Object())
+        elif name == "instance":
+            self._instance = attributes["objectid"]
+            self._numbers = dict.fromkeys((*_MOVES, *_TURNS), 0.0)
+
+    def text(self, text: str) -> None:
+        """Take a part of the text of an element."""
+        if self._number is not None:
+            self._number.append(text)
+
+    def end(self, name: str) -> None:
+        """Take the end of an element."""
+        if name in _NUMBERS:
+            self._numbers[name] = float("".join(self._number or ()))
+        elif name == "coordinates":
+            self._current.vertices.extend(self._numbers.pop(axis) for axis in _AXES)
+        elif name == "triangle":
+            corners = (self._numbers.pop(corner) for corner in _CORNERS)
+            self._current.triangles.extend(int(corner) for corner in corners)
+        elif name == "instance":
+            self._places.append((self._instance, _object2file(self._numbers)))
+        self._number = None
+
+    def surface(self) -> RawSurface:
+        """Join the objects; those that no constellation places stay where they are."""
+        placed_ones = {name for name, _ in self._places}
+        rest = [(name, np.eye(4)) for name in self._objects if name not in placed_ones]
+        vertices: list[FloatArray] = []
+        triangles: list[IntArray] = []
+        start = 0
+        for name, object2file in (*self._places, *rest):
+            thing = self._objects[name]
+            points = np.frombuffer(thing.vertices or array("d"), float).reshape(-1, 3)
+            corners = np.frombuffer(thing.triangles or array("q"), np.int64).reshape(-1, 3)
+            if len(corners) and (corners.min() < 0 or corners.max() >= len(points)):
+                raise ValueError(Message("a triangle in it names a corner that it does not hold"))
+            vertices.append(placed(points, object2file))
+            triangles.append(corners + start)
+            start += len(points)
+        if not triangles:
+            raise ValueError(Message("it holds no object"))
+        return RawSurface(
+            np.concatenate(vertices) * self._factor,
+            np.concatenate(triangles).astype(np.int32),
+            unit=self._unit,
+        )
+
+
+def _object2file(numbers: dict[str, float]) -> FloatArray:
+    """Return the place (4, 4) of an instance: turned about x, y, then z, and moved."""
+    angles = np.array([numbers[turn] for turn in _TURNS])
+    object2file = np.eye(4)
+    object2file[:3, :3] = scipy.spatial.transform.Rotation.from_euler(
+        "xyz", angles, degrees=True
+    ).as_matrix()
+    object2file[:3, 3] = [numbers[move] for move in _MOVES]
+    if not np.isfinite(object2file).all():
+        raise ValueError(Message("the place of an object in it is no number"))
+    return object2file
+
+
+def write_parts(solid: SolidContent, path: Path) -> None:
+    """Write every assembly as an object, and its parts as bodies of it, atomically.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written; a file that was there before is untouched.
+    """
+    with replacing_file(path) as beside, beside.open("w", encoding="utf-8", newline="\n") as file:
+        file.writelines(_document(solid))
+
+
+def _document(solid: SolidContent) -> Iterable[str]:
+    yield '<?xml version="1.0" encoding="UTF-8"?>\n<amf unit="millimeter" version="1.1">\n'
+    yield _name(solid.title)
+    yield '<metadata type="cad">Insole Studio</metadata>\n'
+    for number, part in enumerate(solid.parts, start=1):
+        red, green, blue = (channel / 255 for channel in part.color)
+        color = f"<r>{red:.4f}</r><g>{green:.4f}</g><b>{blue:.4f}</b>"
+        yield f'<material id="{number}">{_name(part.name)}<color>{color}</color></material>\n'
+    first = len(solid.parts) + 1  # numbers of materials and objects are apart
+    for number, (name, members) in enumerate(_objects(solid.parts), start=first):
+        yield f'<object id="{number}">\n{_name(name)}<mesh>\n'
+        yield from _mesh([solid.parts[member] for member in members], members)
+        yield "</mesh>\n</object>\n"
+    yield "</amf>\n"
+
+
+def _objects(parts: Sequence[SolidPart]) -> Iterator[tuple[str, list[int]]]:
+    """Yield the name of each object and the numbers of its parts."""
+    for number, part in enumerate(parts):
+        if not part.assembly:
+            yield part.name, [number]
+    for name in dict.fromkeys(part.assembly for part in parts if part.assembly):
+        yield name, [number for number, part in enumerate(parts) if part.assembly == name]
+
+
+def _mesh(parts: Sequence[SolidPart], numbers: Sequence[int]) -> Iterator[str]:
+    whole = merged([part.mesh for part in parts])
+    yield "<vertices>\n"
+    yield (
+        "<vertex><coordinates><x>%.5f</x><y>%.5f</y><z>%.5f</z></coordinates></vertex>\n"
+        * len(whole.vertices)
+        % tuple(whole.vertices.ravel().tolist())
+    )
+    yield "</vertices>\n"
+    first = 0
+    for number, part in zip(numbers, parts, strict=True):
+        corners = whole.triangles[first : first + len(part.mesh.triangles)]
+        first += len(corners)
+        yield f'<volume materialid="{number + 1}">\n{_name(part.name)}'
+        yield (
+            "<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>\n"
+            * len(corners)
+            % tuple(corners.ravel().tolist())
+        )
+        yield "</volume>\n"
+
+
+def _name(text: str) -> str:
+    return f'<metadata type="name">{escape(text)}</metadata>\n'
