@@ -11,8 +11,8 @@ from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 from insole_core.messages import Message, Translate, shown_value
 from insole_core.resources import resource_path
 
-CONTEXT = "studio"
-CORE_CONTEXT = "core"
+CONTEXT = "insole_studio"
+"""One for the window and the core: a text has one translation, whoever says it."""
 
 
 class _Text(str):
@@ -56,7 +56,7 @@ def translate_core_message(sentence: str) -> str:
 
     What is in no catalogue stays as it is: numbers, names, and texts of the window itself.
     """
-    return _translated(sentence, partial(QCoreApplication.translate, CORE_CONTEXT), QLocale())
+    return _translated(sentence, partial(QCoreApplication.translate, CONTEXT), QLocale())
 
 
 def _translated(sentence: str, look_up: Translate, locale: QLocale) -> str:
@@ -83,7 +83,7 @@ def translation_into(language: str) -> Translate:
         translator.load(str(catalogue))
 
     def look_up(text: str) -> str:
-        found = (translator.translate(CORE_CONTEXT, text) for translator in translators)
+        found = (translator.translate(CONTEXT, text) for translator in translators)
         return next(filter(None, found), text)
 
     locale = QLocale(code)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
@@ -33,7 +34,6 @@ from insole_core.resources import resource_path
 from insole_studio.features.design.parameters.correction_fields import EDITABLE
 from insole_studio.texts import (
     CONTEXT,
-    CORE_CONTEXT,
     fill,
     language_code,
     load_language,
@@ -58,15 +58,16 @@ def texts_of_the_code() -> Iterator[str]:
                 yield str(text.value)
 
 
-def catalogue(name: str = CONTEXT) -> dict[str, str]:
-    """Give the Swedish texts of one context by the English ones."""
-    contexts = (c for path in SWEDISH.glob("*.ts") for c in ElementTree.parse(path).iter("context"))
-    return {
-        message.findtext("source", ""): message.findtext("translation", "")
-        for context in contexts
-        if context.findtext("name") == name
-        for message in context.iter("message")
-    }
+def translations(pattern: str = "*.ts") -> Iterator[tuple[str, str]]:
+    """Give each English text and its Swedish one, as often as they stand in the catalogues."""
+    for path in SWEDISH.glob(pattern):
+        for message in ElementTree.parse(path).iter("message"):
+            yield message.findtext("source", ""), message.findtext("translation", "")
+
+
+def catalogue() -> dict[str, str]:
+    """Give the Swedish texts by the English ones."""
+    return dict(translations())
 
 
 def test_every_text_has_a_swedish_one() -> None:
@@ -76,20 +77,25 @@ def test_every_text_has_a_swedish_one() -> None:
 
 
 def test_no_swedish_text_is_left_of_one_that_nobody_says() -> None:
-    assert catalogue().keys() - set(texts_of_the_code()) == set()
+    of_the_core = dict(translations("core.ts"))
+    assert catalogue().keys() - of_the_core.keys() - set(texts_of_the_code()) == set()
+
+
+def test_a_text_has_one_translation_whoever_says_it() -> None:
+    counts = Counter(source for source, _ in translations())
+    assert [source for source, count in counts.items() if count > 1] == []
 
 
 def test_names_in_braces_stay_what_they_are() -> None:
-    for source, translation in catalogue().items():
-        for part in source.split("{")[1:]:
+    for source, translation in translations():
+        for part in source.replace("{{", "").split("{")[1:]:
             assert "{" + part.split("}")[0] + "}" in translation
 
 
-@pytest.mark.parametrize("context", [CONTEXT, CORE_CONTEXT])
-def test_the_compiled_catalogues_are_those_of_the_texts(qapp: QApplication, context: str) -> None:
+def test_the_compiled_catalogues_are_those_of_the_texts(qapp: QApplication) -> None:
     load_language(qapp, "sv")
-    texts = catalogue(context)
-    wrong = {text for text in texts if qapp.translate(context, text) != texts[text]}
+    texts = catalogue()
+    wrong = {text for text in texts if qapp.translate(CONTEXT, text) != texts[text]}
     load_language(qapp, "en")
     assert texts
     assert wrong == set()
@@ -143,8 +149,7 @@ def _formats_a_number(node: ast.AST) -> bool:
 )
 def test_one_thing_has_one_swedish_word(word: str) -> None:
     """The words are: trampdyna, hälskål, hälskivning, ordination, journal, avbildning."""
-    texts = [*catalogue().values(), *catalogue(CORE_CONTEXT).values()]
-    assert [text for text in texts if word in text.lower()] == []
+    assert [text for text in catalogue().values() if word in text.lower()] == []
 
 
 @pytest.mark.usefixtures("swedish")
@@ -154,7 +159,7 @@ def test_the_dialogs_of_qt_speak_the_language_too() -> None:
 
 @pytest.mark.parametrize("paper", ["person_summary", "prescription", "words"])
 def test_the_papers_of_the_record_have_swedish_texts(paper: str) -> None:
-    texts, translated = paper_texts(paper).values(), catalogue(CORE_CONTEXT)
+    texts, translated = paper_texts(paper).values(), catalogue()
     assert [text for text in texts if not translated.get(text)] == []
 
 
@@ -174,7 +179,7 @@ def test_the_core_speaks_a_language_whatever_that_of_the_window_is(qapp: QApplic
 
 
 def test_all_that_a_prescription_says_has_swedish_words() -> None:
-    translated = catalogue(CORE_CONTEXT)
+    translated = catalogue()
     corrections = (
         Pelott(centre_mm=(0, 150)),
         Pelott(centre_mm=(0, 20), kind="heel_spur_recess"),

@@ -26,7 +26,7 @@ def title_of(case: Case) -> str:
 
 def file_stem(case: Case) -> str:
     """Return a suggested name for a file of the whole case, with the side if it has one foot."""
-    return foot_stem(case) if len(case.record.feet) == 1 else _name_or(case, tr("insole"))
+    return foot_stem(case) if len(case.record.feet) == 1 else _name_or(case, tr("Insole").lower())
 
 
 def foot_stem(case: Case) -> str:
@@ -34,7 +34,7 @@ def foot_stem(case: Case) -> str:
 
     Both hold the patient's name, so that neither is for a file that goes to the workshop.
     """
-    name, side = _name_or(case, tr("insole")), case.side
+    name, side = _name_or(case, tr("Insole").lower()), case.side
     if side is None:
         return name
     word = tr("left") if side is Side.LEFT else tr("right")

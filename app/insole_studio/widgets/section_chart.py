@@ -108,7 +108,7 @@ class SectionChart(QWidget):
         inside = s_mm is not None and self.thickness_mm(s_mm) is not None
         heights = [
             (tr("Foot"), None if s_mm is None else self.skin_mm(s_mm)),
-            (tr("Contact"), _height(self._top, s_mm if inside else None)),
+            (tr("Contact surface"), _height(self._top, s_mm if inside else None)),
             (tr("Cover"), _height(self._cover, s_mm if inside else None)),
             (tr("Underside"), _height(self._bottom, s_mm if inside else None)),
         ]
@@ -259,7 +259,7 @@ class SectionChart(QWidget):
         accent = self.palette().highlight().color()
         return {
             tr("Foot"): QPen(QColor(SKIN), 2),
-            tr("Contact"): QPen(accent, 2),
+            tr("Contact surface"): QPen(accent, 2),
             tr("Cover"): QPen(QColor(COVER), 2, Qt.PenStyle.DashLine),
             tr("Underside"): QPen(accent, 2, Qt.PenStyle.DotLine),
         }

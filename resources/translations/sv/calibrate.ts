@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>Board</source>
             <translation>Bräde</translation>

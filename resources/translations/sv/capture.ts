@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>A capture that was not used for {days} days was removed.</source>
             <translation>En avbildning som inte hade använts på {days} dagar togs bort.</translation>
@@ -80,10 +80,6 @@
             <translation>Avbildningen från {time} ({side} fot) har inte använts; {there} av {wanted} vyer finns.</translation>
         </message>
         <message>
-            <source>The capture was stopped.</source>
-            <translation>Avbildningen avbröts.</translation>
-        </message>
-        <message>
             <source>The earlier scan is kept.</source>
             <translation>Den tidigare skanningen finns kvar.</translation>
         </message>
@@ -98,10 +94,6 @@
         <message>
             <source>The right foot is partly hidden by the left one; move the sensor or part the feet</source>
             <translation>Högerfoten skyms delvis av vänsterfoten; flytta sensorn eller sära på fötterna</translation>
-        </message>
-        <message>
-            <source>Tilting the sensor for view {view}</source>
-            <translation>Lutar sensorn för vy {view}</translation>
         </message>
         <message>
             <source>Too bright; turn strong lights away</source>
@@ -146,10 +138,6 @@
         <message>
             <source>right, top</source>
             <translation>höger, uppifrån</translation>
-        </message>
-        <message>
-            <source>top</source>
-            <translation>uppifrån</translation>
         </message>
         <message>
             <source>{count} captures that were not used for {days} days were removed.</source>

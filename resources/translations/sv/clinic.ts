@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source> min</source>
             <translation> min</translation>
@@ -716,10 +716,6 @@
             <translation>Besök</translation>
         </message>
         <message>
-            <source>What</source>
-            <translation>Vad</translation>
-        </message>
-        <message>
             <source>When</source>
             <translation>När</translation>
         </message>
@@ -746,6 +742,10 @@
         <message>
             <source>captures</source>
             <translation>avbildningar</translation>
+        </message>
+        <message>
+            <source>count</source>
+            <translation>antal</translation>
         </message>
         <message>
             <source>damaged</source>
@@ -788,32 +788,16 @@
             <translation>sista raden</translation>
         </message>
         <message>
-            <source>measures</source>
-            <translation>mått</translation>
-        </message>
-        <message>
             <source>merge</source>
             <translation>sammanslagning</translation>
-        </message>
-        <message>
-            <source>merged</source>
-            <translation>sammanslagen</translation>
         </message>
         <message>
             <source>never</source>
             <translation>aldrig</translation>
         </message>
         <message>
-            <source>no</source>
-            <translation>nej</translation>
-        </message>
-        <message>
-            <source>none</source>
+            <source>nothing</source>
             <translation>inget</translation>
-        </message>
-        <message>
-            <source>number</source>
-            <translation>antal</translation>
         </message>
         <message>
             <source>on request</source>
@@ -828,16 +812,8 @@
             <translation>lösenord</translation>
         </message>
         <message>
-            <source>person</source>
-            <translation>person</translation>
-        </message>
-        <message>
             <source>prescriptions</source>
             <translation>ordinationer</translation>
-        </message>
-        <message>
-            <source>reason</source>
-            <translation>orsak</translation>
         </message>
         <message>
             <source>release</source>
@@ -868,10 +844,6 @@
             <translation>sida</translation>
         </message>
         <message>
-            <source>signature</source>
-            <translation>signatur</translation>
-        </message>
-        <message>
             <source>signed in by</source>
             <translation>inloggad med</translation>
         </message>
@@ -892,20 +864,12 @@
             <translation>systemanvändare</translation>
         </message>
         <message>
-            <source>visit</source>
-            <translation>besök</translation>
-        </message>
-        <message>
             <source>visits</source>
             <translation>besök</translation>
         </message>
         <message>
             <source>wrong passwords: {count}</source>
             <translation>fel lösenord: {count}</translation>
-        </message>
-        <message>
-            <source>yes</source>
-            <translation>ja</translation>
         </message>
         <message>
             <source>{count} files are missing or damaged in the record and are not in the backup; verify the record, and restore them from an earlier backup.</source>

@@ -2,11 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
-        <message>
-            <source>95 % are below</source>
-            <translation>95 % ligger under</translation>
-        </message>
+        <name>insole_studio</name>
         <message>
             <source>A over B</source>
             <translation>A över B</translation>
@@ -52,20 +48,12 @@
             <translation>Jämförd yta</translation>
         </message>
         <message>
-            <source>Compared part</source>
-            <translation>Jämförd del</translation>
-        </message>
-        <message>
             <source>Difference in 3-D</source>
             <translation>Skillnad i 3-D</translation>
         </message>
         <message>
             <source>Difference maps</source>
             <translation>Skillnadskartor</translation>
-        </message>
-        <message>
-            <source>Feet</source>
-            <translation>Fötter</translation>
         </message>
         <message>
             <source>First, A</source>
@@ -86,10 +74,6 @@
         <message>
             <source>Largest</source>
             <translation>Störst</translation>
-        </message>
-        <message>
-            <source>Left insole</source>
-            <translation>Vänster inlägg</translation>
         </message>
         <message>
             <source>Mean</source>
@@ -114,10 +98,6 @@
         <message>
             <source>Residual of the fit</source>
             <translation>Passningens restfel</translation>
-        </message>
-        <message>
-            <source>Right insole</source>
-            <translation>Höger inlägg</translation>
         </message>
         <message>
             <source>Save report…</source>

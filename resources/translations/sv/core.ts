@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>core</name>
+        <name>insole_studio</name>
         <message>
             <source> of corrections[{number}] ({type})</source>
             <translation> i corrections[{number}] ({type})</translation>
@@ -61,7 +61,7 @@
         </message>
         <message>
             <source>1st-ray cut-out</source>
-            <translation>urtag första strålen</translation>
+            <translation>Urtag första strålen</translation>
         </message>
         <message>
             <source>2nd head</source>
@@ -77,7 +77,7 @@
         </message>
         <message>
             <source>5th-ray cut-out</source>
-            <translation>urtag femte strålen</translation>
+            <translation>Urtag femte strålen</translation>
         </message>
         <message>
             <source>95 % are below</source>
@@ -646,10 +646,6 @@
         <message>
             <source>Consent on</source>
             <translation>Samtycke den</translation>
-        </message>
-        <message>
-            <source>Contact</source>
-            <translation>Kontakt</translation>
         </message>
         <message>
             <source>Continuing the surface to the edges</source>
@@ -4661,7 +4657,7 @@
         </message>
         <message>
             <source>default</source>
-            <translation>standard</translation>
+            <translation>förval</translation>
         </message>
         <message>
             <source>degrees</source>
@@ -5573,7 +5569,7 @@
         </message>
         <message>
             <source>lateral</source>
-            <translation>lateral</translation>
+            <translation>lateralt</translation>
         </message>
         <message>
             <source>lateral midfoot pain</source>
@@ -5717,7 +5713,7 @@
         </message>
         <message>
             <source>medial</source>
-            <translation>medial</translation>
+            <translation>medialt</translation>
         </message>
         <message>
             <source>medial flange</source>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes</source>
             <translation>0 % bakom hälen, 70 % vid metatarsalhuvudet, 100 % vid tårna</translation>
@@ -44,18 +44,6 @@
             <translation>Använd</translation>
         </message>
         <message>
-            <source>Arch fill</source>
-            <translation>Valvfyllnad</translation>
-        </message>
-        <message>
-            <source>Arch transition</source>
-            <translation>Övergång, hålfot</translation>
-        </message>
-        <message>
-            <source>As scanned</source>
-            <translation>Som skannad</translation>
-        </message>
-        <message>
             <source>As scanned / designed</source>
             <translation>Som skannad / utformad</translation>
         </message>
@@ -88,10 +76,6 @@
             <translation>Bakom hälen</translation>
         </message>
         <message>
-            <source>Body weight</source>
-            <translation>Kroppsvikt</translation>
-        </message>
-        <message>
             <source>Change between the imprint of the foot and the designed device</source>
             <translation>Växla mellan fotens avtryck och det utformade inlägget</translation>
         </message>
@@ -112,16 +96,8 @@
             <translation>Välj en inläggstyp, en grundform eller det som föreslås för ett fynd</translation>
         </message>
         <message>
-            <source>Cover is</source>
-            <translation>Överdraget</translation>
-        </message>
-        <message>
             <source>Design the rim</source>
             <translation>Utforma kanten</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Inläggstyp</translation>
         </message>
         <message>
             <source>Device of an insole</source>
@@ -176,10 +152,6 @@
             <translation>Dra för att höja kanten här, eller för att flytta kantpunkten längs kanten</translation>
         </message>
         <message>
-            <source>Edge radius</source>
-            <translation>Kantradie</translation>
-        </message>
-        <message>
             <source>Edit the device</source>
             <translation>Ändra inläggstypen</translation>
         </message>
@@ -228,20 +200,8 @@
             <translation>Fynd: {name}</translation>
         </message>
         <message>
-            <source>Findings</source>
-            <translation>Fynd</translation>
-        </message>
-        <message>
             <source>Flank of the foot</source>
             <translation>Fotens sida</translation>
-        </message>
-        <message>
-            <source>Forefoot post</source>
-            <translation>Framfotskil</translation>
-        </message>
-        <message>
-            <source>Forefoot transition</source>
-            <translation>Övergång, framfot</translation>
         </message>
         <message>
             <source>From material and body weight a thickness is proposed; the least thickness is kept everywhere.</source>
@@ -256,20 +216,8 @@
             <translation>Från {least} kg föreslås en tjocklek; 0 om okänd</translation>
         </message>
         <message>
-            <source>Front edge</source>
-            <translation>Framkant</translation>
-        </message>
-        <message>
             <source>Give the imprint a designed rim and toe zone</source>
             <translation>Ge avtrycket en utformad kant och tåzon</translation>
-        </message>
-        <message>
-            <source>Heel pitch</source>
-            <translation>Klackhöjd</translation>
-        </message>
-        <message>
-            <source>Heel transition</source>
-            <translation>Övergång, häl</translation>
         </message>
         <message>
             <source>Height of the medial rim at its peak, over the heel's floor</source>
@@ -340,10 +288,6 @@
             <translation>Sökord, med komma</translation>
         </message>
         <message>
-            <source>Lateral draft</source>
-            <translation>Lutning lateralt</translation>
-        </message>
-        <message>
             <source>Length over which the shell gets as thin as its front edge</source>
             <translation>Sträcka över vilken skalet blir så tunt som framkanten</translation>
         </message>
@@ -362,14 +306,6 @@
         <message>
             <source>Medial border against the bisection of the 1st metatarsal</source>
             <translation>Den mediala kanten mot mittlinjen av metatarsal 1</translation>
-        </message>
-        <message>
-            <source>Medial draft</source>
-            <translation>Lutning medialt</translation>
-        </message>
-        <message>
-            <source>Medial flange</source>
-            <translation>Medial fläns</translation>
         </message>
         <message>
             <source>More</source>
@@ -416,16 +352,8 @@
             <translation>Gäller bara den här foten och följer inte med: {names}</translation>
         </message>
         <message>
-            <source>Over</source>
-            <translation>Över</translation>
-        </message>
-        <message>
             <source>Own material {number}</source>
             <translation>Eget material {number}</translation>
-        </message>
-        <message>
-            <source>Place</source>
-            <translation>Läge</translation>
         </message>
         <message>
             <source>Post</source>
@@ -434,10 +362,6 @@
         <message>
             <source>Raise a station of the rim</source>
             <translation>Höj en kantpunkt</translation>
-        </message>
-        <message>
-            <source>Rearfoot post</source>
-            <translation>Bakfotskil</translation>
         </message>
         <message>
             <source>Regular</source>
@@ -504,28 +428,12 @@
             <translation>Forma kanten med dess kantpunkter, i vyerna och i diagrammet nedan</translation>
         </message>
         <message>
-            <source>Share of the foot</source>
-            <translation>Fotens andel</translation>
-        </message>
-        <message>
-            <source>Shell</source>
-            <translation>Skal</translation>
-        </message>
-        <message>
             <source>Show the imprint of the foot, without a designed rim; once more brings it back</source>
             <translation>Visa fotens avtryck utan utformad kant; en gång till tar den tillbaka</translation>
         </message>
         <message>
             <source>Show the supplied materials</source>
             <translation>Visa de medföljande materialen</translation>
-        </message>
-        <message>
-            <source>Skin smoothing</source>
-            <translation>Hudutjämning</translation>
-        </message>
-        <message>
-            <source>Soft tissue</source>
-            <translation>Mjukdelar</translation>
         </message>
         <message>
             <source>Source</source>
@@ -558,10 +466,6 @@
         <message>
             <source>Take {thickness} mm</source>
             <translation>Ta {thickness} mm</translation>
-        </message>
-        <message>
-            <source>Taper length</source>
-            <translation>Avsmalning</translation>
         </message>
         <message>
             <source>The clinic has “{name}” already.</source>
@@ -612,14 +516,6 @@
             <translation>Tåkam</translation>
         </message>
         <message>
-            <source>Toe line</source>
-            <translation>Tålinje</translation>
-        </message>
-        <message>
-            <source>Toe zone</source>
-            <translation>Tåzon</translation>
-        </message>
-        <message>
             <source>Type to search: cup, child, plantar fasciitis</source>
             <translation>Skriv för att söka: hälskål, barn, plantarfasciit</translation>
         </message>
@@ -664,32 +560,12 @@
             <translation>vid framfoten</translation>
         </message>
         <message>
-            <source>at the heel</source>
-            <translation>vid hälen</translation>
-        </message>
-        <message>
-            <source>default</source>
-            <translation>förval</translation>
-        </message>
-        <message>
-            <source>findings</source>
-            <translation>fynd</translation>
-        </message>
-        <message>
             <source>for every body weight</source>
             <translation>för alla kroppsvikter</translation>
         </message>
         <message>
-            <source>glued on later</source>
-            <translation>limmas på senare</translation>
-        </message>
-        <message>
             <source>in the arch</source>
             <translation>i hålfoten</translation>
-        </message>
-        <message>
-            <source>made with it</source>
-            <translation>tillverkas med</translation>
         </message>
         <message>
             <source>materials</source>
@@ -720,8 +596,8 @@
             <translation>egen</translation>
         </message>
         <message>
-            <source>total contact</source>
-            <translation>full kontakt</translation>
+            <source>own findings</source>
+            <translation>egna fynd</translation>
         </message>
         <message>
             <source>up to</source>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>A drawing with sections and all values, without the name</source>
             <translation>En ritning med snitt och alla värden, utan namnet</translation>
@@ -32,10 +32,6 @@
             <translation>Lägg till klinikens egen fräsmaskin från dess fil, spara eller ta bort en</translation>
         </message>
         <message>
-            <source>Address of the maker</source>
-            <translation>Tillverkarens adress</translation>
-        </message>
-        <message>
             <source>All that is prescribed, with the patient's name, for the clinic itself</source>
             <translation>Allt som ordineras, med patientens namn, för kliniken själv</translation>
         </message>
@@ -60,16 +56,8 @@
             <translation>Högst {left:.2f} mm material blir kvar i fördjupningar</translation>
         </message>
         <message>
-            <source>Block</source>
-            <translation>Block</translation>
-        </message>
-        <message>
             <source>Blocks that your workshop has in stock, beside those that come with the product.</source>
             <translation>Block som er verkstad har i lager, utöver dem som följer med programmet.</translation>
-        </message>
-        <message>
-            <source>Body weight</source>
-            <translation>Kroppsvikt</translation>
         </message>
         <message>
             <source>Both feet</source>
@@ -86,10 +74,6 @@
         <message>
             <source>By which day the shop is to deliver</source>
             <translation>Till vilken dag verkstaden ska leverera</translation>
-        </message>
-        <message>
-            <source>Chamfer</source>
-            <translation>Fas</translation>
         </message>
         <message>
             <source>Check &amp; export…</source>
@@ -124,10 +108,6 @@
             <translation>Sluten kropp</translation>
         </message>
         <message>
-            <source>Colour</source>
-            <translation>Färg</translation>
-        </message>
-        <message>
             <source>Colour of the material</source>
             <translation>Materialets färg</translation>
         </message>
@@ -136,20 +116,12 @@
             <translation>Kontaktytan i ett block</translation>
         </message>
         <message>
-            <source>Cover</source>
-            <translation>Överdrag</translation>
-        </message>
-        <message>
             <source>Cutter ⌀</source>
             <translation>Fräs ⌀</translation>
         </message>
         <message>
             <source>Delete this block</source>
             <translation>Ta bort blocket</translation>
-        </message>
-        <message>
-            <source>Delivery date</source>
-            <translation>Leveransdag</translation>
         </message>
         <message>
             <source>Density there</source>
@@ -296,10 +268,6 @@
             <translation>Skikten som objekt</translation>
         </message>
         <message>
-            <source>Least thickness</source>
-            <translation>Minsta tjocklek</translation>
-        </message>
-        <message>
             <source>Left</source>
             <translation>Vänster</translation>
         </message>
@@ -322,10 +290,6 @@
         <message>
             <source>Maker of the insole</source>
             <translation>Inläggets tillverkare</translation>
-        </message>
-        <message>
-            <source>Material</source>
-            <translation>Material</translation>
         </message>
         <message>
             <source>Material, left</source>
@@ -424,20 +388,8 @@
             <translation>Patient utan namn</translation>
         </message>
         <message>
-            <source>Piece</source>
-            <translation>Arbetsstycke</translation>
-        </message>
-        <message>
             <source>Pieces</source>
             <translation>Stycken</translation>
-        </message>
-        <message>
-            <source>Prescriber</source>
-            <translation>Ordinatör</translation>
-        </message>
-        <message>
-            <source>Prescriber and maker</source>
-            <translation>Ordinatör och tillverkare</translation>
         </message>
         <message>
             <source>Prescriber and maker…</source>
@@ -460,16 +412,8 @@
             <translation>Skrivare: {name}</translation>
         </message>
         <message>
-            <source>Pseudonym</source>
-            <translation>Pseudonym</translation>
-        </message>
-        <message>
             <source>Pseudonym, side and date</source>
             <translation>Pseudonym, sida och datum</translation>
-        </message>
-        <message>
-            <source>Quantity</source>
-            <translation>Antal</translation>
         </message>
         <message>
             <source>Raised</source>
@@ -604,10 +548,6 @@
             <translation>De avviker högst {deviation:.3f} mm.</translation>
         </message>
         <message>
-            <source>Triangles</source>
-            <translation>Trianglar</translation>
-        </message>
-        <message>
             <source>Undercut</source>
             <translation>Underskärning</translation>
         </message>
@@ -662,10 +602,6 @@
         <message>
             <source>Why it is made although a check has failed; the papers say it</source>
             <translation>Varför det görs fast en kontroll är underkänd; papperen säger det</translation>
-        </message>
-        <message>
-            <source>Width of the bevel along the upper edge</source>
-            <translation>Fasens bredd längs överkanten</translation>
         </message>
         <message>
             <source>Writing the order of the case before was stopped.</source>

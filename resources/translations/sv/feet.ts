@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>&amp;Feet</source>
             <translation>&amp;Fötter</translation>
@@ -78,10 +78,6 @@
         <message>
             <source>Delete variant {name}</source>
             <translation>Ta bort variant {name}</translation>
-        </message>
-        <message>
-            <source>Difference</source>
-            <translation>Skillnad</translation>
         </message>
         <message>
             <source>Difference map</source>

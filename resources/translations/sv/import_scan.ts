@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>A foam box or another imprint</source>
             <translation>En skumlåda eller annat avtryck</translation>
@@ -86,10 +86,6 @@
         <message>
             <source>Open the scan {name}</source>
             <translation>Öppna skanningen {name}</translation>
-        </message>
-        <message>
-            <source>Shoe size</source>
-            <translation>Skostorlek</translation>
         </message>
         <message>
             <source>Sole</source>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>3rd head</source>
             <translation>3:e huvudet</translation>
@@ -18,10 +18,6 @@
         <message>
             <source>Add the relief of the library under this head; it can be undone and changed</source>
             <translation>Lägg bibliotekets avlastning under huvudet; den kan ångras och ändras</translation>
-        </message>
-        <message>
-            <source>All</source>
-            <translation>Alla</translation>
         </message>
         <message>
             <source>Along</source>

@@ -2,14 +2,10 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>A view is refused above</source>
             <translation>En vy avvisas över</translation>
-        </message>
-        <message>
-            <source>Across</source>
-            <translation>Tvärs</translation>
         </message>
         <message>
             <source>Add a marker here</source>
@@ -202,10 +198,6 @@
         <message>
             <source>Red: how far a marker is off, {number} times enlarged</source>
             <translation>Rött: hur mycket en markör avviker, {number} gånger förstorat</translation>
-        </message>
-        <message>
-            <source>Remarks</source>
-            <translation>Anmärkningar</translation>
         </message>
         <message>
             <source>Reset the volume</source>

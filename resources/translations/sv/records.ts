@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>&amp;New orders are due after</source>
             <translation>&amp;Nya beställningar ska vara klara efter</translation>
@@ -180,10 +180,6 @@
             <translation>Jämför två besök…</translation>
         </message>
         <message>
-            <source>Day</source>
-            <translation>Dag</translation>
-        </message>
-        <message>
             <source>Decide later</source>
             <translation>Bestäm senare</translation>
         </message>
@@ -216,20 +212,8 @@
             <translation>Dra för att rita en linje, klicka för att märka ett ställe; skriv sedan texten.</translation>
         </message>
         <message>
-            <source>Due</source>
-            <translation>Klar senast</translation>
-        </message>
-        <message>
             <source>Edit…</source>
             <translation>Redigera…</translation>
-        </message>
-        <message>
-            <source>Findings</source>
-            <translation>Fynd</translation>
-        </message>
-        <message>
-            <source>Follow-up</source>
-            <translation>Uppföljning</translation>
         </message>
         <message>
             <source>Follow-ups so far</source>
@@ -460,10 +444,6 @@
             <translation>Beställd</translation>
         </message>
         <message>
-            <source>Orders</source>
-            <translation>Beställningar</translation>
-        </message>
-        <message>
             <source>Orders of the patient</source>
             <translation>Patientens beställningar</translation>
         </message>
@@ -494,10 +474,6 @@
         <message>
             <source>Patients whose feet wait to be captured</source>
             <translation>Patienter vars fötter väntar på avbildning</translation>
-        </message>
-        <message>
-            <source>Photo</source>
-            <translation>Foto</translation>
         </message>
         <message>
             <source>Photos</source>
@@ -536,16 +512,8 @@
             <translation>Läs den så</translation>
         </message>
         <message>
-            <source>Reason</source>
-            <translation>Orsak</translation>
-        </message>
-        <message>
             <source>Recent patients</source>
             <translation>Senaste patienter</translation>
-        </message>
-        <message>
-            <source>Remarks</source>
-            <translation>Anmärkningar</translation>
         </message>
         <message>
             <source>Remember the last prescription</source>
@@ -570,10 +538,6 @@
         <message>
             <source>Returned</source>
             <translation>Returnerad</translation>
-        </message>
-        <message>
-            <source>Revision</source>
-            <translation>Revision</translation>
         </message>
         <message>
             <source>Right foot not scanned: mirrored from the left</source>
@@ -620,10 +584,6 @@
             <translation>Skickad</translation>
         </message>
         <message>
-            <source>Shop</source>
-            <translation>Verkstad</translation>
-        </message>
-        <message>
             <source>Shop and due date…</source>
             <translation>Verkstad och klardatum…</translation>
         </message>
@@ -658,10 +618,6 @@
         <message>
             <source>Store</source>
             <translation>Spara</translation>
-        </message>
-        <message>
-            <source>Text</source>
-            <translation>Text</translation>
         </message>
         <message>
             <source>Text of the mark</source>
@@ -760,10 +716,6 @@
             <translation>Använd skanningen från {day}</translation>
         </message>
         <message>
-            <source>Version</source>
-            <translation>Version</translation>
-        </message>
-        <message>
             <source>Version {number}</source>
             <translation>Version {number}</translation>
         </message>
@@ -776,16 +728,8 @@
             <translation>Versioner…</translation>
         </message>
         <message>
-            <source>Visit</source>
-            <translation>Besök</translation>
-        </message>
-        <message>
             <source>Waiting</source>
             <translation>Väntar</translation>
-        </message>
-        <message>
-            <source>Weight (kg)</source>
-            <translation>Vikt (kg)</translation>
         </message>
         <message>
             <source>What became of the insoles of the patient on the page</source>
@@ -814,10 +758,6 @@
         <message>
             <source>days</source>
             <translation>dagar</translation>
-        </message>
-        <message>
-            <source>due {day}</source>
-            <translation>klar den {day}</translation>
         </message>
         <message>
             <source>left: {words}</source>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>&amp;Case</source>
             <translation>&amp;Fall</translation>
@@ -26,34 +26,6 @@
         <message>
             <source>&amp;View</source>
             <translation>&amp;Visa</translation>
-        </message>
-        <message>
-            <source>1st head</source>
-            <translation>1:a huvudet</translation>
-        </message>
-        <message>
-            <source>1st toe</source>
-            <translation>Stortån</translation>
-        </message>
-        <message>
-            <source>1st-ray cut-out</source>
-            <translation>Urtag första strålen</translation>
-        </message>
-        <message>
-            <source>2nd head</source>
-            <translation>2:a huvudet</translation>
-        </message>
-        <message>
-            <source>2nd toe</source>
-            <translation>2:a tån</translation>
-        </message>
-        <message>
-            <source>5th head</source>
-            <translation>5:e huvudet</translation>
-        </message>
-        <message>
-            <source>5th-ray cut-out</source>
-            <translation>Urtag femte strålen</translation>
         </message>
         <message>
             <source>&gt; 0 raises the medial edge of the forefoot (varus), &lt; 0 the lateral one</source>
@@ -128,10 +100,6 @@
             <translation>Ett inlägg börjar med en skanning: avbildad med sensorerna eller importerad från vilken skanner som helst. Klicka på ”Öppna exemplet”, vars skanning är gjord.</translation>
         </message>
         <message>
-            <source>Angle</source>
-            <translation>Vinkel</translation>
-        </message>
-        <message>
             <source>Anterior</source>
             <translation>Framifrån</translation>
         </message>
@@ -164,14 +132,6 @@
             <translation>Valvindex</translation>
         </message>
         <message>
-            <source>Arch raise</source>
-            <translation>Valvhöjning</translation>
-        </message>
-        <message>
-            <source>Arch support</source>
-            <translation>Valvstöd</translation>
-        </message>
-        <message>
             <source>Arch to a height</source>
             <translation>Fotvalv till en höjd</translation>
         </message>
@@ -188,10 +148,6 @@
             <translation>Tillbaka till designen; det som är valt här behålls</translation>
         </message>
         <message>
-            <source>Ball</source>
-            <translation>Trampdyna</translation>
-        </message>
-        <message>
             <source>Ball girth</source>
             <translation>Trampdynans omfång</translation>
         </message>
@@ -200,40 +156,12 @@
             <translation>Längd till trampdynan</translation>
         </message>
         <message>
-            <source>Ball width</source>
-            <translation>Trampdynans bredd</translation>
-        </message>
-        <message>
             <source>Ball width across</source>
             <translation>Trampdynans bredd tvärs</translation>
         </message>
         <message>
-            <source>Base</source>
-            <translation>Bas</translation>
-        </message>
-        <message>
             <source>Begin with an empty case</source>
             <translation>Börja med ett tomt fall</translation>
-        </message>
-        <message>
-            <source>Begins at</source>
-            <translation>Börjar vid</translation>
-        </message>
-        <message>
-            <source>Behind the heads</source>
-            <translation>Bakom huvudena</translation>
-        </message>
-        <message>
-            <source>Born</source>
-            <translation>Född</translation>
-        </message>
-        <message>
-            <source>Brush</source>
-            <translation>Pensel</translation>
-        </message>
-        <message>
-            <source>Brush stroke</source>
-            <translation>Penseldrag</translation>
         </message>
         <message>
             <source>Bursts: </source>
@@ -254,10 +182,6 @@
         <message>
             <source>Cancel</source>
             <translation>Avbryt</translation>
-        </message>
-        <message>
-            <source>Capture</source>
-            <translation>Avbildning</translation>
         </message>
         <message>
             <source>Capture a foot with the sensors</source>
@@ -348,10 +272,6 @@
             <translation>Klicka på sulan där inlägget ska skäras, eller dra linjen dit.</translation>
         </message>
         <message>
-            <source>Close</source>
-            <translation>Stäng</translation>
-        </message>
-        <message>
             <source>Close Insole Studio</source>
             <translation>Stäng Insole Studio</translation>
         </message>
@@ -372,10 +292,6 @@
             <translation>Färgkartor, höjdkurvor och trådmodell</translation>
         </message>
         <message>
-            <source>Computed every</source>
-            <translation>Beräknad var</translation>
-        </message>
-        <message>
             <source>Confirm landmarks</source>
             <translation>Bekräfta landmärken</translation>
         </message>
@@ -384,7 +300,7 @@
             <translation>Bekräfta landmärkena</translation>
         </message>
         <message>
-            <source>Contact</source>
+            <source>Contact surface</source>
             <translation>Kontaktyta</translation>
         </message>
         <message>
@@ -400,18 +316,6 @@
             <translation>Kopiera måtten</translation>
         </message>
         <message>
-            <source>Corrections</source>
-            <translation>Korrigeringar</translation>
-        </message>
-        <message>
-            <source>Cover</source>
-            <translation>Överdrag</translation>
-        </message>
-        <message>
-            <source>Cuboid raise</source>
-            <translation>Kuboidstöd</translation>
-        </message>
-        <message>
             <source>Cupped</source>
             <translation>Skålad</translation>
         </message>
@@ -424,14 +328,6 @@
             <translation>Snitta inlägget där pekaren är, och visa höjderna där</translation>
         </message>
         <message>
-            <source>Cut-out</source>
-            <translation>Urtag</translation>
-        </message>
-        <message>
-            <source>Dancer's pad</source>
-            <translation>Dansarpelott</translation>
-        </message>
-        <message>
             <source>Dark theme</source>
             <translation>Mörkt tema</translation>
         </message>
@@ -440,16 +336,8 @@
             <translation>Ta bort fotot</translation>
         </message>
         <message>
-            <source>Depth</source>
-            <translation>Djup</translation>
-        </message>
-        <message>
             <source>Design</source>
             <translation>Design</translation>
-        </message>
-        <message>
-            <source>Difference</source>
-            <translation>Skillnad</translation>
         </message>
         <message>
             <source>Discard changes</source>
@@ -624,14 +512,6 @@
             <translation>Droppe</translation>
         </message>
         <message>
-            <source>EU size</source>
-            <translation>EU-storlek</translation>
-        </message>
-        <message>
-            <source>Edge</source>
-            <translation>Kant</translation>
-        </message>
-        <message>
             <source>Edge of the heel that is raised</source>
             <translation>Den kant av hälen som höjs</translation>
         </message>
@@ -664,10 +544,6 @@
             <translation>Avsluta rundturen</translation>
         </message>
         <message>
-            <source>Ends at</source>
-            <translation>Slutar vid</translation>
-        </message>
-        <message>
             <source>Examine again</source>
             <translation>Undersök igen</translation>
         </message>
@@ -696,20 +572,12 @@
             <translation>Exporterade {name}</translation>
         </message>
         <message>
-            <source>Extent</source>
-            <translation>Längd</translation>
-        </message>
-        <message>
             <source>Extrinsic</source>
             <translation>Extern</translation>
         </message>
         <message>
             <source>Extrinsic turns the whole insole, intrinsic leaves its rim as it is</source>
             <translation>Extern vrider hela inlägget, intern lämnar dess kant som den är</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Fil</translation>
         </message>
         <message>
             <source>Filler, 1st toe</source>
@@ -744,24 +612,12 @@
             <translation>Klart</translation>
         </message>
         <message>
-            <source>Finished height</source>
-            <translation>Färdig höjd</translation>
-        </message>
-        <message>
             <source>Fit map</source>
             <translation>Passformskarta</translation>
         </message>
         <message>
-            <source>Flat</source>
-            <translation>Plan</translation>
-        </message>
-        <message>
             <source>Flat on the ground, or cupped: everywhere as thick below the foot</source>
             <translation>Plan mot underlaget, eller skålad: överallt lika tjock under foten</translation>
-        </message>
-        <message>
-            <source>Flat pad</source>
-            <translation>Plan pelott</translation>
         </message>
         <message>
             <source>Foot</source>
@@ -776,36 +632,12 @@
             <translation>Fot i färg</translation>
         </message>
         <message>
-            <source>Foot length</source>
-            <translation>Fotlängd</translation>
-        </message>
-        <message>
-            <source>Forefoot</source>
-            <translation>Framfot</translation>
-        </message>
-        <message>
             <source>Forefoot angle</source>
             <translation>Framfotsvinkel</translation>
         </message>
         <message>
-            <source>Forefoot filler</source>
-            <translation>Framfotsutfyllnad</translation>
-        </message>
-        <message>
-            <source>Forefoot from</source>
-            <translation>Framfot från</translation>
-        </message>
-        <message>
-            <source>Forefoot twist</source>
-            <translation>Framfotsvridning</translation>
-        </message>
-        <message>
             <source>Forget the landmarks that were set by hand</source>
             <translation>Glöm landmärken som satts för hand</translation>
-        </message>
-        <message>
-            <source>Free-hand pad</source>
-            <translation>Frihandspelott</translation>
         </message>
         <message>
             <source>From a scan to the written file, on the example; again, to reach its bubble</source>
@@ -828,16 +660,8 @@
             <translation>Framkanten {distance} mm bakom metatarsalhuvudena</translation>
         </message>
         <message>
-            <source>Full from</source>
-            <translation>Full från</translation>
-        </message>
-        <message>
             <source>Full length</source>
             <translation>Hel längd</translation>
-        </message>
-        <message>
-            <source>Full up to</source>
-            <translation>Full till</translation>
         </message>
         <message>
             <source>Fullness across</source>
@@ -860,20 +684,8 @@
             <translation>Kilens största höjd i hälskålen</translation>
         </message>
         <message>
-            <source>Heel</source>
-            <translation>Häl</translation>
-        </message>
-        <message>
             <source>Heel centre</source>
             <translation>Hälcentrum</translation>
-        </message>
-        <message>
-            <source>Heel cup</source>
-            <translation>Hälskål</translation>
-        </message>
-        <message>
-            <source>Heel lift</source>
-            <translation>Hälhöjning</translation>
         </message>
         <message>
             <source>Heel lift {mm:.1f} mm</source>
@@ -884,20 +696,8 @@
             <translation>Skons klack {mm:.1f} mm</translation>
         </message>
         <message>
-            <source>Heel skive</source>
-            <translation>Hälskivning</translation>
-        </message>
-        <message>
             <source>Heel width</source>
             <translation>Hälbredd</translation>
-        </message>
-        <message>
-            <source>Heel-spur recess</source>
-            <translation>Hälsporreurtag</translation>
-        </message>
-        <message>
-            <source>Height</source>
-            <translation>Höjd</translation>
         </message>
         <message>
             <source>Height at the highest place; below 0 it is a recess</source>
@@ -968,10 +768,6 @@
             <translation>Invändigt vid trampdynan</translation>
         </message>
         <message>
-            <source>Insole</source>
-            <translation>Inlägg</translation>
-        </message>
-        <message>
             <source>Insole Studio</source>
             <translation>Insole Studio</translation>
         </message>
@@ -1028,10 +824,6 @@
             <translation>Behåll, och avbilda andra foten</translation>
         </message>
         <message>
-            <source>Kind</source>
-            <translation>Typ</translation>
-        </message>
-        <message>
             <source>L</source>
             <translation>V</translation>
         </message>
@@ -1064,20 +856,12 @@
             <translation>Lateralt</translation>
         </message>
         <message>
-            <source>Layers</source>
-            <translation>Lager</translation>
-        </message>
-        <message>
             <source>Least thickness under the foot, before pads and recesses</source>
             <translation>Minsta tjocklek under foten, före pelotter och urgröpningar</translation>
         </message>
         <message>
             <source>Left foot</source>
             <translation>Vänster fot</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>Längd</translation>
         </message>
         <message>
             <source>Length of the pad</source>
@@ -1188,10 +972,6 @@
             <translation>Mät längs ytan och rakt, på fot eller inlägg</translation>
         </message>
         <message>
-            <source>Measures</source>
-            <translation>Mått</translation>
-        </message>
-        <message>
             <source>Measuring tape</source>
             <translation>Måttband</translation>
         </message>
@@ -1200,16 +980,8 @@
             <translation>Medialt</translation>
         </message>
         <message>
-            <source>Metatarsal bar</source>
-            <translation>Tvärbalk</translation>
-        </message>
-        <message>
             <source>Metres</source>
             <translation>Meter</translation>
-        </message>
-        <message>
-            <source>Middle layer</source>
-            <translation>Mellanlager</translation>
         </message>
         <message>
             <source>Millimetres</source>
@@ -1228,10 +1000,6 @@
             <translation>Mondopoint</translation>
         </message>
         <message>
-            <source>Morton's extension</source>
-            <translation>Mortons förlängning</translation>
-        </message>
-        <message>
             <source>Move down</source>
             <translation>Flytta ned</translation>
         </message>
@@ -1246,10 +1014,6 @@
         <message>
             <source>Move: {name}</source>
             <translation>Flytta: {name}</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>Namn</translation>
         </message>
         <message>
             <source>Navicular height</source>
@@ -1288,10 +1052,6 @@
             <translation>Utan belastning</translation>
         </message>
         <message>
-            <source>Notes</source>
-            <translation>Anteckningar</translation>
-        </message>
-        <message>
             <source>Nothing is lost: the case stays open, and is not saved yet.</source>
             <translation>Inget har gått förlorat: fallet är fortfarande öppet men inte sparat än.</translation>
         </message>
@@ -1310,10 +1070,6 @@
         <message>
             <source>One after the other</source>
             <translation>En efter en</translation>
-        </message>
-        <message>
-            <source>Open</source>
-            <translation>Öppna</translation>
         </message>
         <message>
             <source>Open a case that was saved</source>
@@ -1384,16 +1140,8 @@
             <translation>Andra foten som spegelbild</translation>
         </message>
         <message>
-            <source>Outline</source>
-            <translation>Kontur</translation>
-        </message>
-        <message>
             <source>Outline of a shoe EU {size:g}</source>
             <translation>Kontur av en sko EU {size:g}</translation>
-        </message>
-        <message>
-            <source>Oval pad</source>
-            <translation>Oval pelott</translation>
         </message>
         <message>
             <source>Parameters</source>
@@ -1402,10 +1150,6 @@
         <message>
             <source>Patient</source>
             <translation>Patient</translation>
-        </message>
-        <message>
-            <source>Pelott</source>
-            <translation>Pelott</translation>
         </message>
         <message>
             <source>Place a pelott</source>
@@ -1438,10 +1182,6 @@
         <message>
             <source>Posterior</source>
             <translation>Bakifrån</translation>
-        </message>
-        <message>
-            <source>Posting</source>
-            <translation>Kilning</translation>
         </message>
         <message>
             <source>Prescribe on this scan what an earlier case prescribes</source>
@@ -1484,10 +1224,6 @@
             <translation>HÖGER fot</translation>
         </message>
         <message>
-            <source>Radius</source>
-            <translation>Radie</translation>
-        </message>
-        <message>
             <source>Raise</source>
             <translation>Höj</translation>
         </message>
@@ -1516,16 +1252,8 @@
             <translation>Läser…</translation>
         </message>
         <message>
-            <source>Rearfoot</source>
-            <translation>Bakfot</translation>
-        </message>
-        <message>
             <source>Rearfoot angle</source>
             <translation>Bakfotsvinkel</translation>
-        </message>
-        <message>
-            <source>Rearfoot up to</source>
-            <translation>Bakfot till</translation>
         </message>
         <message>
             <source>Rearmost point</source>
@@ -1604,10 +1332,6 @@
             <translation>Ta bort korrigering</translation>
         </message>
         <message>
-            <source>Remove it</source>
-            <translation>Ta bort den</translation>
-        </message>
-        <message>
             <source>Remove the reference plane</source>
             <translation>Ta bort referensplanet</translation>
         </message>
@@ -1636,16 +1360,8 @@
             <translation>Starta om med programvarurendering</translation>
         </message>
         <message>
-            <source>Reverse Morton's extension</source>
-            <translation>Omvänd Mortons förlängning</translation>
-        </message>
-        <message>
             <source>Right foot</source>
             <translation>Höger fot</translation>
-        </message>
-        <message>
-            <source>Rocker</source>
-            <translation>Rullsula</translation>
         </message>
         <message>
             <source>Room that stays</source>
@@ -1756,20 +1472,8 @@
             <translation>Andel av fotens längd upp till vilken bakfotens vinkel gäller</translation>
         </message>
         <message>
-            <source>Shoe</source>
-            <translation>Sko</translation>
-        </message>
-        <message>
             <source>Shoe outline</source>
             <translation>Skokontur</translation>
-        </message>
-        <message>
-            <source>Shoe size</source>
-            <translation>Skostorlek</translation>
-        </message>
-        <message>
-            <source>Shoe size EU</source>
-            <translation>Skostorlek EU</translation>
         </message>
         <message>
             <source>Shoe size UK</source>
@@ -1800,14 +1504,6 @@
             <translation>Visa hela foten och hela inlägget</translation>
         </message>
         <message>
-            <source>Side</source>
-            <translation>Sida</translation>
-        </message>
-        <message>
-            <source>Side height</source>
-            <translation>Sidohöjd</translation>
-        </message>
-        <message>
             <source>Sideways</source>
             <translation>Sidled</translation>
         </message>
@@ -1830,10 +1526,6 @@
         <message>
             <source>Skip</source>
             <translation>Hoppa över</translation>
-        </message>
-        <message>
-            <source>Slope</source>
-            <translation>Lutning</translation>
         </message>
         <message>
             <source>Slope of the underside ahead of the line</source>
@@ -1874,10 +1566,6 @@
         <message>
             <source>Steps</source>
             <translation>Steg</translation>
-        </message>
-        <message>
-            <source>Strength</source>
-            <translation>Styrka</translation>
         </message>
         <message>
             <source>Stretch the pad</source>
@@ -1924,16 +1612,8 @@
             <translation>Måttband</translation>
         </message>
         <message>
-            <source>Taper</source>
-            <translation>Avsmalning</translation>
-        </message>
-        <message>
             <source>Template of a prescription</source>
             <translation>Mall för ordination</translation>
-        </message>
-        <message>
-            <source>Text</source>
-            <translation>Text</translation>
         </message>
         <message>
             <source>Text of the point</source>
@@ -2072,10 +1752,6 @@
             <translation>På den här datorn finns arbete som inte är sparat. Det är bevarat och erbjuds så snart någon som behandlar patienter har loggat in.</translation>
         </message>
         <message>
-            <source>Thickness</source>
-            <translation>Tjocklek</translation>
-        </message>
-        <message>
             <source>Thickness map</source>
             <translation>Tjocklekskarta</translation>
         </message>
@@ -2128,20 +1804,24 @@
             <translation>Luta −</translation>
         </message>
         <message>
+            <source>Tip of the 1st toe</source>
+            <translation>Stortåns spets</translation>
+        </message>
+        <message>
+            <source>Tip of the 2nd toe</source>
+            <translation>Andra tåns spets</translation>
+        </message>
+        <message>
             <source>To the toes, or to behind the metatarsal heads</source>
             <translation>Till tårna, eller till bakom metatarsalhuvudena</translation>
         </message>
         <message>
             <source>Toe end up</source>
-            <translation>Tåände upp</translation>
+            <translation>Tåänden upp</translation>
         </message>
         <message>
             <source>Toe filler</source>
             <translation>Tåutfyllnad</translation>
-        </message>
-        <message>
-            <source>Toes</source>
-            <translation>Tår</translation>
         </message>
         <message>
             <source>Tools</source>
@@ -2158,10 +1838,6 @@
         <message>
             <source>Trim the insole to the shoe</source>
             <translation>Skär inlägget efter skon</translation>
-        </message>
-        <message>
-            <source>Turn</source>
-            <translation>Vridning</translation>
         </message>
         <message>
             <source>Turn a sensor from the box into a measuring device</source>
@@ -2186,10 +1862,6 @@
         <message>
             <source>Turn the view; click on a pelott to select it</source>
             <translation>Rotera vyn; klicka på en pelott för att välja den</translation>
-        </message>
-        <message>
-            <source>Underside</source>
-            <translation>Undersida</translation>
         </message>
         <message>
             <source>Undo</source>
@@ -2218,10 +1890,6 @@
         <message>
             <source>View of sensor {serial}</source>
             <translation>Vy för sensor {serial}</translation>
-        </message>
-        <message>
-            <source>Visit</source>
-            <translation>Besök</translation>
         </message>
         <message>
             <source>Weight-bearing</source>
@@ -2256,10 +1924,6 @@
             <translation>Bredda pelotten</translation>
         </message>
         <message>
-            <source>Width</source>
-            <translation>Bredd</translation>
-        </message>
-        <message>
             <source>Width of the pad</source>
             <translation>Pelottens bredd</translation>
         </message>
@@ -2290,10 +1954,6 @@
         <message>
             <source>Write the table of measures for a spreadsheet</source>
             <translation>Skriv tabellen med mått för ett kalkylblad</translation>
-        </message>
-        <message>
-            <source>Writing the file</source>
-            <translation>Skriver filen</translation>
         </message>
         <message>
             <source>Written: {name}</source>
@@ -2328,16 +1988,8 @@
             <translation>bilder</translation>
         </message>
         <message>
-            <source>insole</source>
-            <translation>inlägg</translation>
-        </message>
-        <message>
             <source>lat.</source>
             <translation>lat.</translation>
-        </message>
-        <message>
-            <source>left</source>
-            <translation>vänster</translation>
         </message>
         <message>
             <source>markers {seen} of {wanted}</source>
@@ -2366,14 +2018,6 @@
         <message>
             <source>not scanned</source>
             <translation>inte skannat</translation>
-        </message>
-        <message>
-            <source>outline</source>
-            <translation>kontur</translation>
-        </message>
-        <message>
-            <source>right</source>
-            <translation>höger</translation>
         </message>
         <message>
             <source>scan of {day}</source>

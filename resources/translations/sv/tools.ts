@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>1 warning</source>
             <translation>1 varning</translation>
@@ -46,10 +46,6 @@
         <message>
             <source>Click where it ends</source>
             <translation>Klicka där det slutar</translation>
-        </message>
-        <message>
-            <source>Copy</source>
-            <translation>Kopiera</translation>
         </message>
         <message>
             <source>Copy: {name}</source>
@@ -124,10 +120,6 @@
             <translation>Flytta en punkt på konturen</translation>
         </message>
         <message>
-            <source>Outline</source>
-            <translation>Kontur</translation>
-        </message>
-        <message>
             <source>Pelott here</source>
             <translation>Pelott här</translation>
         </message>
@@ -180,10 +172,6 @@
             <translation>Visa inlägget under foten, genomskinligt</translation>
         </message>
         <message>
-            <source>Size</source>
-            <translation>Storlek</translation>
-        </message>
-        <message>
             <source>Take the proposed posting</source>
             <translation>Ta den föreslagna kilningen</translation>
         </message>
@@ -200,10 +188,6 @@
             <translation>Tippa foten över tårna</translation>
         </message>
         <message>
-            <source>Toe end up</source>
-            <translation>Tåändan upp</translation>
-        </message>
-        <message>
             <source>Toes down 90°</source>
             <translation>Tårna ned 90°</translation>
         </message>
@@ -218,10 +202,6 @@
         <message>
             <source>Turn 90°</source>
             <translation>Vrid 90°</translation>
-        </message>
-        <message>
-            <source>Turn the foot</source>
-            <translation>Vrid foten</translation>
         </message>
         <message>
             <source>Turn the foot by 90°</source>
@@ -242,14 +222,6 @@
         <message>
             <source>click to go on, double click to end, Ctrl+Z to take the last point back</source>
             <translation>klicka för att fortsätta, dubbelklicka för att avsluta, Ctrl+Z tar tillbaka den sista punkten</translation>
-        </message>
-        <message>
-            <source>lateral</source>
-            <translation>lateralt</translation>
-        </message>
-        <message>
-            <source>medial</source>
-            <translation>medialt</translation>
         </message>
         <message>
             <source>valgus</source>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv">
     <context>
-        <name>studio</name>
+        <name>insole_studio</name>
         <message>
             <source>Add the case files of a folder as visits</source>
             <translation>Lägg till fallfilerna i en mapp som besök</translation>
@@ -52,10 +52,6 @@
             <translation>Exporterat till {folder}.</translation>
         </message>
         <message>
-            <source>File</source>
-            <translation>Fil</translation>
-        </message>
-        <message>
             <source>Import case files</source>
             <translation>Importera fallfiler</translation>
         </message>
@@ -76,10 +72,6 @@
             <translation>Import: {counts}</translation>
         </message>
         <message>
-            <source>Line</source>
-            <translation>Rad</translation>
-        </message>
-        <message>
             <source>Not exported:</source>
             <translation>Inte exporterat:</translation>
         </message>
@@ -90,6 +82,10 @@
         <message>
             <source>Personal numbers</source>
             <translation>Personnummer</translation>
+        </message>
+        <message>
+            <source>Row</source>
+            <translation>Rad</translation>
         </message>
         <message>
             <source>Table</source>
@@ -116,10 +112,6 @@
             <translation>Utan namn, födelsedatum, texter och skanningar, till en verkstad eller för forskning</translation>
         </message>
         <message>
-            <source>already there</source>
-            <translation>finns redan</translation>
-        </message>
-        <message>
             <source>choose</source>
             <translation>välj</translation>
         </message>
@@ -128,24 +120,24 @@
             <translation>komma</translation>
         </message>
         <message>
-            <source>doubtful</source>
-            <translation>tveksam</translation>
-        </message>
-        <message>
             <source>import report</source>
             <translation>importrapport</translation>
         </message>
         <message>
-            <source>new</source>
-            <translation>ny</translation>
+            <source>is added</source>
+            <translation>läggs till</translation>
+        </message>
+        <message>
+            <source>is doubtful</source>
+            <translation>är tveksam</translation>
+        </message>
+        <message>
+            <source>is refused</source>
+            <translation>avvisas</translation>
         </message>
         <message>
             <source>not imported</source>
             <translation>importeras inte</translation>
-        </message>
-        <message>
-            <source>refused</source>
-            <translation>avvisad</translation>
         </message>
         <message>
             <source>semicolon</source>
@@ -162,10 +154,6 @@
         <message>
             <source>the month comes first</source>
             <translation>månaden kommer först</translation>
-        </message>
-        <message>
-            <source>twice in the file</source>
-            <translation>två gånger i filen</translation>
         </message>
         <message>
             <source>{name}: visits, prescriptions, insoles (STL), scans and orders as a folder that opens without this program.</source>

@@ -363,7 +363,7 @@ def test_the_section_follows_the_pointer_and_tells_the_heights(
         qtbot.waitUntil(lambda y=y_mm: _cut_y(opened) == pytest.approx(y, abs=1.0))
         contact = stage.preview.height_mm(10.0, y_mm)
         told = dict(stage.section.legend())
-        assert float(told["Contact"]) == pytest.approx(contact, abs=0.3)
+        assert float(told["Contact surface"]) == pytest.approx(contact, abs=0.3)
         assert float(told["Foot"]) == pytest.approx(contact, abs=0.3)  # it stands on it
         assert told["Underside"] == "0.0"
     act(opened, "section_follows")

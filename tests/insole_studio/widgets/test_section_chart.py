@@ -49,12 +49,12 @@ SKIN = np.array([[[-30.0, 14.0], [10.0, 10.0]], [[-30.0, 90.0], [10.0, 90.0]]])
 def test_the_legend_tells_every_curve_at_a_place(chart: SectionChart) -> None:
     ends = ("Lateral", "Medial")
     chart.show_cut(TOP, BOTTOM, SKIN, ends, cover=TOP - [0.0, 2.0], at_mm=-20.0)
-    told = [("Foot", "13.0"), ("Contact", "10.0"), ("Cover", "8.0"), ("Underside", "0.0")]
+    told = [("Foot", "13.0"), ("Contact surface", "10.0"), ("Cover", "8.0"), ("Underside", "0.0")]
     assert chart.legend() == told
     chart.show_cut(TOP, BOTTOM, SKIN, ends, at_mm=30.0)
-    assert chart.legend() == [("Foot", ""), ("Contact", "6.0"), ("Underside", "0.0")]
+    assert chart.legend() == [("Foot", ""), ("Contact surface", "6.0"), ("Underside", "0.0")]
     chart.show_cut(TOP, BOTTOM, SKIN, ends)
-    assert chart.legend() == [("Foot", ""), ("Contact", ""), ("Underside", "")]
+    assert chart.legend() == [("Foot", ""), ("Contact surface", ""), ("Underside", "")]
 
 
 def test_the_pointer_over_the_chart_goes_before_the_place(chart: SectionChart) -> None:

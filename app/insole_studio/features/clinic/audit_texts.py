@@ -17,7 +17,7 @@ from insole_studio.texts import tr, translate_core_message
 NAMES: Final[Mapping[str, Callable[[], str]]] = {
     "audit_seq": lambda: tr("last line"),
     "captures": lambda: tr("captures"),
-    "count": lambda: tr("number"),
+    "count": lambda: tr("count"),
     "damaged": lambda: tr("damaged"),
     "digest": lambda: tr("digest"),
     "failures": lambda: tr("failed attempts"),
@@ -50,7 +50,7 @@ NAMES: Final[Mapping[str, Callable[[], str]]] = {
 WORDS: Final[Mapping[str, Callable[[], str]]] = {
     "True": lambda: tr("yes"),
     "False": lambda: tr("no"),
-    "None": lambda: tr("none"),
+    "None": lambda: tr("nothing"),
     "request": lambda: tr("on request"),
     "retention over": lambda: tr("time of keeping over"),
     "sample": lambda: tr("sample patient"),

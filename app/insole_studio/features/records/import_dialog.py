@@ -153,9 +153,9 @@ def _table_row(number: int, row: ImportRow) -> TableRow:
 def _outcome_text(outcome: Outcome) -> str:
     """Return what becomes of one row; the core speaks of several."""
     return {
-        Outcome.NEW: tr("new"),
+        Outcome.NEW: tr("is added"),
         Outcome.PRESENT: tr("already there"),
         Outcome.REPEATED: tr("twice in the file"),
-        Outcome.DOUBTFUL: tr("doubtful"),
-        Outcome.REFUSED: tr("refused"),
+        Outcome.DOUBTFUL: tr("is doubtful"),
+        Outcome.REFUSED: tr("is refused"),
     }[outcome]

@@ -49,7 +49,7 @@ class TableImportDialog(ImportDialog):
         self, table: TextTable, mapping: ColumnMapping, name: str, parent: QWidget | None = None
     ) -> None:
         title = tr("Import patients from {name}").format(name=name)
-        super().__init__(title, tr("Line"), parent)
+        super().__init__(title, tr("Row"), parent)
         self.reading = MessageLabel("quiet")
         self.reading.say(_reading(table))
         self.columns = [ComboBox(_fields()) for _ in table.headings]

@@ -95,7 +95,7 @@ class FindingActions:
     def export_own(self) -> None:
         """Write all findings of the clinic to a file for another one."""
         listed = self._storage.load()
-        self._export([listed.items[key] for key in sorted(listed.own)], tr("findings"))
+        self._export([listed.items[key] for key in sorted(listed.own)], tr("own findings"))
 
     def remove(self, finding: Finding) -> None:
         """Remove a finding of the clinic."""
