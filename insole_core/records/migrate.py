@@ -14,7 +14,7 @@ from insole_core.records.author import Author
 from insole_core.records.database import MIGRATION_LOCK, SCHEMA_COLUMN, SCHEMA_TABLE, Database
 from insole_core.records.row_report import seal_everything
 
-SCHEMA: Final = "0005"
+SCHEMA: Final = "0006"
 """The newest revision in `migrations/versions`; revisions are numbered."""
 _FIRST_SEALED: Final = "0004"
 """From which on the audit log keeps digests of rows."""

@@ -81,6 +81,11 @@ class Person:
                   "postort", "postnummer", "kontakt", "adresse", "strasse", "plz", "handy", "stadt",
                   "wohnort"),
     )] = ""  # fmt: skip
+    occupation: Annotated[str, Line(
+        "occupation", TAKEN_OVER, label="Occupation",
+        headings=("occupation", "profession", "job", "work", "yrke", "sysselsättning", "arbete",
+                  "beruf", "tätigkeit"),
+    )] = ""  # fmt: skip
     consent_on: Annotated[date | None, Day(
         "date of consent", TAKEN_OVER, label="Consent on",
         headings=("consent", "consent date", "date of consent", "samtycke", "samtyckesdatum",

@@ -111,8 +111,8 @@ def _visit_dossier(records: Records, visit: Visit) -> VisitDossier:
 def pseudonymous(dossier: PersonDossier) -> PersonDossier:
     """Return a dossier that names and describes nobody (decision 0049).
 
-    Left out are name, birth date, personal number, contact, consent, every text that somebody has
-    typed about the person, photos, captures (files of other programs may hold a name) and the
+    Left out are all fields of the person but the pseudonym, every text that somebody has typed
+    about them, photos, captures (files of other programs may hold a name) and the
     papers of orders that name the patient.
 
     Raises

@@ -1680,6 +1680,10 @@
             <translation>Inget skrevs till {place}: dess disk är full eller tar inte emot mer från dig; frigör utrymme och försök igen.</translation>
         </message>
         <message>
+            <source>Occupation</source>
+            <translation>Yrke</translation>
+        </message>
+        <message>
             <source>One column holds the whole name, and another a part of it; choose either the whole name, or given name and family name.</source>
             <translation>En kolumn innehåller hela namnet och en annan en del av det; välj antingen hela namnet eller förnamn och efternamn.</translation>
         </message>
@@ -6110,6 +6114,10 @@
         <message>
             <source>number of the order</source>
             <translation>Beställningens nummer</translation>
+        </message>
+        <message>
+            <source>occupation</source>
+            <translation>yrke</translation>
         </message>
         <message>
             <source>of unknown age</source>

@@ -124,7 +124,7 @@ def planted(records: Records, foot_record: FootRecord, session: Session, tmp_pat
     paper.write_bytes(b"%PDF-1.4 " + NAME.encode())
     person = records.persons.add(
         Person(NAME, date(1971, 4, 2), "19710402-1234", contact=f"{NAME}, Storgatan 1",
-               notes=f"{NAME} is shy", consent_on=TODAY, pseudonym=f"{NAME} 7")
+               occupation=f"colleague of {NAME}", notes=f"{NAME} is shy", consent_on=TODAY, pseudonym=f"{NAME} 7")
     )  # fmt: skip
     other = records.persons.add(Person(f"{NAME}-Berg", notes=f"earlier {NAME}"))
     visit = records.visits.add(
@@ -266,8 +266,8 @@ def test_a_name_that_was_changed_long_ago_is_not_left_in_free_pages(records: Rec
 def test_a_merge_drops_nothing_that_a_person_has(records: Records) -> None:
     kept = records.persons.add(Person("Eva Berg"))
     full = Person(
-        "Eva Berg", date(1971, 4, 2), "19640823-3234", "se", contact="Storgatan 1", notes="shy",
-        consent_on=TODAY,
+        "Eva Berg", date(1971, 4, 2), "19640823-3234", "se", contact="Storgatan 1",
+        occupation="nurse", consent_on=TODAY, notes="shy",
     )  # fmt: skip
     other = records.persons.add(full)
     records.persons.merge(kept.id, other.id)
