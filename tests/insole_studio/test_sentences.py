@@ -32,6 +32,10 @@ from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.prescription.vocabulary import NAMES, SPOKEN, WORDS
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
+from insole_core.records.order import Order
+from insole_core.records.person import Person
+from insole_core.records.record_field import fields_of, typed_fields
+from insole_core.records.visit import Visit
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.sensing.disparity import LinearInverseDisparity
@@ -296,6 +300,13 @@ def test_every_word_of_a_prescription_has_a_swedish_one() -> None:
     fields = [spoken for part in SPOKEN.values() for spoken in part.values()]
     words = {*NAMES.values(), *(said.name for said in fields)}
     words |= {word for said in fields for word in said.words.values()}
+    assert words - CATALOGUE.keys() == set()
+
+
+def test_every_field_of_the_record_has_swedish_words() -> None:
+    kinds = (Person, Visit, Order)
+    words = {field.noun for kind in kinds for field in fields_of(kind).values()}
+    words |= {field.label for kind in kinds for field in typed_fields(kind).values()}
     assert words - CATALOGUE.keys() == set()
 
 

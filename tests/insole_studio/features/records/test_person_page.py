@@ -25,6 +25,7 @@ from insole_core.records.captures import MESH
 from insole_core.records.field_merge import FieldChoice
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
+from insole_core.records.record_field import Line
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.mirrored_foot import mirrored_foot
@@ -35,7 +36,7 @@ from insole_studio.features.records.field_conflict_dialog import FieldConflictDi
 from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.person_export_dialog import PersonExportDialog
-from insole_studio.features.records.person_page import PersonPage
+from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_texts import moment_text
 from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.widgets.notice_bar import Notice
@@ -89,6 +90,20 @@ def test_fields_are_stored_at_once_and_undone(
     clinic.controller.run_action("redo", False)
     rest()
     assert records.persons.get(visit.person_id).birth_date == date(1971, 3, 1)
+
+
+def test_every_field_of_a_patient_is_in_the_form_and_stored(
+    page: PersonPage, records: Records, visit: Visit, rest: Callable[[], None]
+) -> None:
+    labels = {label.text() for label in page.findChildren(QLabel)}
+    assert {field.label for field in PERSON.values() if field.is_told} - labels == set()
+    assert page._fields.keys() == PERSON.keys() - {"pseudonym"}
+    lines = {k for k, f in PERSON.items() if isinstance(f, Line) and not f.is_needed}
+    for key in lines:
+        type_in(page, key, f"new {key}")
+    rest()
+    stored = records.persons.get(visit.person_id)
+    assert {key: getattr(stored, key) for key in lines} == {key: f"new {key}" for key in lines}
 
 
 def test_a_visit_says_when_it_was_captured_and_the_sensors_calibrated(
