@@ -124,7 +124,8 @@ def planted(records: Records, foot_record: FootRecord, session: Session, tmp_pat
     paper.write_bytes(b"%PDF-1.4 " + NAME.encode())
     person = records.persons.add(
         Person(NAME, date(1971, 4, 2), "19710402-1234", contact=f"{NAME}, Storgatan 1",
-               occupation=f"colleague of {NAME}", notes=f"{NAME} is shy", consent_on=TODAY, pseudonym=f"{NAME} 7")
+               occupation=f"colleague of {NAME}", notes=f"{NAME} is shy", consent_on=TODAY,
+               pseudonym=f"{NAME} 7")
     )  # fmt: skip
     other = records.persons.add(Person(f"{NAME}-Berg", notes=f"earlier {NAME}"))
     visit = records.visits.add(
