@@ -289,9 +289,8 @@ class ContentStore:
             brought_back, deleted = self._empty_removed(used, now - grace_s)
             unused = [path for path in self._files() if self._is_in_place(path)]
             unused = [p for p in unused if p.name not in used and _is_before(p, now - grace_s)]
-            for path in unused:
-                self._set_aside(path, now)
-        return SweptContents(len(unused), deleted, brought_back)
+            set_aside = sum(self._set_aside(path, now) for path in unused)
+        return SweptContents(set_aside, deleted, brought_back)
 
     def discard(self, digests: Collection[str]) -> None:
         """Delete contents of somebody who was erased, to which no row refers any more.
@@ -312,7 +311,7 @@ class ContentStore:
                 for path in (self.path(sha256), self._removed(sha256)):
                     if path.is_file() and _is_before(path, before):
                         with output_errors(path):
-                            path.unlink()
+                            path.unlink(missing_ok=True)
 
     def verify(self, used: Mapping[str, int], progress: Progress = SILENT) -> ContentReport:
         """Read every file and compare it with its name.
@@ -337,9 +336,13 @@ class ContentStore:
                 if not self._is_in_place(path):
                     foreign.append(path)
                     continue
+                is_sound = _is_sound(path)
+                try:
+                    total += path.stat().st_size
+                except FileNotFoundError:  # swept since the folder was listed
+                    continue
                 seen.add(path.name)
-                total += path.stat().st_size
-                if not _is_sound(path):
+                if not is_sound:
                     damaged.append(path.name)
         missing = sorted(
             sha256 for sha256 in used if sha256 not in seen and not self._restore(sha256)
@@ -440,12 +443,17 @@ class ContentStore:
     def _removed(self, sha256: str) -> Path:
         return self.folder / REMOVED_FOLDER / sha256
 
-    def _set_aside(self, path: Path, now: float) -> None:
+    def _set_aside(self, path: Path, now: float) -> bool:
+        """Move a content to the removed ones; return whether it was still there."""
         aside = self._removed(path.name)
         with output_errors(aside):
             self._make_folder(aside.parent)
-            os.utime(path, (now, now))
-            path.replace(aside)
+            try:
+                os.utime(path, (now, now))
+                path.replace(aside)
+            except FileNotFoundError:  # another station sweeps too
+                return False
+        return True
 
     def _restore(self, sha256: str) -> bool:
         """Bring a removed content back; return whether there was one."""
@@ -454,8 +462,11 @@ class ContentStore:
             return False
         with output_errors(path):
             self._make_folder(path.parent)
-            os.utime(aside)
-            aside.replace(path)
+            try:
+                os.utime(aside)
+                aside.replace(path)
+            except FileNotFoundError:  # another station was first
+                return path.is_file()
             sync(path.parent)
         return True
 
@@ -468,7 +479,7 @@ class ContentStore:
                 brought_back += self._restore(path.name)
             elif _is_before(path, before):
                 with output_errors(path):
-                    path.unlink()
+                    path.unlink(missing_ok=True)
                 deleted += 1
         return brought_back, deleted
 
@@ -545,7 +556,11 @@ def _is_sound(path: Path) -> bool:
 
 
 def _is_before(path: Path, time_s: float) -> bool:
-    return path.stat().st_mtime < time_s
+    """Return whether a file is older; one that another station has just swept is not."""
+    try:
+        return path.stat().st_mtime < time_s
+    except FileNotFoundError:
+        return False
 
 
 def _raise(error: OSError) -> None:

@@ -14,6 +14,7 @@ import pytest
 
 from insole_core.errors import InputError, OutputError, RecordsError, Unreachable
 from insole_core.export import sync
+from insole_core.progress import Progress
 from insole_core.records.content_store import (
     GRACE_S,
     IDENTITY_FILE,
@@ -211,6 +212,40 @@ def test_unused_contents_leave_after_two_grace_times(store: ContentStore) -> Non
     with pytest.raises(DamagedContent):
         store.read(unused)
     assert store.read(used) == b"used"
+
+
+class SweptMeanwhile(set[str]):
+    """What rows refer to; another station sweeps as soon as the last of the files is looked up."""
+
+    def __init__(self, store: ContentStore, now: float, lookups: int) -> None:
+        super().__init__()
+        self.store, self.now, self.left = store, now, lookups
+
+    def __contains__(self, name: object) -> bool:
+        self.left -= 1
+        if self.left == 0:
+            self.store.sweep(set(), self.now)
+        return False
+
+
+@pytest.mark.parametrize("lookups", [1, 2])
+def test_two_stations_may_sweep_at_once(store: ContentStore, lookups: int) -> None:
+    for content in (b"first", b"second"):
+        age(store.path(store.put(content)), GRACE_S + 60)
+    now = time.time()
+    assert store.sweep(SweptMeanwhile(store, now, lookups), now) == SweptContents()
+    later = now + GRACE_S + 1
+    assert store.sweep(SweptMeanwhile(store, later, 1), later).set_aside == 0
+    assert list((store.folder / "removed").iterdir()) == []
+
+
+def test_what_is_swept_while_it_is_verified_is_neither_damaged_nor_an_error(
+    store: ContentStore,
+) -> None:
+    age(store.path(store.put(SCAN)), GRACE_S + 60)
+    sweeping = Progress(lambda _fraction, _text: store.sweep(set(), time.time()))
+    report = store.verify({}, sweeping)
+    assert (report.is_sound, report.checked, report.unused) == (True, 0, ())
 
 
 def test_storing_again_starts_the_grace_time_anew(store: ContentStore) -> None:
