@@ -113,13 +113,17 @@ class CrashReports:
                 "Insole Studio met an error of its own last time. A report of it is kept; it holds "
                 "no patients' data."
             ),
-            (tr("Look at the report"), lambda: self._show(left, services)),
+            (tr("Look at the report"), lambda: self._show(services)),
             (tr("Remove it"), lambda: _remove(left)),
             stays=True,
         )
 
-    def _show(self, left: list[Path], services: AppServices) -> None:
-        text = "\n\n".join(map(_readable, left))
+    def _show(self, services: AppServices) -> None:
+        left = self.left()
+        text = "\n\n".join(filter(None, map(_readable, left)))
+        if not text:
+            services.messages.say(tr("The report was removed by another window."))
+            return
         dialog = ReportDialog(text, services, services.window)
         dialog.removed.clicked.connect(lambda: _remove(left))
         dialog.show()
@@ -156,9 +160,12 @@ def _program() -> str:
 
 
 def _readable(path: Path) -> str:
-    """Return a report with paths that name no user."""
-    text = path.read_text(encoding="utf-8", errors="replace")
-    made = datetime.fromtimestamp(path.stat().st_mtime, UTC).isoformat(" ", "minutes")
+    """Return a report with paths that name no user; nothing of one that is gone."""
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+        made = datetime.fromtimestamp(path.stat().st_mtime, UTC).isoformat(" ", "minutes")
+    except FileNotFoundError:  # another window has just removed it
+        return ""
     return f"{made}\n" + _FILE.sub(lambda found: f'File "{_short(found[1])}"', text)
 
 

@@ -1732,6 +1732,10 @@
             <translation>Programmet kan avslutas av sig självt så snart det ritar.</translation>
         </message>
         <message>
+            <source>The report was removed by another window.</source>
+            <translation>Rapporten togs bort av ett annat fönster.</translation>
+        </message>
+        <message>
             <source>The section</source>
             <translation>Snittet</translation>
         </message>

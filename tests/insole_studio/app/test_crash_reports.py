@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from PySide6.QtWidgets import QPushButton
 
 from insole_studio.app.bootstrap import Application
@@ -42,6 +43,25 @@ def test_a_report_is_offered_looked_at_and_removed(app: Application, tmp_path: P
     dialog.removed.click()
     assert reports.left() == []
     assert not dialog.isVisible()
+
+
+@pytest.mark.parametrize("gone", [1, 2])
+def test_reports_that_another_window_removes_while_they_are_offered(
+    app: Application, tmp_path: Path, gone: int
+) -> None:
+    reports = CrashReports(tmp_path)
+    for name in ("Gustava Berg", "Anna Holm"):
+        reports.write(failed(name))
+    reports.offer(app.services)
+    for path in reports.left()[:gone]:
+        path.unlink()
+    look = button(app, "Look at the report")
+    assert look is not None
+    look.click()
+    shown = [d for d in app.window.findChildren(ReportDialog) if d.isVisible()]
+    assert [d.text.toPlainText().count("ValueError") for d in shown] == [1] * (2 - gone)
+    said = app.window.statusBar().currentMessage()
+    assert said == ("" if shown else "The report was removed by another window.")
 
 
 def button(app: Application, text: str) -> QPushButton | None:

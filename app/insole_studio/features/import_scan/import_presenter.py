@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -78,6 +78,8 @@ class ImportPresenter(QObject):
         self._chosen: list[FootCandidate | None] = []
         self._said: dict[int, Side] = {}
         """Which foot each one is, where the user has said it."""
+        self._told: set[str] = set()
+        """The warnings that were shown; they are not said a second time with the foot."""
         dialog.show_reading(found.choice)
         self._size_said = dialog.size_fields.said
         self._shown = 0
@@ -283,6 +285,7 @@ class ImportPresenter(QObject):
         readings = () if foot is None else foot.unit_readings
         dialog.show_units({one.unit: unit_text(one) for one in readings})
         told = () if foot is None else (*foot.doubts, *foot.warnings)
+        self._told.update(map(str, told))
         doubts = [self._found.refusal, *told]
         dialog.doubts.say_all([doubt for doubt in doubts if doubt])
         dialog.notes.say_all(self._notes)
@@ -326,7 +329,7 @@ class ImportPresenter(QObject):
 
     def _taken(self, feet: list[ScannedFoot]) -> None:
         self._dialog.accept()
-        self._take(feet)
+        self._take([_not_told_again(scanned, self._told) for scanned in feet])
 
     def _refused(self, error: Exception) -> None:
         """Tell what speaks against it; the user may insist."""
@@ -357,6 +360,10 @@ class ImportPresenter(QObject):
         if channel in (FIND, TAKE):
             self._dialog.progress.show_work(0, "")
             self._show_opening()
+
+
+def _not_told_again(scanned: ScannedFoot, told: Collection[str]) -> ScannedFoot:
+    return replace(scanned, warnings=tuple(w for w in scanned.warnings if w not in told))
 
 
 def _lying(mesh: TriangleMesh) -> FloatArray:
