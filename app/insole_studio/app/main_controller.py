@@ -206,11 +206,13 @@ class MainController(QObject):
         if self._window.page is None:
             self._services.messages.clear()  # it spoke of what the page hides
         self._window.show_page(page)
+        self._services.notices.hide_of_case(True)
         self._show_state()
 
     def _show_panels(self) -> None:
         if self._window.page is not None:
             self._window.show_panels()
+            self._services.notices.hide_of_case(False)
             self._stage.focus_view()
             self._show_state()
 

@@ -19,6 +19,7 @@ class _Shown:
     notice: Notice
     offers: tuple[Offer, ...]
     stays: bool
+    on_pages: bool
 
 
 class Notices(QObject):
@@ -28,15 +29,22 @@ class Notices(QObject):
         super().__init__(parent)
         self._bar = bar
         self._shown: dict[str, _Shown] = {}
+        self._on_page = False
         bar.taken.connect(self.take)
         bar.dismissed.connect(self.drop)
 
     @property
     def notices(self) -> list[Notice]:
         """Return the shown notices."""
-        return [shown.notice for shown in self._shown.values()]
+        return [
+            shown.notice
+            for shown in self._shown.values()
+            if shown.stays or shown.on_pages or not self._on_page
+        ]
 
-    def put(self, key: str, text: str, *offers: Offer, stays: bool = False) -> None:
+    def put(
+        self, key: str, text: str, *offers: Offer, stays: bool = False, on_pages: bool = False
+    ) -> None:
         """Show a notice, with a button for each offer.
 
         Parameters
@@ -47,9 +55,17 @@ class Notices(QObject):
             Label and action of each button.
         stays
             Whether it outlives the open case, because it does not concern it.
+        on_pages
+            Whether it is shown on the pages of the record too, though it goes with the open case;
+            what stays always is.
         """
         labels = tuple(label for label, _ in offers)
-        self._shown[key] = _Shown(Notice(key, text, labels), offers, stays)
+        self._shown[key] = _Shown(Notice(key, text, labels), offers, stays, on_pages)
+        self._bar.show_notices(self.notices)
+
+    def hide_of_case(self, hidden: bool) -> None:
+        """Hide what concerns the open case while a page of the record takes its place."""
+        self._on_page = hidden
         self._bar.show_notices(self.notices)
 
     def drop(self, key: str) -> None:

@@ -34,6 +34,7 @@ from insole_studio.document.side_by_side import foot_difference, insole_differen
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.services.questions import SameSide
 from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.elided_label import ElidedLabel
 
 pytestmark = pytest.mark.slow
 
@@ -621,3 +622,32 @@ def test_a_wider_window_widens_both_views(
         return sum(gained) > 400 and min(gained) > 0.3 * sum(gained)
 
     qtbot.waitUntil(is_shared)
+
+
+@pytest.mark.parametrize("page", ["patients", "orders"])
+def test_what_is_said_of_the_open_case_waits_while_a_page_of_the_record_is_shown(
+    app: Application,
+    scan: Callable[[Side], Path],
+    settle: Settle,
+    qtbot: QtBot,
+    page: str,
+) -> None:
+    def said(text: str) -> bool:
+        QApplication.processEvents()
+        labels = app.stage.notices.findChildren(ElidedLabel)
+        return any(label.isVisible() and text in label.text() for label in labels)
+
+    app.main.help.offer_tour()
+    app.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
+    settle()
+    insist_on(app, settle, Side.LEFT)
+    assert said("The heel is missing")
+    assert said("New here?")
+    app.window.actions_by_key[page].trigger()
+    qtbot.waitUntil(lambda: app.window.page is not None)
+    assert not said("The heel is missing")
+    assert said("New here?")
+    step = next(b for b in app.stage.steps.findChildren(QToolButton) if "Design" in b.text())
+    QTest.mouseClick(step, LEFT_BUTTON)
+    qtbot.waitUntil(lambda: app.window.page is None)
+    assert said("The heel is missing")

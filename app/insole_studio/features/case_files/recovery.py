@@ -171,6 +171,7 @@ class Recovery:
             (tr("Save"), self._saver.save),
             (tr("Keep it open"), lambda: None),
             (tr("Discard it…"), lambda: self._ask_to_discard(changed)),
+            on_pages=True,
         )
 
     def _drop_when_saved(self) -> None:

@@ -134,6 +134,7 @@ class OrderActions(QObject):
                 NOTICE,
                 sentence.format(number=after.number, state=state_text(after.state)),
                 (tr("Undo"), lambda: self._move_back(after, order.state)),
+                on_pages=True,
             )
 
         self._clinic.write(
@@ -176,6 +177,7 @@ class OrderActions(QObject):
             NOTICE,
             sentence.format(order=name_of(order), day=day_text(order.due_on)),
             (tr("Shop and due date…"), lambda: self.ask(order.id)),
+            on_pages=True,
         )
 
     def _ask(self, order: Order) -> None:

@@ -541,6 +541,7 @@ class PatientRecords(QObject):
             CONFLICT,
             tr("Two versions of this foot wait for a decision; yours is kept on this computer."),
             (tr("Decide…"), self.decide),
+            on_pages=True,
         )
 
     def _here(self) -> str:
