@@ -173,7 +173,7 @@ def test_what_is_no_foot_is_not_opened_at_the_first_press(
 def test_what_the_dialog_warns_of_is_not_said_again_once_the_scan_is_open(
     app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
 ) -> None:
-    far = replace(right_foot, vertices=right_foot.vertices + (2e6, 0, 0))
+    far = replace(right_foot, vertices=right_foot.vertices + np.array([2e6, 0, 0]))
     dialog = open_scan(far)
     assert dialog is not None
     assert "so far from the origin" in dialog.doubts.text()
@@ -186,7 +186,7 @@ def test_what_the_dialog_warns_of_is_not_said_again_once_the_scan_is_open(
 def test_a_warning_of_a_scan_that_is_opened_without_the_dialog_is_said(
     app: Application, open_scan: Open, right_foot: TriangleMesh
 ) -> None:
-    far = replace(right_foot, vertices=right_foot.vertices + (2e6, 0, 0))
+    far = replace(right_foot, vertices=right_foot.vertices + np.array([2e6, 0, 0]))
     assert open_scan(far, Side.RIGHT) is None  # type: ignore[call-arg]
     (said,) = app.services.messages.dialogs
     assert "so far from the origin" in said.text()
