@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Final, TypeVar
 
 import numpy as np
+from dialog_pictures import fill_record, open_record
 from hand import HANDS, Keys, pixel
 from PySide6.QtCore import QElapsedTimer, QEventLoop, QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication
@@ -26,6 +28,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.cases.case_file import read_case
 from insole_core.formats.ply import write_ply
 from insole_core.insole.elements import Pelott, Posting
 from insole_core.resources import resource_path
@@ -33,6 +36,8 @@ from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.scripted import ScriptedWindow, wait_for
 from insole_studio.document.case_lock import take_lock
 from insole_studio.document.journal import find_recovered
+from insole_studio.features.import_scan.import_dialog import ImportDialog
+from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.services.questions import Questions
 from insole_studio.settings import Language, Settings, Theme, save_settings
 from insole_studio.texts import tr
@@ -42,8 +47,9 @@ from insole_studio.widgets.number_field import NumberField
 EXAMPLE = resource_path("example/example.insole")
 LOOK_MS, DRAWN_MS, LIVE_MS = 100, 250, 4000
 PATIENCE_MS = 90_000
+Window = TypeVar("Window", bound=QWidget)
 SCALED = (3840, 2160)
-"""The screen that is used at scale 2."""
+"""The screen that is used at scale 2 unless another scale is asked for."""
 
 
 @dataclass(frozen=True)
@@ -54,20 +60,25 @@ class Circumstances:
     language: Language = "en"
     theme: Theme = "light"
     hand: str = "mouse"
+    scale: float = 1.0
+    """Device pixels of a pixel of the window."""
 
     @property
     def name(self) -> str:
         """Name of the folder of the pictures."""
-        return f"{self.size[0]}x{self.size[1]}-{self.language}-{self.theme}-{self.hand}"
+        width, height = self.size
+        return f"{width}x{height}-{self.scale:g}-{self.language}-{self.theme}-{self.hand}"
 
     @property
-    def scale(self) -> int:
-        """Device pixels of a pixel of the window."""
-        return 2 if self.size == SCALED else 1
+    def room(self) -> tuple[int, int]:
+        """Width and height of the screen, px of the window."""
+        return int(self.size[0] / self.scale), int(self.size[1] / self.scale)
 
 
-def walk(circumstances: Circumstances, session: Path, folder: Path) -> list[Path]:
-    """Walk all journeys, and return the pictures.
+def walk(
+    circumstances: Circumstances, session: Path, folder: Path, names: Sequence[str]
+) -> list[Path]:
+    """Walk journeys, and return the pictures.
 
     Parameters
     ----------
@@ -75,14 +86,16 @@ def walk(circumstances: Circumstances, session: Path, folder: Path) -> list[Path
         A scan of the left foot of the example's patient.
     folder
         The pictures come into a folder in it.
+    names
+        Of the journeys, as in `JOURNEYS`.
     """
     os.environ["QT_SCALE_FACTOR"] = str(circumstances.scale)
     target = folder / circumstances.name
     target.mkdir(parents=True, exist_ok=True)
     taken: list[Path] = []
-    for journey in JOURNEYS:
+    for name in names:
         with tempfile.TemporaryDirectory() as home, window(circumstances, Path(home), session) as w:
-            journey(Walk(w, circumstances, target, taken), session)
+            JOURNEYS[name](Walk(w, circumstances, target, taken), session)
     return taken
 
 
@@ -100,9 +113,9 @@ def window(circumstances: Circumstances, home: Path, session: Path) -> Iterator[
     )
     paths.settings_file.parent.mkdir(parents=True)
     save_settings(settings, paths.settings_file)
-    width, height = (length // circumstances.scale for length in circumstances.size)
+    fill_record(paths, circumstances.language)
     dark = circumstances.theme == "dark"
-    with ScriptedWindow(paths, (width, height), dark, emulate=session) as studio:
+    with ScriptedWindow(paths, circumstances.room, dark, emulate=session) as studio:
         studio.app.services.messages.questions = Questions(studio.app.window)
         studio.app.window.move(0, 0)
         studio.app.window.activateWindow()
@@ -124,9 +137,7 @@ class Walk:
         """Take a picture of the screen, with all windows and dialogs on it."""
         QTest.qWait(after_ms)
         screen = QGuiApplication.primaryScreen()
-        width, height = self._circumstances.size
-        scale = self._circumstances.scale
-        picture = screen.grabWindow(0, 0, 0, width // scale, height // scale)
+        picture = screen.grabWindow(0, 0, 0, *self._circumstances.room)
         path = self._folder / f"{len(self._taken) + 1:02}-{name}.png"
         picture.save(str(path))
         self._taken.append(path)
@@ -450,4 +461,88 @@ def walk_stages(walk: Walk, _session: Path) -> None:
     calibrate.close()
 
 
-JOURNEYS = (walk_standard_case, walk_two_feet, walk_questions, walk_stages)
+def walk_day(walk: Walk, _session: Path) -> None:
+    """A patient of the day: from the list of patients to the order, in twelve pages."""
+    hand, app = walk.hand, walk.app
+    open_record(walk.studio)
+    walk.see("patients")
+    start = app.features.records.start
+    assert start is not None
+    hand.click(start.new_patient)
+    dialog = shown(NewPatientDialog)
+    QTest.keyClicks(dialog.name, "Eva Öberg")
+    walk.see("new-patient")
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    walk.until(lambda: app.window.page is app.features.records.person)
+    walk.see("patient", LIVE_MS)
+    hand.choose("new_visit")
+    walk.until(lambda: app.case.kept is not None)
+    walk.see("visit")
+    import_scan(walk)
+    line = metatarsal_line(app.case.record)
+    assert line is not None
+    x, y, _ = line[1]
+    hand.choose("tool_pelott")
+    hand.tap(app.stage.foot.scene, (x, y - 45.0))
+    walk.see("pelott")
+    hand.choose("tool_posting")
+    hand.type(walk.field("posting.rearfoot_deg"), "4")
+    hand.choose("tool_section")
+    hand.tap(app.stage.foot.scene, (x, y - 42.0))
+    hand.choose("map_thickness")
+    walk.see("section")
+    hand.choose("variant_duplicate")
+    change_variant(walk)
+    hand.choose("beside_variant")
+    walk.see("variants")
+    hand.choose("beside_nothing")
+    see_order(walk)
+
+
+def import_scan(walk: Walk) -> None:
+    """Open the scan of another program, and say which foot it is."""
+    hand, app = walk.hand, walk.app
+    scan = app.services.paths.data_folder / "scan 17.ply"
+    scan.parent.mkdir(parents=True, exist_ok=True)
+    foot = read_case(EXAMPLE).feet[0].foot
+    write_ply(foot.mesh, scan)
+    app.features.case_files.opener.open_path(scan)
+    walk.studio.settle()
+    asked = shown(ImportDialog)
+    walk.see("scan")
+    hand.click(asked.sides[foot.side])
+    hand.click(asked.open_button)
+    walk.see("foot")
+
+
+def see_order(walk: Walk) -> None:
+    """Check & export, then the list of orders."""
+    hand, app = walk.hand, walk.app
+    hand.choose("export")
+    walk.stage("export")
+    stage = app.features.export.stage
+    assert stage is not None
+    walk.see("export")
+    order = app.services.paths.data_folder / "insole"
+    with walk.asked("export-to", lambda dialog: type_path(dialog, order)):
+        hand.click(stage.view.export)
+    wait_for(stage.jobs)
+    stage.close()
+    app.window.activateWindow()
+    walk.studio.settle()
+    hand.choose("orders")
+    walk.see("orders", LIVE_MS)
+
+
+def shown(kind: type[Window]) -> Window:
+    """Return the window of a kind that is shown."""
+    return next(w for w in QApplication.topLevelWidgets() if isinstance(w, kind) and w.isVisible())
+
+
+JOURNEYS: Final[dict[str, Callable[[Walk, Path], None]]] = {
+    "day": walk_day,
+    "standard": walk_standard_case,
+    "feet": walk_two_feet,
+    "questions": walk_questions,
+    "stages": walk_stages,
+}

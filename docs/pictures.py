@@ -22,7 +22,7 @@ from contact_sheet import write_sheet
 from device_pictures import draw_devices
 from dialog_pictures import SCAN, fill_record, open_record, save, take_and_close, take_dialogs
 from hand import HANDS
-from journeys import Circumstances, walk
+from journeys import JOURNEYS, SCALED, Circumstances, walk
 
 from insole_core.cases.case_file import read_case
 from insole_core.formats.ply import write_ply
@@ -72,7 +72,9 @@ def parsed() -> argparse.Namespace:
     """Read the command line."""
     parser = argparse.ArgumentParser(description="Take the pictures of the documentation.")
     parser.add_argument("--journeys", type=Path, metavar="FOLDER")
-    parser.add_argument("--size", default="1366x768", help="of the screen; 3840x2160 is at scale 2")
+    parser.add_argument("--size", default="1366x768", help="of the screen")
+    parser.add_argument("--scale", type=float, help="by default 1; 2 on a screen of 3840x2160")
+    parser.add_argument("--journey", nargs="*", choices=tuple(JOURNEYS), default=tuple(JOURNEYS))
     parser.add_argument("--language", choices=("en", "sv"), default="en")
     parser.add_argument("--theme", choices=("light", "dark"), default="light")
     parser.add_argument("--hand", choices=tuple(HANDS), default="mouse")
@@ -87,10 +89,11 @@ def take_journeys(arguments: argparse.Namespace) -> None:
     if not session.exists():
         simulate_left_foot(session)
     width, height = (int(text) for text in arguments.size.split("x"))
+    scale = arguments.scale or (2.0 if (width, height) == SCALED else 1.0)
     circumstances = Circumstances(
-        (width, height), arguments.language, arguments.theme, arguments.hand
+        (width, height), arguments.language, arguments.theme, arguments.hand, scale
     )
-    pictures = walk(circumstances, session, folder)
+    pictures = walk(circumstances, session, folder, arguments.journey)
     write_sheet(pictures, folder / f"{circumstances.name}.png")
 
 
