@@ -130,6 +130,35 @@ def moved_into_image(places: FloatArray, half_px: FloatArray, look: ViewTransfor
     return places + shift[:, :1] * look.right - shift[:, 1:] * look.up
 
 
+def moved_off(
+    places: FloatArray, half_px: FloatArray, taken_px: FloatArray, look: ViewTransform
+) -> FloatArray:
+    """Move words up or down the image, whichever is nearer, until no label covers them.
+
+    Parameters
+    ----------
+    places : (n, 3) float64
+        The middles of the words.
+    half_px : (n, 2) float64
+        Half of their widths and heights.
+    taken_px : (m, 4) float64
+        Boxes (left, top, right, bottom) of the labels.
+
+    Returns
+    -------
+    (n, 3) float64
+    """
+    middle = look.pixels_of(places)
+    boxes = np.hstack([middle - half_px, middle + half_px])
+    down_px = np.zeros(len(places))
+    for number, over in enumerate(_overlap(boxes, taken_px)):
+        if over.any():
+            down = taken_px[over, 3].max() - boxes[number, 1] + _CLEAR_PX
+            up = boxes[number, 3] - taken_px[over, 1].min() + _CLEAR_PX
+            down_px[number] = down if down < up else -up
+    return np.asarray(places - down_px[:, None] * look.mm_per_px * look.up)
+
+
 def _candidates(anchor: FloatArray, size: FloatArray) -> FloatArray:
     """Return candidate boxes (k, 4): right and left of the point, then row by row up and down."""
     rows = sorted(range(-_ROWS, _ROWS + 1), key=lambda row: (abs(row), row))

@@ -22,6 +22,7 @@ from insole_studio.scene.label_layout import (
     is_covered,
     moved_clear,
     moved_into_image,
+    moved_off,
 )
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -326,11 +327,18 @@ class Painter:
         middle = look.pixels_of(np.array([h.position_mm for h in self._handles]).reshape(-1, 3))
         radius = np.array([[HANDLE_PX[h.kind] / 2] for h in self._handles])
         radius = radius.reshape(-1, 1)
+        handles = np.hstack([middle - radius, middle + radius])
+        return np.concatenate([handles, self._label_boxes(look)])
+
+    def _label_boxes(self, look: ViewTransform) -> FloatArray:
+        """Return left, top, right, bottom (n, 4) of the labels, which stand right of their place.
+
+        The boxes are in px.
+        """
         places = np.array([place for place, _ in self._labels.values()]).reshape(-1, 3)
         half = _half_sizes_px([text for _, text in self._labels.values()], LABEL_PX)
         beside = look.pixels_of(places) + half * [1.0, 0.0]
-        handles = np.hstack([middle - radius, middle + radius])
-        return np.concatenate([handles, np.hstack([beside - half, beside + half])])
+        return np.hstack([beside - half, beside + half])
 
     def show_grazing_light(self, on: bool) -> None:
         """Light the surface from the side, so that every bump casts its shade, or from ahead."""
@@ -421,6 +429,7 @@ class Painter:
         self._labels.pop(name, None)
         if place_mm is not None:
             self._labels[name] = place_mm, words
+        self._write_directions(self._look)
         self._show_contour_labels()
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
@@ -506,7 +515,10 @@ class Painter:
             kept, gaps = is_across_view(places, look), np.repeat(WORD_GAP_MM, 2)
             places = moved_clear(places, _half_sizes_px(words, DIRECTION_PX), gaps, look)[kept]
             words = [word for word, is_kept in zip(words, kept, strict=True) if is_kept]
-            places = moved_into_image(places, _half_sizes_px(words, DIRECTION_PX), look)
+            half = _half_sizes_px(words, DIRECTION_PX)
+            places = moved_off(
+                moved_into_image(places, half, look), half, self._label_boxes(look), look
+            )
         if words == self._written[1] and np.array_equal(places, self._written[0]):
             return
         self._written = (places, words)

@@ -93,8 +93,10 @@ class ModelView(QWidget):
         self._fit_presets()
 
     def _fit_presets(self) -> None:
-        needed = self._badge.sizeHint().width() + self._presets.sizeHint().width() + 3 * MARGIN_PX
-        self._presets.setVisible(self._has_side and self.width() >= needed)
+        beside_px = self.width() - self._presets.sizeHint().width() - 3 * MARGIN_PX
+        has_room = beside_px >= self._badge.least_px
+        self._presets.setVisible(self._has_side and has_room)
+        self._badge.fit(beside_px if has_room else self.width() - 2 * MARGIN_PX)
 
     def show_side(self, side: Side | None, *, mirrored: bool = False, scanned_on: str = "") -> None:
         """Show the side on the badge, and orient the medial and lateral presets by it.

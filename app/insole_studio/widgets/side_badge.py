@@ -10,6 +10,9 @@ from insole_studio.texts import tr
 
 COLORS = {Side.LEFT: "#b3261e", Side.RIGHT: "#1b7a3d"}
 """Red is left and green is right, as on ships; both carry white text at AA contrast."""
+PADDING_PX = 8
+WIDEST_PX = 16_777_215
+"""What Qt takes for no limit (QWIDGETSIZE_MAX)."""
 
 
 class SideBadge(QLabel):
@@ -41,8 +44,23 @@ class SideBadge(QLabel):
         self.setText(" · ".join(parts))
         self.setStyleSheet(
             f"background: {COLORS[side]}; color: white; border-radius: 4px;"
-            " padding: 1px 8px; font-weight: 600;"
+            f" padding: 1px {PADDING_PX}px; font-weight: 600;"
         )
+
+    @property
+    def least_px(self) -> int:
+        """Width of the widest word, to which the badge can be narrowed."""
+        words = (self.fontMetrics().horizontalAdvance(word) for word in self.text().split())
+        return max(words, default=0) + 2 * PADDING_PX
+
+    def fit(self, room_px: int) -> None:
+        """Wrap the text where it is wider than its room."""
+        self.setWordWrap(False)
+        self.setMinimumWidth(0)
+        self.setMaximumWidth(WIDEST_PX)
+        if self.sizeHint().width() > room_px:
+            self.setWordWrap(True)
+            self.setFixedWidth(max(room_px, self.least_px))
 
 
 def _mirrored_from(side: Side) -> str:

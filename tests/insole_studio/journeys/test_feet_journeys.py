@@ -20,6 +20,7 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.formats.ply import write_ply
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -201,6 +202,32 @@ def test_the_names_of_two_feet_stand_clear_of_the_word_for_the_toes(
         (middle,) = look.pixels_of(name.place_mm)
         assert toes[1] - middle[1] >= 22, "half of a name and half of a word, px"
         assert middle[1] > 13, "the whole name is in the picture"
+
+
+def test_no_direction_stands_between_two_variants_of_one_insole(
+    opened: Application, settle: Settle
+) -> None:
+    """Beside the one it would be read as that of the other, on whose other side it is."""
+    presenter = opened.stage.insole_presenter
+    painter = opened.stage.insole.scene.painter
+
+    def beyond(box: FloatArray) -> bool:
+        where = dict(zip(painter._directions[1], painter._directions[0], strict=True))
+        (low, *_), (high, *_) = box
+        across = sorted((where["Medial"][0], where["Lateral"][0]))
+        return bool(across[0] < low and high < across[1])
+
+    act(opened, "variant_duplicate")
+    act(opened, "beside_variant")
+    settle()
+    own, companion = presenter.bounds_mm, presenter.companion
+    assert companion is not None
+    assert beyond(own)
+    assert beyond(companion.bounds_mm)
+    act(opened, "beside_nothing")
+    settle()
+    assert beyond(own)
+    assert not beyond(companion.bounds_mm)
 
 
 def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> None:

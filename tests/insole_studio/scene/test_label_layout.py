@@ -12,6 +12,7 @@ from insole_studio.scene.label_layout import (
     leader_ends,
     moved_clear,
     moved_into_image,
+    moved_off,
     name_boxes,
 )
 from insole_studio.scene.view_camera import ViewTransform
@@ -91,3 +92,16 @@ def test_words_beside_a_thing_never_touch_it(height_mm: float) -> None:
     assert (away >= half).any(axis=1).all()
     if height_mm == 200.0:
         np.testing.assert_array_equal(moved, middles)
+
+
+def test_a_word_goes_out_of_the_way_of_a_label_by_the_shorter_way() -> None:
+    right, up, back = np.eye(3)
+    look = ViewTransform(right, up, back, np.zeros(3), 200.0, ROOM)
+    words, half = np.array([[0.0, 0.0, 0.0], [80.0, 0.0, 0.0]]), np.array([[20.0, 6.0]] * 2)
+    (middle, _) = look.pixels_of(words)
+    x, y = middle
+    label = np.array([[x - 10.0, y - 1.0, x + 30.0, y + 15.0]])
+    moved = look.pixels_of(moved_off(words, half, label, look))
+    assert moved[0][1] + 6 <= label[0, 1]
+    assert moved[0][0] == pytest.approx(middle[0])
+    np.testing.assert_allclose(moved[1], look.pixels_of(words)[1])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -301,6 +301,28 @@ def test_no_word_stands_before_or_behind_the_foot(
     camera = ViewCamera(preset=preset, focal_mm=(0.0, 120.0, 30.0), height_mm=400.0)
     painter.aim(look(camera, Subject.FOOT, Side.LEFT, SIZE))
     assert written[-1] == words
+
+
+def test_a_measure_beside_the_foot_does_not_cover_a_direction(
+    painter: Painter, plotter: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written: dict[str, Any] = {}
+
+    def note(places: Any, words: Sequence[str], **_how: Any) -> None:
+        written.update(zip((word.strip() for word in words), np.asarray(places), strict=True))
+
+    monkeypatch.setattr(plotter, "add_point_labels", note)
+    box = np.array([[-40.0, 0.0, 0.0], [45.0, 250.0, 100.0]])
+    camera = ViewCamera(Preset.PLANTAR, focal_mm=(0.0, 120.0, 30.0), height_mm=400.0)
+    seen = look(camera, Subject.FOOT, Side.LEFT, SIZE)
+    painter.aim(seen)
+    painter.show_directions(Side.LEFT, box)
+    before = seen.pixels_of(written["Lateral"])[0]
+    painter.show_label(written["Lateral"] - 5 * seen.right, "64.5 mm")
+    assert abs(seen.pixels_of(written["Lateral"])[0][1] - before[1]) > 15
+    assert abs(seen.pixels_of(written["Lateral"])[0][1] - before[1]) < 40
+    painter.show_label(None, "")
+    np.testing.assert_allclose(seen.pixels_of(written["Lateral"])[0], before)
 
 
 def test_the_handles_of_a_small_pad_do_not_hide_it(painter: Painter, plotter: Any) -> None:

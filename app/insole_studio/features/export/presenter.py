@@ -309,7 +309,7 @@ class ExportPresenter:
     def _show_drawn(self, mesh: TriangleMesh | None) -> None:
         """Show the insole as it is designed, as long as there is no piece to be seen."""
         if mesh is not None and self._choice.kind == "insole":
-            self._panel.show_part(mesh, self._case.side, self._case.side, False)
+            self._panel.show_part(mesh, self._case.foot, self._case.side, False)
             self._panel.show_summary(tr("As it is designed; the piece is being made."))
 
     def remake(self) -> None:
@@ -360,7 +360,9 @@ class ExportPresenter:
             self._panel.show_block([], True)
             colors = None if side is None else self._machine.colors(side)
             mesh = solid if colors is None else colors.mesh
-            self._panel.show_part(mesh, side, words, again, colors)
+            record = None if side is None else self._record.of_side(side)
+            foot = None if record is None else record.foot
+            self._panel.show_part(mesh, foot, words, again, colors)
             self._panel.show_summary("" if part is None else summary_of(part))
         self._show_spots()
         self._show_checks()

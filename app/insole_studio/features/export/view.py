@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.export.shop_order import Release
+from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -163,7 +164,7 @@ class ExportView(QWidget):
     def show_part(
         self,
         mesh: TriangleMesh | None,
-        side: Side | None,
+        foot: Foot | None,
         words: Side | None,
         again: bool,
         colors: PartColors | None = None,
@@ -174,8 +175,8 @@ class ExportView(QWidget):
         ----------
         mesh
             The solid; None shows nothing.
-        side
-            Side on the badge.
+        foot
+            That it is for: its side, and where it comes from, stand on the badge; None for a pair.
         words
             Side that orients medial and lateral; None for a pair.
         again
@@ -188,7 +189,10 @@ class ExportView(QWidget):
             self.model.show_side(None)
             self.model.show_empty(tr("Here comes the piece, once it is made."), {})
             return
-        self.model.show_side(side)
+        if foot is None:
+            self.model.show_side(None)
+        else:
+            self.model.show_side(foot.side, mirrored=foot.mirrored, scanned_on=foot.scanned_on)
         self._bounds, self._side = mesh.bounds_mm, words
         self.model.show_mesh(mesh, None if colors is None else colors.coloring)
         if not again:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from canned_questions import CannedQuestions
-from PySide6.QtWidgets import QLabel, QMenu
+from hands import MANUAL_SIZE
+from PySide6.QtWidgets import QLabel, QMenu, QToolButton
 
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
@@ -13,6 +15,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import Posting
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.app.bootstrap import Application
+from insole_studio.app.scripted import wait_for
 from insole_studio.features.design.patient.measure_texts import measures_of
 from insole_studio.services.questions import SameSide
 from insole_studio.widgets.side_badge import SideBadge
@@ -51,6 +54,31 @@ def test_the_missing_foot_is_offered_as_mirror_image_and_says_so(
     dialog.done(0)
     opened.window.actions_by_key["undo"].trigger()
     assert opened.case.record.other is None
+
+
+def test_the_longest_badge_leaves_the_buttons_of_the_views_their_room(
+    app: Application, settle: Callable[[], None], make_foot: Callable[[Side], Foot]
+) -> None:
+    app.window.resize(*MANUAL_SIZE)
+    foot = replace(make_foot(Side.RIGHT), mirrored=True, scanned_on="2026-05-04")
+    app.case.open_foot(foot, ScanSource("mesh", "/nowhere/right.ply", "1" * 64))
+    settle()
+    for view in (app.stage.foot, app.stage.insole):
+        (badge,) = view.findChildren(SideBadge)
+        assert badge.text() == "RIGHT · mirrored from left · scan of 2026-05-04"
+        presets = [b for b in view.findChildren(QToolButton) if b.property("preset")]
+        assert [button.isVisible() for button in presets] == [True] * 4
+        left_px = presets[0].mapTo(view, presets[0].rect().topLeft()).x()
+        assert badge.geometry().right() < left_px
+        assert badge.height() >= badge.heightForWidth(badge.width())
+    app.window.actions_by_key["export"].trigger()
+    settle()
+    stage = app.features.export.stage
+    assert stage is not None
+    wait_for(stage.jobs)
+    (badge,) = stage.findChildren(SideBadge)
+    assert badge.text() == "RIGHT · mirrored from left · scan of 2026-05-04"
+    stage.close()
 
 
 def test_a_scan_of_the_missing_foot_takes_the_place_of_the_mirror_image(

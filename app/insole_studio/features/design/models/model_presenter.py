@@ -169,6 +169,26 @@ class ModelPresenter:
             self.panel.show_names(())
         else:
             self.panel.show_names(names_over(foot, self._counterpart, self.mesh, companion))
+        self._show_directions()
+
+    def _show_directions(self) -> None:
+        """Write the anatomical directions around the subject and what they hold for beside it."""
+        side, boxes = self._case.side, self._directed()
+        if side is not None and boxes:
+            low, high = np.stack(boxes, axis=1)
+            self.panel.show_directions(side, np.stack([low.min(axis=0), high.max(axis=0)]))
+
+    def _directed(self) -> list[FloatArray]:
+        """Return the boxes (2, 3) that the directions surround.
+
+        Between two insoles of one side, a word beside one would be read as that of the other; the
+        two feet of a pair have the same directions between them.
+        """
+        bounds, companion = self.bounds_mm, self.companion
+        boxes = [] if bounds is None else [bounds]
+        if companion is not None and self._counterpart.kind is Beside.VARIANT:
+            boxes.append(companion.bounds_mm)
+        return boxes
 
     def _take_companion(self) -> None:
         side = self._case.side
@@ -435,7 +455,7 @@ class FootPresenter(ModelPresenter):
             )
             return
         self._show_foot(foot)
-        self.panel.show_directions(foot.side, foot.mesh.bounds_mm)
+        self._show_directions()
         self.show_marks()
 
     def show_difference(self, shown: bool) -> None:
@@ -666,15 +686,10 @@ class InsolePresenter(ModelPresenter):
         self._show_contours()
         self.show_marks()
 
-    def _show_directions(self) -> None:
-        """Write the anatomical directions around the insole, and around the shoe if it is shown."""
-        side, bounds, shoe = self._case.side, self.bounds_mm, self._shoe_lines
-        if side is None or bounds is None:
-            return
-        if shoe is not None:
-            low, high = np.stack([bounds, shoe.bounds_mm], axis=1)
-            bounds = np.stack([low.min(axis=0), high.max(axis=0)])
-        self.panel.show_directions(side, bounds)
+    def _directed(self) -> list[FloatArray]:
+        """Return the boxes of the insoles, and that of the shoe if it is shown."""
+        boxes, shoe = super()._directed(), self._shoe_lines
+        return boxes if shoe is None or not boxes else [*boxes, shoe.bounds_mm]
 
     def _coloring(self) -> Coloring | None:
         if self._map is MapKind.PRESSURE:
