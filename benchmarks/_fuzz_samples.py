@@ -67,14 +67,14 @@ def design() -> InsoleDesign:
 
 
 def _usual(kind: type[Any]) -> dict[str, Any]:
-    from insole_core.insole.prescription.design_limits import CHOICES, CORRECTION_RANGES
+    from insole_core.insole.fields import choices_of, ranges_of
 
     numbers = {
         key: (allowed.least + allowed.greatest) / 2
-        for key, allowed in CORRECTION_RANGES[kind].items()
+        for key, allowed in ranges_of(kind).items()
         if not key.endswith("s_mm")
     }
-    return numbers | {key: words[0] for key, words in CHOICES.get(kind, {}).items()}
+    return numbers | {key: words[0] for key, words in choices_of(kind).items()}
 
 
 def design_values() -> Any:

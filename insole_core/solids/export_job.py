@@ -27,10 +27,8 @@ from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
-from insole_core.insole.prescription.prescription_lines import (
-    make_facts,
-    number_message,
-)
+from insole_core.insole.elements.words import number_message
+from insole_core.insole.prescription.prescription_lines import make_facts
 from insole_core.messages import Message, Translate, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import (

@@ -17,7 +17,6 @@ from insole_core.formats.solid_content import merged
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, active_pads
-from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.messages import Message, joined
@@ -251,8 +250,8 @@ class _BodyMaker:
 
     def _pads(self, zone: Zone) -> manifold3d.CrossSection:
         pads = active_pads(self._insole.design)
-        names = tuple(dict.fromkeys(map(pad_name, pads)))
-        wanted = [pad for pad in pads if zone.pad in ("", pad_name(pad))]
+        names = tuple(dict.fromkeys(pad.noun for pad in pads))
+        wanted = [pad for pad in pads if zone.pad in ("", pad.noun)]
         if not pads:
             raise DesignError(
                 "The {side} insole has no pad, so there is no zone {zone}; leave it out.",

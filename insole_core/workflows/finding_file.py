@@ -11,16 +11,12 @@ from typing import Any
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
+from insole_core.insole.fields import Range, ranges_of
 from insole_core.insole.prescription import design_json
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import (
-    CORRECTION_RANGES,
-    FINISH_RANGES,
-    OUTLINE_RANGES,
-    RIM_RANGES,
-    Range,
-)
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.item_name import checked_name
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Shell
 from insole_core.json_object import JsonObject
 from insole_core.workflows.findings import Finding, ProposedPad, set_values
@@ -81,7 +77,7 @@ def _finding(item: JsonObject) -> Finding:
     for key in sorted(item.values.keys() - known):
         raise item.fail(key, "is no key of a finding; check its spelling or leave it out")
     design = _prescribed(item)
-    height, fill = RIM_RANGES["height_mm"], FINISH_RANGES["arch_fill_mm"]
+    height, fill = ranges_of(RimStation)["height_mm"], ranges_of(Finish)["arch_fill_mm"]
     return Finding(
         name=_name(item),
         keywords=tuple(item.texts("keywords")) if item.has("keywords") else (),
@@ -91,7 +87,7 @@ def _finding(item: JsonObject) -> Finding:
         cup_mm=_number(item, "cup_mm", height),
         medial_flange_mm=_number(item, "medial_flange_mm", height),
         arch_fill_mm=_number(item, "arch_fill_mm", fill),
-        width_mm=_number(item, "width_mm", OUTLINE_RANGES["width_mm"]),
+        width_mm=_number(item, "width_mm", ranges_of(Outline)["width_mm"]),
         posts=() if design.shell is None else design.shell.posts,
         corrections=design.corrections,
         pads=tuple(_pad(pad) for pad in item.objects("pads")) if item.has("pads") else (),
@@ -126,7 +122,7 @@ def _name(item: JsonObject) -> str:
 
 
 def _pad(item: JsonObject) -> ProposedPad:
-    allowed = CORRECTION_RANGES[Pelott]["height_mm"]
+    allowed = ranges_of(Pelott)["height_mm"]
     return ProposedPad(item.text("kind"), _text(item, "size"), _number(item, "height_mm", allowed))
 
 

@@ -15,7 +15,7 @@ from typing import Any
 from insole_core.errors import InputError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import Correction, CorrectionBase, HeelCup, Pelott
+from insole_core.insole.elements import Correction, HeelCup, Pelott, new_id
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
@@ -138,7 +138,7 @@ def apply_finding(
     for proposed in finding.pads:
         pad = _placed(proposed, finding, design, landmarks, catalogue)
         if not any(_is_at(pad, other) for other in design.corrections):
-            design = design.with_added(stamp(replace(pad, id=CorrectionBase().id)))
+            design = design.with_added(stamp(replace(pad, id=new_id())))
     return design
 
 
@@ -173,8 +173,8 @@ def _with_cups(
     design: InsoleDesign, depth_mm: float, stamp: Callable[[Correction], Correction]
 ) -> InsoleDesign:
     """Set the depth of the heel cups among the corrections, which would overrule the rim."""
-    for cup in design.active:
-        if isinstance(cup, HeelCup) and cup.depth_mm != depth_mm:
+    for cup in design.of(HeelCup):
+        if cup.depth_mm != depth_mm:
             design = design.with_changed(stamp(replace(cup, depth_mm=depth_mm)))
     return design
 
@@ -196,7 +196,7 @@ def _with_correction(
         if own.type == proposed.type and same_border:
             changed = replace(own, **set_values(proposed))
             return design if changed == own else design.with_changed(stamp(changed))
-    return design.with_added(stamp(replace(proposed, id=CorrectionBase().id)))
+    return design.with_added(stamp(replace(proposed, id=new_id())))
 
 
 def set_values(correction: Correction) -> dict[str, Any]:

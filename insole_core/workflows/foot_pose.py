@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -11,10 +12,10 @@ from insole_core.foot.alignment import PoseAngles, levelled, quarter_turned, tur
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.insole.elements import Correction, Pelott
+from insole_core.insole.elements import Correction
+from insole_core.insole.elements.correction import with_places
 from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.mirroring import with_places
 from insole_core.workflows.foot_landmarks import confirmed, landmarks_of
 
 
@@ -113,12 +114,9 @@ def _moved_design(design: InsoleDesign, step: FloatArray) -> InsoleDesign:
     )
 
 
-def _moved(correction: Correction, move: object, step: FloatArray) -> Correction:
-    moved = with_places(correction, move)
-    if not isinstance(moved, Pelott):
-        return moved
+def _moved(correction: Correction, move: Callable[[Place], Place], step: FloatArray) -> Correction:
     yaw_deg = float(np.degrees(np.arctan2(step[1, 0], step[0, 0])))
-    return replace(moved, turn_deg=round((moved.turn_deg + yaw_deg + 180) % 360 - 180, 2))
+    return with_places(correction, move).turned_by(yaw_deg)
 
 
 def _point(step: FloatArray, place: tuple[float, ...]) -> tuple[float, float, float]:

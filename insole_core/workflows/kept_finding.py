@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from insole_core.foot.landmarks import Landmarks
 from insole_core.insole.elements import (
-    ArchRaise,
     BrushStroke,
     Correction,
-    CorrectionBase,
     HeelCup,
     Pelott,
 )
@@ -66,7 +64,7 @@ def finding_of(
     device = catalogue.devices.get(key_of(design.device))
     usual = None if device is None else device.values
     is_default = key_of(design.device) == key_of(catalogue.default_device)
-    pads = [c for c in design.active if isinstance(c, Pelott)]
+    pads = design.of(Pelott)
     known = {pad.id: _in_library(pad, catalogue) for pad in pads}
     heights = _heights(design, usual)
     finding = Finding(
@@ -76,14 +74,14 @@ def finding_of(
         arch_fill_mm=heights.get("arch_fill_mm"),
         device="" if device is None or is_default else device.name,
         posts=_posts(design, usual),
-        corrections=tuple(_of_any_foot(c) for c in design.active if _is_proposed(c, design)),
+        corrections=tuple(c.for_any_foot() for c in design.active if _is_proposed(c, design)),
         pads=tuple(_proposed(pad, found) for pad in pads if (found := known[pad.id])),
         width_mm=None
         if usual is not None and usual.outline.width_mm == design.outline.width_mm
         else design.outline.width_mm,
     )
     unknown = tuple(pad for pad in pads if known[pad.id] is None)
-    strokes = tuple(c for c in design.active if isinstance(c, BrushStroke))
+    strokes = design.of(BrushStroke)
     moved = tuple(
         pad
         for pad in pads
@@ -107,7 +105,7 @@ def _rim(design: InsoleDesign) -> dict[str, float | None]:
     if design.finish is None:
         return {}
     return {
-        "cup_mm": cup_depth_mm(finish_with_cups(design.finish, design.active)),
+        "cup_mm": cup_depth_mm(finish_with_cups(design.finish, design.of(HeelCup))),
         "medial_flange_mm": medial_flange_mm(design.finish),
         "arch_fill_mm": design.finish.arch_fill_mm,
     }
@@ -121,15 +119,9 @@ def _posts(design: InsoleDesign, usual: InsoleDesign | None) -> tuple[Post, ...]
 
 
 def _is_proposed(correction: Correction, design: InsoleDesign) -> bool:
-    if isinstance(correction, HeelCup):
+    if correction.type == HeelCup.type:
         return design.finish is None  # else `cup_mm` says its depth
-    return not isinstance(correction, Pelott | BrushStroke)
-
-
-def _of_any_foot(correction: Correction) -> Correction:
-    """Return a correction without maker and position."""
-    plain = replace(correction, id=CorrectionBase().id, author="", created_at="")
-    return replace(plain, apex_mm=None) if isinstance(plain, ArchRaise) else plain
+    return not correction.is_of_one_foot
 
 
 def _in_library(pad: Pelott, catalogue: Catalogue) -> LibraryPad | None:

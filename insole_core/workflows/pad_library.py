@@ -8,12 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from insole_core.insole.elements import Pelott
+from insole_core.insole.elements.pelott import LONGEST_KIND, PAD_SHAPES
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.pads.pad_places import PLACES
-from insole_core.insole.prescription.design_limits import (
-    CORRECTION_RANGES,
-    LONGEST_KIND,
-    PELOTT_SHAPES,
-)
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
@@ -78,13 +75,13 @@ def _kind(pad: JsonObject) -> str:
 
 
 def _pad(pad: JsonObject) -> LibraryPad:
-    allowed = CORRECTION_RANGES[Pelott]
+    allowed = ranges_of(Pelott)
     sizes: dict[str, Any] = {
         name: pad.number(name, allowed[name].least, allowed[name].greatest)
         for name in _SIZES
         if name == "height_mm" or pad.has(name)
     }
-    kind, shape = _kind(pad), pad.choice("shape", PELOTT_SHAPES)
+    kind, shape = _kind(pad), pad.choice("shape", PAD_SHAPES)
     is_shape = kind == _BY_SHAPE.get(shape, shape)
     template = Pelott(
         id="", centre_mm=(0.0, 0.0), shape=shape, kind=None if is_shape else kind, **sizes

@@ -25,7 +25,7 @@ def with_picture(record: FootRecord, picture: FootprintPicture | None) -> FootRe
 
 def heads_to_relieve(design: InsoleDesign, overloaded: Sequence[int]) -> tuple[int, ...]:
     """Return the overloaded heads, 1 to 5, under which the design has no relief yet."""
-    kinds = {pad.kind for pad in design.corrections if isinstance(pad, Pelott) and pad.enabled}
+    kinds = {pad.kind for pad in design.of(Pelott)}
     return tuple(head for head in overloaded if f"relief_head_{head}" not in kinds)
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import DesignError
-from insole_core.insole.elements import Correction, CorrectionBase
+from insole_core.insole.elements import Correction, new_id
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.template import Template, apply_template, make_template
 from insole_core.workflows.foot_landmarks import landmarks_of
@@ -42,7 +42,7 @@ def fitted(
         When the landmarks are in an impossible order.
     """
     design = apply_template(template, foot.side, landmarks_of(foot))
-    fresh = (stamp(replace(c, id=CorrectionBase().id)) for c in design.corrections)
+    fresh = (stamp(replace(c, id=new_id())) for c in design.corrections)
     return replace(design, corrections=tuple(fresh))
 
 

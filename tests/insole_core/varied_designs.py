@@ -18,9 +18,9 @@ from insole_core.insole.elements import (
     Posting,
     Rocker,
 )
+from insole_core.insole.fields import choices_of
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CHOICES
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.outline import Outline
@@ -80,7 +80,7 @@ def others_of(part: Any, name: str) -> Iterator[Any]:
     elif isinstance(value, bool):
         yield not value
     elif isinstance(value, str):
-        choices = CHOICES.get(type(part), {}).get(name, ("Other", "drop"))
+        choices = choices_of(type(part)).get(name, ("Other", "drop"))
         yield from (word for word in choices if word != value)
     elif isinstance(value, float | int):
         yield value + (0.1 if -1 <= value <= 1 else 1)

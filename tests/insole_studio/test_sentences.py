@@ -23,13 +23,15 @@ from insole_core.errors import CalibrationError, InputError
 from insole_core.export.paper import paper_texts
 from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
-from insole_core.insole.elements.pad_kinds import PAD_NAMES, pad_name
-from insole_core.insole.pads.pad_shapes import PAD_SHAPES
+from insole_core.insole.elements import CORRECTION_TYPES
+from insole_core.insole.elements.pad_kinds import PAD_NAMES
+from insole_core.insole.elements.pelott import PAD_SHAPES
+from insole_core.insole.fields import Choice, Declared, declared
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_differences import LABELS
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.materials import read_materials
-from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.prescription.vocabulary import NAMES, SPOKEN, WORDS
+from insole_core.insole.prescription.shell import Post, Shell
+from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
 from insole_core.records.order import Order
@@ -82,6 +84,7 @@ SHOES = {system.name for system in read_shoe_table().systems} | read_shoe_table(
 """Names in the table of shoe sizes."""
 PRESCRIBED = (
     {name[0].upper() + name[1:] for name in PAD_NAMES.values()}
+    | {kind.name[0].lower() + kind.name[1:] for kind in CORRECTION_TYPES.values()}
     | {word.replace("_", " ") for word in (*PAD_SHAPES, *DEFINITIONS)}
     | {"rearfoot post", "forefoot post", "medial rim", "lateral rim", "depth camera"}
 )
@@ -93,6 +96,11 @@ NOWHERE = Path("/nowhere")
 DEVICES = clinic_devices(NOWHERE).load().items.values()
 FORMS = clinic_forms(NOWHERE).load().items.values()
 FINDINGS = ClinicFindings(NOWHERE).load().items.values()
+DESIGN = InsoleDesign(Side.LEFT)
+PARTS = (
+    DESIGN, DESIGN.outline, DESIGN.layers, Finish(), Shell(), Post(),
+    RimStation(border="medial", along=0.0, height_mm=1.0), Shoe(name="", inside_mm=()),
+)  # fmt: skip
 LIBRARY = (
     {text for item in (*DEVICES, *FORMS, *FINDINGS) for text in (item.name, item.source)}
     | {word for item in (*DEVICES, *FINDINGS) for word in item.keywords}
@@ -291,15 +299,13 @@ def test_materials_are_offered_by_their_swedish_names(swedish: Callable[[str], s
     assert ("polypropylene", "Polypropen") in material.options
 
 
-def test_every_word_of_the_differences_has_a_swedish_one() -> None:
-    words = {*LABELS.values(), *WORDS.values(), *map(pad_name, (p.template for p in load_pads()))}
-    assert words - CATALOGUE.keys() == set()
-
-
 def test_every_word_of_a_prescription_has_a_swedish_one() -> None:
-    fields = [spoken for part in SPOKEN.values() for spoken in part.values()]
-    words = {*NAMES.values(), *(said.name for said in fields)}
-    words |= {word for said in fields for word in said.words.values()}
+    words = {kind.name for kind in CORRECTION_TYPES.values()} | {
+        pad.template.noun for pad in load_pads()
+    }
+    kinds = (*CORRECTION_TYPES.values(), *(type(part) for part in PARTS))
+    fields = [found for kind in kinds for found in declared(kind).values()]
+    words |= {word for found in fields for word in words_of(found)} - {""}
     assert words - CATALOGUE.keys() == set()
 
 
@@ -308,6 +314,14 @@ def test_every_field_of_the_record_has_swedish_words() -> None:
     words = {field.noun for kind in kinds for field in fields_of(kind).values()}
     words |= {field.label for kind in kinds for field in typed_fields(kind).values()}
     assert words - CATALOGUE.keys() == set()
+
+
+def words_of(found: Declared) -> Iterator[str]:
+    yield from (found.label, found.tip, found.within)
+    yield from (word for pair in getattr(found, "each", ()) for word in pair)
+    yield from (name for _, name in getattr(found, "offers", ()))
+    if isinstance(found, Choice):
+        yield from found.words.values()
 
 
 def test_nothing_is_translated_that_nobody_says() -> None:

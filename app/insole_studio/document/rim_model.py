@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.insole.elements import HeelCup
 from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
@@ -83,7 +84,7 @@ class RimModel(QObject):
         rim, design = self.rim, self._case.shown.design
         if rim is None or design is None or design.finish is None:
             return None
-        stations = finish_with_cups(design.finish, design.active).rim
+        stations = finish_with_cups(design.finish, design.of(HeelCup)).rim
         if self._curve_of != (rim, stations):
             self._curve_of = rim, stations
             self._curve = self._built_curve(stations) or _curve_through(rim, stations)

@@ -1,26 +1,24 @@
-"""The elements of a prescription: the corrections that an insole is made of."""
+"""The elements of a prescription: the corrections that an insole is made of.
 
-from insole_core.insole.elements.corrections import (
-    CORRECTION_TYPES,
-    ArchRaise,
-    BrushStroke,
-    Correction,
-    CorrectionBase,
-    ForefootTwist,
-    HeelCup,
-    HeelLift,
-    HeelSkive,
-    Pelott,
-    Posting,
-    Rocker,
-)
+Each is declared by a class in a module of its own; a new one is named here, and nowhere else.
+"""
+
+from insole_core.insole.elements.arch_raise import ArchRaise
+from insole_core.insole.elements.brush_stroke import BrushStroke
+from insole_core.insole.elements.correction import CORRECTION_TYPES, Correction, new_id
+from insole_core.insole.elements.forefoot_twist import ForefootTwist
+from insole_core.insole.elements.heel_cup import HeelCup
+from insole_core.insole.elements.heel_lift import HeelLift
+from insole_core.insole.elements.heel_skive import HeelSkive
+from insole_core.insole.elements.pelott import Pelott
+from insole_core.insole.elements.posting import Posting
+from insole_core.insole.elements.rocker import Rocker
 
 __all__ = [
     "CORRECTION_TYPES",
     "ArchRaise",
     "BrushStroke",
     "Correction",
-    "CorrectionBase",
     "ForefootTwist",
     "HeelCup",
     "HeelLift",
@@ -28,4 +26,5 @@ __all__ = [
     "Pelott",
     "Posting",
     "Rocker",
+    "new_id",
 ]

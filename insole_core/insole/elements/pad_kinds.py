@@ -1,12 +1,10 @@
-"""What a pad is prescribed as: its name, and what its kind says about its place.
+"""What a pad is prescribed as.
 
 A pad without a kind is named by its shape. A clinic's library may hold kinds of its own; they are
 named as they are written.
 """
 
 from __future__ import annotations
-
-from insole_core.insole.elements import Pelott
 
 PAD_NAMES = {
     "egg": "pelott",
@@ -42,27 +40,3 @@ PAD_NAMES = {
     "toe_filler_5": "filler for the 5th toe",
 }
 """Names of kinds and of shapes whose identifier says too little."""
-_BEHIND_HEADS = ("egg", "drop", "bar")
-_FIRST_HEAD_FREE = ("reverse_mortons_extension", "dancers_pad")
-_FILLERS = ("forefoot_filler", *(f"toe_filler_{n}" for n in range(1, 6)))
-
-
-def pad_name(pad: Pelott) -> str:
-    """Return the name of a pad within a sentence, in English."""
-    name = pad.kind or pad.shape
-    return PAD_NAMES.get(name, name.replace("_", " "))
-
-
-def ends_behind_heads(pad: Pelott) -> bool:
-    """Return whether a pad is laid by the distance of its front edge from the heads."""
-    return pad.kind is None and pad.shape in _BEHIND_HEADS
-
-
-def leaves_first_head_free(pad: Pelott) -> bool:
-    """Return whether a pad raises the lesser heads against the 1st."""
-    return pad.kind in _FIRST_HEAD_FREE
-
-
-def is_filler(pad: Pelott) -> bool:
-    """Return whether a pad fills the room of a missing part of the foot, and so lies beside it."""
-    return pad.kind in _FILLERS

@@ -14,10 +14,9 @@ import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.fields import Place
+from insole_core.insole.fields import Place, ranges_of
 from insole_core.insole.finishing.edge import Edge
 from insole_core.insole.finishing.fair_heights import fair_heights
-from insole_core.insole.prescription.design_limits import RIM_RANGES
 from insole_core.insole.prescription.finish import RimStation
 
 RIM_SIGMA_MM = 8.0
@@ -132,7 +131,7 @@ class Rim:
             Over the heel's floor, whatever `over` says; limited to the range of stations.
         """
         arc_mm %= self.edge.length_mm
-        allowed = RIM_RANGES["height_mm"]
+        allowed = ranges_of(RimStation)["height_mm"]
         height = float(
             np.clip(height_mm - self.zero_mm(arc_mm, over), allowed.least, allowed.greatest)
         )

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.geometry.rounding import rounded
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.finishing.rim_curve import Rim
-from insole_core.insole.prescription.design_limits import RIM_RANGES
 from insole_core.insole.prescription.finish import RimStation
 
 LEAST_GAP_MM = 4.0
@@ -112,5 +112,5 @@ def _at_height(rim: Rim, station: RimStation, arc_mm: float, height_mm: float) -
 
 
 def _within_range(height_mm: float, step_mm: float) -> float:
-    allowed = RIM_RANGES["height_mm"]
+    allowed = ranges_of(RimStation)["height_mm"]
     return float(np.clip(rounded(height_mm, step_mm), allowed.least, allowed.greatest))

@@ -115,8 +115,7 @@ def _edge(foot: Foot, design: InsoleDesign) -> FloatArray:
 
 def heel_lift_mm(design: InsoleDesign) -> float:
     """Return the height of all heel lifts of a design together."""
-    lifts = (c for c in design.corrections if isinstance(c, HeelLift) and c.enabled)
-    return sum((lift.height_mm for lift in lifts), 0.0)
+    return sum((lift.height_mm for lift in design.of(HeelLift)), 0.0)
 
 
 def _outward(curve: FloatArray) -> FloatArray:

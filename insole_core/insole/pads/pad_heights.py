@@ -14,7 +14,8 @@ import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.elements import Pelott
-from insole_core.insole.pads.pad_shapes import DOMED, is_seen_whole, local_outline, pad2insole
+from insole_core.insole.elements.pelott import DOMED
+from insole_core.insole.pads.pad_shapes import is_seen_whole, local_outline, pad2insole
 from insole_core.insole.primitives.blending import smooth_step
 from insole_core.memo import Memo
 

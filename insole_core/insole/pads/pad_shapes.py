@@ -14,17 +14,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.elements import Pelott
 from insole_core.insole.fields import Place
 from insole_core.insole.pads.egg_curve import egg_curve
-from insole_core.insole.primitives.outline_curve import closed_curve, inside_curve
+from insole_core.insole.primitives.outline_curve import closed_curve
 from insole_core.memo import Memo
-
-PAD_SHAPES = (
-    "egg", "outline", "drop", "bar", "arch_support", "horseshoe", "cut_out", "mortons_extension",
-    "oval", "flat_outline",
-)  # fmt: skip
-DOMED = ("egg", "drop", "arch_support", "outline", "oval")
-"""Shapes with a single peak; the others have a flat top."""
-FREE = ("outline", "flat_outline")
-"""Shapes that are drawn or made by landmarks, and hold the corners of their outline."""
 
 _DROP_RATIO = 0.9
 _SUPPORT_FLAT, _SUPPORT_ROUND = 0.35, 0.65  # shares of the width on both sides of the apex
@@ -71,11 +62,6 @@ def is_seen_whole(pad: Pelott) -> bool:
     x, y = local_outline(pad).T
     turn = x * np.roll(y, -1) - y * np.roll(x, -1)
     return bool((turn > 0).all())
-
-
-def encloses_centre(pad: Pelott) -> bool:
-    """Return whether the apex of a free outline lies within it."""
-    return bool(inside_curve(local_outline(pad), np.zeros(2)))
 
 
 def _outline(

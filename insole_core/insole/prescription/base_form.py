@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
+from insole_core.insole.fields import Number, Part, Share, Table, Text
 from insole_core.insole.prescription.finish import HEADS_ALONG
 
 __all__ = ["HEADS_ALONG", "BaseForm", "Form"]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Form:
+class Form(Part):
     """Heights over stations of a foot, graded to other feet; the same for left and right.
 
     Parameters
@@ -31,17 +33,17 @@ class Form:
         Where the heights come from.
     """
 
-    name: str
-    length_mm: float
-    ball_width_mm: float
-    along_shares: tuple[float, ...]
-    across_shares: tuple[float, ...]
-    heights_mm: tuple[tuple[float, ...], ...]
+    name: Annotated[str, Text("Form")]
+    length_mm: Annotated[float, Number("Foot length", least=80, greatest=400)]
+    ball_width_mm: Annotated[float, Number("Ball width", least=30, greatest=160)]
+    along_shares: Annotated[tuple[float, ...], Table("Along", "", -0.5, 1.5, unit="")]
+    across_shares: Annotated[tuple[float, ...], Table("Across", "", -1, 2, unit="")]
+    heights_mm: Annotated[tuple[tuple[float, ...], ...], Table("Heights", "", -60, 60)]
     source: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
-class BaseForm:
+class BaseForm(Part):
     """A form in place of the foot's own sole, or mixed with it.
 
     Parameters
@@ -51,4 +53,4 @@ class BaseForm:
     """
 
     form: Form
-    contact_share: float = 0.0
+    contact_share: Annotated[float, Share("Share of the foot")] = 0.0

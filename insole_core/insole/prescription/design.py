@@ -7,18 +7,22 @@ All positions are in the insole frame: mm, x = 0 on the foot axis, y = 0 at the 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import Annotated, TypeVar
 
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction
+from insole_core.insole.fields import Choice, Number, Part
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Shell
 
+_Kind = TypeVar("_Kind", bound=Correction)
+
 
 @dataclass(frozen=True)
-class InsoleDesign:
+class InsoleDesign(Part):
     """The ordered corrections of an insole, its outline and its construction.
 
     Parameters
@@ -26,18 +30,18 @@ class InsoleDesign:
     thickness_mm
         Least material between the contact surface and the bottom plane, without a cover that is
         taken off.
-    grid_mm
-        Pitch of the rectangular grid of thesis 3.3; its nodes lie at whole multiples of it.
+    bottom
+        "flat" on the ground, or "following" the contact surface at the least thickness.
     max_height_mm
         How far up the foot's flanks the contact surface reaches, from the sole's lowest point.
     margin_mm
         How far the surface extends beyond the foot's outline, on all four sides.
+    grid_mm
+        Pitch of the rectangular grid of thesis 3.3; its nodes lie at whole multiples of it.
     outline
         The edge of the insole within that surface.
     layers
         If thicker together than `thickness_mm`, they decide: see `least_thickness_mm`.
-    bottom
-        "flat" on the ground, or "following" the contact surface at the least thickness.
     device
         Name of the device that the design started from; empty if none.
     base
@@ -50,13 +54,38 @@ class InsoleDesign:
 
     side: Side
     corrections: tuple[Correction, ...] = ()
-    thickness_mm: float = 3.0
-    grid_mm: float = 1.0
-    max_height_mm: float = 30.0
-    margin_mm: float = 10.0
+    thickness_mm: Annotated[
+        float,
+        Number("Thickness", "Least thickness under the foot, before pads and recesses", 0.5, 40),
+    ] = 3.0
+    bottom: Annotated[
+        str,
+        Choice(
+            "Underside",
+            "Flat on the ground, or cupped: everywhere as thick below the foot",
+            words={"flat": "flat", "following": "cupped"},
+        ),
+    ] = "flat"
+    max_height_mm: Annotated[
+        float,
+        Number(
+            "Side height", "Height over the ground up to which the insole follows the foot", 5, 45
+        ),
+    ] = 30.0
+    margin_mm: Annotated[float, Number("Margin", least=0, greatest=50)] = 10.0
+    grid_mm: Annotated[
+        float,
+        Number(
+            "Computed every",
+            "Distance of the points that the surface is computed at",
+            0.25,
+            5,
+            step=0.25,
+            expert=True,
+        ),
+    ] = 1.0
     outline: Outline = field(default_factory=Outline)
     layers: Layers = field(default_factory=Layers)
-    bottom: str = "flat"
     device: str = ""
     base: BaseForm | None = None
     finish: Finish | None = None
@@ -84,6 +113,14 @@ class InsoleDesign:
     def active(self) -> tuple[Correction, ...]:
         """The corrections that are switched on, in order."""
         return tuple(c for c in self.corrections if c.enabled)
+
+    def of(self, kind: type[_Kind]) -> tuple[_Kind, ...]:
+        """Return the active corrections of one type, in order."""
+        return tuple(c for c in self.active if isinstance(c, kind))
+
+    def of_stage(self, *stages: str) -> tuple[Correction, ...]:
+        """Return the active corrections that change something at one of these stages, in order."""
+        return tuple(c for c in self.active if c.stage in stages)
 
     def correction(self, correction_id: str) -> Correction | None:
         """Return the correction with this id, or None."""

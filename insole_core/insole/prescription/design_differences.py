@@ -6,12 +6,13 @@ Shown before a device or a finding is applied; the texts are translated as all o
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, replace
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
-from insole_core.insole.elements import Correction, Pelott
-from insole_core.insole.elements.pad_kinds import pad_name
+from insole_core.insole.elements import Correction, HeelCup
+from insole_core.insole.elements.words import number_message, worded
+from insole_core.insole.fields import Choice, Declared, Line, Number, Part, declared
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
@@ -22,85 +23,22 @@ from insole_core.insole.prescription.rim_sliders import (
 )
 from insole_core.insole.prescription.shell import Post
 from insole_core.insole.prescription.shoe import Shoe
-from insole_core.insole.prescription.vocabulary import WORDS
 from insole_core.messages import Message, joined
 
-LABELS: dict[str, str] = {
+_DERIVED: dict[str, str] = {
     "device": "Device",
     "base": "Base",
-    "thickness_mm": "Thickness",
-    "bottom": "Underside",
-    "grid_mm": "Grid",
-    "max_height_mm": "Greatest height",
-    "margin_mm": "Margin",
-    "source": "Outline",
-    "extent": "Extent",
-    "toe_allowance_mm": "Ahead of the toes",
-    "ball_allowance_mm": "Beside the ball",
-    "heel_allowance_mm": "Around the heel",
-    "width_mm": "Medial border, from the 1st metatarsal's bisection",
-    "shoe_size_eu": "Shoe size",
-    "points_mm": "Drawn outline",
     "shoe": "Shoe",
-    "cover_mm": "Cover",
-    "cover_is_taken_off": "Cover glued on later",
-    "shell_mm": "Middle layer",
-    "base_mm": "Base layer",
     "cup_mm": "Heel cup",
     "medial_flange_mm": "Medial flange",
-    "expansion_mm": "Soft tissue expansion",
-    "arch_fill_mm": "Arch fill",
-    "skin_smoothing_mm": "Smoothing of skin folds",
-    "toe_zone": "Toe zone",
-    "toe_line_mm": "Toe line",
-    "heel_blend_mm": "Blend at the heel",
-    "arch_blend_mm": "Blend at the arch",
-    "forefoot_blend_mm": "Blend at the forefoot",
     "medial_rim": "Medial rim, from heel to toes",
     "lateral_rim": "Lateral rim, from heel to toes",
-    "material": "Material",
-    "body_weight_kg": "Body weight",
-    "least_mm": "Least thickness of the material",
-    "least_edge_mm": "Least thickness of the material at the front edge",
-    "taper_mm": "Thickness at the front edge",
-    "taper_length_mm": "Length of the taper",
-    "edge_radius_mm": "Edge radius",
-    "draft_medial_deg": "Medial draft",
-    "draft_lateral_deg": "Lateral draft",
-    "chamfer_mm": "Chamfer",
-    "heel_pitch_mm": "Heel pitch",
-    "trim_mm": "Trim line",
     "rearfoot": "Rearfoot post",
     "forefoot": "Forefoot post",
 }
-"""What each value of a design is called, in the order of the lines."""
-_CORRECTIONS = {
-    "posting": "posting",
-    "forefoot_twist": "forefoot twist",
-    "heel_skive": "heel skive",
-    "heel_lift": "heel lift",
-    "arch_raise": "arch raise",
-    "rocker": "rocker",
-    "heel_cup": "heel cup",
-    "brush": "stroke",
-}
+"""What values are called that are no fields with a name of their own."""
 _PARTS = ("outline", "layers", "finish", "shell")
-_UNITS = {"_mm": "mm", "_deg": "°", "_kg": "kg"}
-_RAISING = ("rearfoot_deg", "forefoot_deg", "angle_deg")
-_MAIN = {
-    "border": "",
-    "mode": "",
-    "rearfoot_deg": "{value} at the rearfoot",
-    "forefoot_deg": "{value} at the forefoot",
-    "angle_deg": "",
-    "depth_mm": "",
-    "height_mm": "",
-    "target_mm": "{value} over the floor",
-    "behind_heads_mm": "{value} behind the heads",
-    "length_mm": "{value} long",
-    "strength": "",
-}
-"""By which values of a correction a clinician knows it, and how each is said."""
+_DECIMALS = 2
 _LEVELS = {
     "heel": "{heights} mm",
     "toes": "{heights} mm over the toes",
@@ -108,11 +46,15 @@ _LEVELS = {
 }
 _OF_RIM = ("cup_mm", "medial_flange_mm", "medial_rim", "lateral_rim")
 _NONE, _SCANNED = Message("none"), Message("as scanned")
-_ABSENT = {
-    "base": Message("from the foot"),
-    **dict.fromkeys((*(f.name for f in fields(Finish)), *_OF_RIM), _SCANNED),
-}
-"""How the lack of a value is said, where it is not "none"."""
+_MM = Number("")
+
+
+@dataclass(frozen=True)
+class _Told:
+    """A value of a design, and what it is; None of one that is told in its own way."""
+
+    value: Any
+    found: Declared | None = None
 
 
 def design_differences(old: InsoleDesign, new: InsoleDesign) -> tuple[Message, ...]:
@@ -121,17 +63,17 @@ def design_differences(old: InsoleDesign, new: InsoleDesign) -> tuple[Message, .
     Returns
     -------
     tuple of Message
-        A line for each value that differs, in a fixed order: device and base, then those of
-        `LABELS`, then corrections that are added, changed and removed. Empty for equal designs.
+        A line for each value that differs, in a fixed order: device and base, then the others as
+        they are declared, then corrections that are added, changed and removed. Empty for equal
+        designs.
     """
     before, after = _values(old), _values(new)
-    order = {key: number for number, key in enumerate(LABELS)}
-    keys = sorted(before.keys() | after.keys(), key=lambda key: order.get(key, len(order)))
+    keys = [*before, *(key for key in after if key not in before)]
     return (
         *(
             Message(
                 "{what}: {before} → {after}",
-                what=_label(key),
+                what=_label(key, (after.get(key) or before[key]).found),
                 before=_wording(key, before.get(key)),
                 after=_wording(key, after.get(key)),
             )
@@ -144,71 +86,85 @@ def design_differences(old: InsoleDesign, new: InsoleDesign) -> tuple[Message, .
 
 def corrections_in_words(design: InsoleDesign) -> tuple[Message, ...]:
     """Return name and values of each correction of a design, such as "Heel lift, 6 mm"."""
-    named = ((_name(correction), _main(correction)) for correction in design.corrections)
+    named = ((_noun(correction), _main(correction)) for correction in design.corrections)
     return tuple(
         Message("{correction}, {values}", correction=name, values=values) if values else name
         for name, values in named
     )
 
 
-def _values(design: InsoleDesign) -> dict[str, Any]:
+def _values(design: InsoleDesign) -> dict[str, _Told]:
     """Return every value that is neither a part nor a correction; none of a part that is None."""
     shell = design.shell
     return {
-        **_fields(design, but=(*_PARTS, "side", "corrections")),
+        "device": _Told(design.device),
+        "base": _Told(design.base),
+        **_fields(design),
         **_fields(design.outline),
+        "shoe": _Told(design.outline.shoe),
         **_fields(design.layers),
         **_finish_values(design),
-        **({} if shell is None else _fields(shell, but=("posts",))),
-        **({} if shell is None else {post.region: post for post in shell.posts}),
+        **({} if shell is None else _fields(shell)),
+        **({} if shell is None else {post.region: _Told(post) for post in shell.posts}),
     }
 
 
-def _fields(part: Any, but: tuple[str, ...] = ()) -> dict[str, Any]:
-    return {f.name: getattr(part, f.name) for f in fields(part) if f.name not in but}
+def _fields(part: Part) -> dict[str, _Told]:
+    return {name: _Told(getattr(part, name), found) for name, found in declared(type(part)).items()}
 
 
-def _finish_values(design: InsoleDesign) -> dict[str, Any]:
+def _finish_values(design: InsoleDesign) -> dict[str, _Told]:
     """Return the values of the finish, its rim as that of each border and as cup and flange."""
     finish = design.finish
     if finish is None:
         return {}
     stations = sorted(finish.rim, key=lambda station: station.along)
     return {
-        **_fields(finish, but=("rim",)),
-        "medial_rim": tuple(s for s in stations if s.border == "medial"),
-        "lateral_rim": tuple(s for s in stations if s.border == "lateral"),
-        "cup_mm": cup_depth_mm(finish_with_cups(finish, design.active)),
-        "medial_flange_mm": medial_flange_mm(finish),
+        "cup_mm": _Told(cup_depth_mm(finish_with_cups(finish, design.of(HeelCup))), _MM),
+        "medial_flange_mm": _Told(medial_flange_mm(finish), _MM),
+        **_fields(finish),
+        "medial_rim": _Told(tuple(s for s in stations if s.border == "medial")),
+        "lateral_rim": _Told(tuple(s for s in stations if s.border == "lateral")),
     }
 
 
-def _is_nothing(key: str, *designs: dict[str, Any]) -> bool:
+def _is_nothing(key: str, *designs: dict[str, _Told]) -> bool:
     """Return whether a value of a part that one design lacks changes nothing in the other."""
-    return all(values.get(key) in (None, 0, ()) for values in designs)
+    return all(key not in told or told[key].value in (None, 0, ()) for told in designs)
 
 
 def _post(post: Post) -> Message:
-    parts = [_wording("angle_deg", post.angle_deg)]
+    of_post = declared(Post)
+    parts = [worded(of_post["angle_deg"], post.angle_deg, _DECIMALS)]
     if post.length_mm is not None:
-        parts.append(Message("{value} long", value=_number(post.length_mm, "mm")))
-    parts.append(Message("edge {value}", value=_number(post.edge_radius_mm, "mm")))
+        parts.append(Message("{value} long", value=_mm(post.length_mm)))
+    parts.append(Message("edge {value}", value=_mm(post.edge_radius_mm)))
     return joined(parts)
 
 
-def _wording(key: str, value: Any) -> Message:
+def _wording(key: str, told: _Told | None) -> Message:
     """Return a value in words, with its unit; None is that of a part that a design lacks."""
+    value, found = (None, None) if told is None else (told.value, told.found)
     if value is None:
-        return _ABSENT.get(key, _NONE)
+        return _absent(key, found)
     if value in ((), ""):
         return _NONE
-    if isinstance(value, bool):
-        return Message("yes") if value else Message("no")
+    if isinstance(found, Line):
+        return Message("{count:g} places", count=len(value))
+    if found is not None:
+        return worded(found, value, _DECIMALS)
     if isinstance(value, str):
-        return Message(WORDS.get(value, value))
-    if isinstance(value, tuple):
-        return _rim(value) if key in _OF_RIM else Message("{count:g} places", count=len(value))
-    return _part(value) if isinstance(value, BaseForm | Post | Shoe) else _measure(key, value)
+        return Message(value)
+    return _rim(value) if isinstance(value, tuple) else _part(value)
+
+
+def _absent(key: str, found: Declared | None) -> Message:
+    if key == "base":
+        return Message("from the foot")
+    of_finish = declared(Finish).get(key)
+    if key in _OF_RIM or of_finish is not None:
+        return _SCANNED
+    return _NONE
 
 
 def _part(part: BaseForm | Post | Shoe) -> Message:
@@ -222,7 +178,9 @@ def _rim(stations: tuple[RimStation, ...]) -> Message:
     return joined(
         Message(
             _LEVELS[over],
-            heights=joined((_number(station.height_mm, "") for station in group), " · "),
+            heights=joined(
+                (number_message(station.height_mm, _DECIMALS) for station in group), " · "
+            ),
         )
         for over, group in groupby(stations, key=lambda station: station.over)
     )
@@ -238,48 +196,38 @@ def _base(base: BaseForm) -> Message:
     )
 
 
-def _measure(key: str, value: float) -> Message:
-    if key in _RAISING and value != 0:
-        return _raised(value)
-    return _number(value, next((u for suffix, u in _UNITS.items() if key.endswith(suffix)), ""))
+def _mm(value: float) -> Message:
+    return worded(_MM, value, _DECIMALS)
 
 
-def _raised(angle_deg: float) -> Message:
-    angle = _number(abs(angle_deg), "°")
-    return Message("{angle} medial" if angle_deg > 0 else "{angle} lateral", angle=angle)
-
-
-def _number(value: float, unit: str) -> Message:
-    if not unit:
-        return Message("{value:g}", value=round(value, 2))
-    if unit == "°":
-        return Message("{value:g}°", value=round(value, 2))
-    return Message("{value:g} {unit}", value=round(value, 2), unit=unit)
-
-
-def _label(key: str) -> str:
-    return LABELS.get(key, _as_words(key))
+def _label(key: str, found: Declared | None) -> Message:
+    if key in _DERIVED:
+        return Message(_DERIVED[key])
+    assert found is not None, "all others are declared"
+    if not found.within:
+        return Message(found.label)
+    return Message("{part}, {value}", part=found.within, value=found.label)
 
 
 def _corrections(old: InsoleDesign, new: InsoleDesign) -> Iterator[Message]:
     before, after = ({c.id: c for c in design.corrections} for design in (old, new))
     for c in new.corrections:
         if c.id not in before:
-            yield Message("Added: {correction}, {values}", correction=_name(c), values=_main(c))
+            yield Message("Added: {correction}, {values}", correction=_noun(c), values=_main(c))
     for c in new.corrections:
         if c.id in before and _unsigned(before[c.id]) != _unsigned(c):
             yield _change(before[c.id], c)
     for c in old.corrections:
         if c.id not in after:
-            yield Message("Removed: {correction}", correction=_name(c))
+            yield Message("Removed: {correction}", correction=_noun(c))
 
 
 def _change(old: Correction, new: Correction) -> Message:
     if _main(old) == _main(new):
-        return Message("Moved or reshaped: {correction}", correction=_name(new))
+        return Message("Moved or reshaped: {correction}", correction=_noun(new))
     return Message(
         "Changed: {correction}, {before} → {after}",
-        correction=_name(new),
+        correction=_noun(new),
         before=_main(old),
         after=_main(new),
     )
@@ -289,29 +237,23 @@ def _unsigned(correction: Correction) -> Correction:
     return replace(correction, author="", created_at="")
 
 
-def _name(correction: Correction) -> Message:
-    if isinstance(correction, Pelott):
-        return Message(pad_name(correction))
-    return Message(_CORRECTIONS.get(correction.type, _as_words(correction.type)))
+def _noun(correction: Correction) -> Message:
+    return Message(correction.noun)
 
 
 def _main(correction: Correction) -> Message:
-    """Return the values that a clinician knows a correction by."""
-    to_height = getattr(correction, "target_mm", None) is not None  # what is added says nothing
-    values = [
-        _with_place(key, _wording(key, getattr(correction, key)))
-        for key in _MAIN
-        if getattr(correction, key, None) is not None and not (to_height and key == "height_mm")
+    """Return the values that a clinician knows a correction by: which one, then how much."""
+    fields = [(name, correction.declared(name)) for name in declared(type(correction))]
+    told = [
+        (found, getattr(correction, name))
+        for name, found in fields
+        if found.main is not None and correction.acts(name)
     ]
+    told.sort(key=lambda one: not isinstance(one[0], Choice))
+    values = [_said(found, value) for found, value in told if value is not None]
     return joined(values if correction.enabled else [*values, Message("switched off")])
 
 
-def _with_place(key: str, value: Message) -> Message:
-    template = _MAIN[key]
-    return Message(template, value=value) if template else value
-
-
-def _as_words(key: str) -> str:
-    for unit in _UNITS:
-        key = key.removesuffix(unit)
-    return key.replace("_", " ").capitalize()
+def _said(found: Declared, value: Any) -> Message:
+    said = worded(found, value, _DECIMALS)
+    return Message(found.main, value=said) if found.main else said

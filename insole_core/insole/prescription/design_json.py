@@ -5,40 +5,25 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import MISSING, Field, fields, is_dataclass
-from functools import partial
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NoReturn, get_args
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.given_file import read_given
 from insole_core.insole.elements import CORRECTION_TYPES, Correction
-from insole_core.insole.prescription.base_form import BaseForm, Form
+from insole_core.insole.fields import Place, types_of
+from insole_core.insole.prescription.base_form import Form
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CHOICES, check_design, check_form
+from insole_core.insole.prescription.design_limits import check_design, check_form
 from insole_core.insole.prescription.design_totals import check_totals
-from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.item_name import checked_name
-from insole_core.insole.prescription.layers import Layers
-from insole_core.insole.prescription.outline import Outline
-from insole_core.insole.prescription.shell import Post, Shell
-from insole_core.insole.prescription.shoe import Shoe
 from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES, load_strictly
 
 FORMAT, VERSION = "insole-design", 1
 
 _MOST_STORED = 1000  # more than can be built, so that whatever was edited can be opened again
-_PLACES = ("centre_mm", "sigma_mm", "apex_mm")
-_PLACE_LISTS = ("inside_mm", "outline_mm", "points_mm", "trim_mm")
-_LISTS: dict[str, type[Any]] = {"rim": RimStation, "posts": Post}
-_NUMBER_LISTS = ("along_shares", "across_shares")
-_TEXTS = {"id", "kind", "name", "author", "created_at", "device", "material"}.union(
-    *CHOICES.values()
-)
-_PARTS: dict[str, type[Any]] = {
-    "outline": Outline, "layers": Layers, "base": BaseForm, "finish": Finish, "shell": Shell,
-}  # fmt: skip
 
 
 def read_design(path: Path) -> InsoleDesign:
@@ -106,8 +91,7 @@ def design_from_json(content: Any) -> InsoleDesign:
     design = InsoleDesign(
         side=_side(top.pop("side")),
         corrections=tuple(_correction(c, n) for n, c in enumerate(corrections)),
-        **{key: _part(key, top.pop(key)) for key in _PARTS.keys() & top.keys()},
-        **{key: _value(key, value, key) for key, value in top.items()},
+        **{key: _value(types_of(InsoleDesign)[key], value, key) for key, value in top.items()},
     )
     check_design(design)
     return design
@@ -126,7 +110,7 @@ def form_from_json(content: Any) -> Form:
     DesignError
         One sentence that names the key.
     """
-    form = _form(content, "the form")
+    form: Form = _read(Form, content, "the form")
     check_form(form)
     checked_name(form.name)
     return form
@@ -142,10 +126,6 @@ def _plain(content: Any) -> Any:
     if is_dataclass(content):
         return _to_json(content)
     return [_plain(part) for part in content] if isinstance(content, tuple) else content
-
-
-def _part(key: str, content: Any) -> Any:
-    return _read(_PARTS[key], dict(_object(content, key)), key)
 
 
 def _correction(content: Any, number: int) -> Correction:
@@ -164,14 +144,20 @@ def _correction(content: Any, number: int) -> Correction:
     return correction
 
 
-def _read(kind: type[Any], given: dict[str, Any], where: str) -> Any:
+def _read(kind: type[Any], content: Any, where: str) -> Any:
+    """Read a part, each of its fields by what its class says that it holds."""
+    given = _object(content, where)
     _check_keys(given, kind, where)
-    return kind(**{k: _value(k, v, f"{k} of {where}") for k, v in given.items()})
+    held = types_of(kind)
+    return kind(**{k: _value(held[k], v, f"{k} of {where}") for k, v in given.items()})
 
 
-def _value(key: str, value: Any, where: str) -> Any:
-    read: Callable[[Any, str], Any] = _READERS.get(key, _number)
-    return read(value, where)
+def _value(held: Any, value: Any, where: str) -> Any:
+    if is_dataclass(held):
+        return _read(held, value, where)  # type: ignore[arg-type]
+    if held in _READERS:
+        return _READERS[held](value, where)
+    return _list(get_args(held)[0], value, where)
 
 
 def _text(value: Any, where: str) -> str:
@@ -192,24 +178,11 @@ def _places(value: Any, where: str) -> tuple[tuple[float, float], ...]:
     return tuple(_place(place, where) for place in value)
 
 
-def _form(value: Any, where: str) -> Form:
-    form: Form = _read(Form, dict(_object(value, where)), where)
-    return form
-
-
-def _shoe(value: Any, where: str) -> Shoe:
-    shoe: Shoe = _read(Shoe, dict(_object(value, where)), where)
-    return shoe
-
-
 def _list(kind: type[Any], value: Any, where: str) -> tuple[Any, ...]:
     if not isinstance(value, list):
         raise DesignError("{where} must be a list of objects; put them in [ ].", where=where)
     places = [Message("{list}[{number}]", list=where, number=n) for n in range(len(value))]
-    return tuple(
-        _read(kind, dict(_object(item, place)), place)
-        for item, place in zip(value, places, strict=True)
-    )
+    return tuple(_read(kind, item, place) for item, place in zip(value, places, strict=True))
 
 
 def _rows(value: Any, where: str) -> tuple[tuple[float, ...], ...]:
@@ -299,17 +272,13 @@ def _refuse_constant(name: str) -> NoReturn:
     raise DesignError("{name} is no number a design can hold; put in a usual one.", name=name)
 
 
-_READERS: dict[str, Callable[[Any, str], Any]] = {
-    **dict.fromkeys(_TEXTS, _text),
-    **dict.fromkeys(_PLACES, _place),
-    **dict.fromkeys(_PLACE_LISTS, _places),
-    **dict.fromkeys(_NUMBER_LISTS, _numbers),
-    **{key: partial(_list, kind) for key, kind in _LISTS.items()},
-    "enabled": _flag,
-    "trim": _flag,
-    "cover_is_taken_off": _flag,
-    "form": _form,
-    "shoe": _shoe,
-    "heights_mm": _rows,
+_READERS: dict[Any, Callable[[Any, str], Any]] = {
+    str: _text,
+    bool: _flag,
+    float: _number,
+    Place: _place,
+    tuple[Place, ...]: _places,
+    tuple[float, ...]: _numbers,
+    tuple[tuple[float, ...], ...]: _rows,
 }
-"""How the value of a key is read; those of the other keys are numbers."""
+"""How a value is read, by what its field holds."""

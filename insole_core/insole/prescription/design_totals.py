@@ -8,10 +8,9 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.elements import HeelLift
+from insole_core.insole.fields import Range
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import Range
 from insole_core.insole.prescription.posting_angles import posting_profile_deg
-from insole_core.insole.primitives.blending import smooth_step
 
 POSTING_TOTAL = Range(-15, 15, "degrees")
 LIFT_TOTAL = Range(-10, 20)
@@ -54,8 +53,7 @@ def check_totals(design: InsoleDesign) -> None:
 
 def _lift_profile_mm(design: InsoleDesign) -> FloatArray:
     """Return by how much all active lifts raise the sections at `_SHARES`."""
-    lifts = (c for c in design.active if isinstance(c, HeelLift))
-    raised = (c.height_mm * (1 - smooth_step(_SHARES, c.fade_start, c.fade_end)) for c in lifts)
+    raised = (lift.raised_mm(_SHARES) for lift in design.of(HeelLift))
     return np.asarray(sum(raised, start=np.zeros_like(_SHARES)))
 
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
+
+from insole_core.insole.fields import Choice, Number, Part
 
 
 @dataclass(frozen=True, kw_only=True)
-class Layers:
+class Layers(Part):
     """Thickness of the layers from the foot down, mm; 0 for a layer that is not made separately.
 
     Parameters
@@ -16,10 +19,32 @@ class Layers:
         on the cover.
     """
 
-    cover_mm: float = 0.0
-    shell_mm: float = 0.0
-    base_mm: float = 0.0
-    cover_is_taken_off: bool = False
+    cover_mm: Annotated[
+        float, Number("Cover", "Thickness of the layer next to the foot; 0 for none", 0, 5)
+    ] = 0.0
+    shell_mm: Annotated[
+        float,
+        Number("Middle layer", "Thickness of the layer between cover and base; 0 for none", 0, 10),
+    ] = 0.0
+    base_mm: Annotated[
+        float,
+        Number(
+            "Base",
+            "Thickness of the layer next to the shoe; 0 for none",
+            0,
+            10,
+            within="Layers",
+        ),
+    ] = 0.0
+    cover_is_taken_off: Annotated[
+        bool,
+        Choice(
+            "Cover is",
+            "A cover that is glued on later is taken off what is made",
+            words={False: "made with it", True: "glued on later"},
+            expert=True,
+        ),
+    ] = False
 
     @property
     def total_mm(self) -> float:

@@ -14,15 +14,15 @@ from itertools import pairwise
 from pathlib import Path
 
 from insole_core.errors import DesignError, InputError
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import DESIGN_RANGES, SHELL_RANGES
 from insole_core.insole.prescription.shell import Shell
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
 from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-materials", 1
-THICKNESS, WEIGHT = DESIGN_RANGES["thickness_mm"], SHELL_RANGES["body_weight_kg"]
+THICKNESS, WEIGHT = ranges_of(InsoleDesign)["thickness_mm"], ranges_of(Shell)["body_weight_kg"]
 """Limits of what a table holds."""
 
 

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated, Final
 
-from insole_core.insole.fields import Place
+from insole_core.insole.fields import Choice, Line, Number, Part, Place
 from insole_core.insole.prescription.shoe import Shoe
+
+NARROW_MM: Final = -3.2
+"""Medial border of a narrow insole, from the bisection of the 1st metatarsal."""
+WIDE_MM: Final = 3.2
 
 
 @dataclass(frozen=True, kw_only=True)
-class Outline:
+class Outline(Part):
     """The edge of the insole, seen from above.
 
     Parameters
@@ -23,22 +28,71 @@ class Outline:
         Added to the foot in front of the toes, on both sides of the ball, and around the heel.
     shoe_size_eu
         Paris points, 6.67 mm each; required if the source is the shoe size.
-    points_mm
-        At least four if the outline is drawn.
     width_mm
         From the bisection of the 1st metatarsal to the medial border beside its head: 0 regular,
         −3.2 narrow, 3.2 wide; by default the foot's own border and the ball's allowance decide.
         Not read if the outline is drawn.
+    points_mm
+        At least four if the outline is drawn.
     shoe
         The shoe that the insole is to lie in; None: any.
     """
 
-    source: str = "foot"
-    extent: str = "full"
-    toe_allowance_mm: float = 5.0
-    ball_allowance_mm: float = 2.0
-    heel_allowance_mm: float = 2.0
-    shoe_size_eu: float | None = None
-    points_mm: tuple[Place, ...] | None = None
-    width_mm: float | None = None
+    source: Annotated[
+        str,
+        Choice(
+            "Outline",
+            "What the edge of the insole follows",
+            words={"foot": "from the foot", "shoe_size": "from the shoe size", "drawn": "drawn"},
+        ),
+    ] = "foot"
+    extent: Annotated[
+        str,
+        Choice(
+            "Extent",
+            "To the toes, or to behind the metatarsal heads",
+            words={"full": "full length", "three_quarter": "three-quarter"},
+        ),
+    ] = "full"
+    toe_allowance_mm: Annotated[
+        float, Number("Toes", "Allowance in front of the longest toe", -20, 30, within="Outline")
+    ] = 5.0
+    ball_allowance_mm: Annotated[
+        float, Number("Ball", "Allowance on both sides of the ball", -20, 20, within="Outline")
+    ] = 2.0
+    heel_allowance_mm: Annotated[
+        float, Number("Heel", "Allowance around the heel", -20, 20, within="Outline")
+    ] = 2.0
+    shoe_size_eu: Annotated[
+        float | None,
+        Number("EU size", "Size of the shoe, which decides the length", 16, 52, unit=""),
+    ] = None
+    width_mm: Annotated[
+        float | None,
+        Number(
+            "Width",
+            "Medial border against the bisection of the 1st metatarsal",
+            -20,
+            20,
+            template="{value} mm from the bisection of the 1st metatarsal",
+            offers=(
+                (None, "from the foot"),
+                (NARROW_MM, "narrow"),
+                (0.0, "regular"),
+                (WIDE_MM, "wide"),
+            ),
+            within="Outline",
+        ),
+    ] = None
+    points_mm: Annotated[tuple[Place, ...] | None, Line("Line", within="Outline")] = None
     shoe: Shoe | None = None
+
+    def acts(self, name: str) -> bool:
+        """Return whether a field does something beside the others."""
+        if self.source == "drawn":
+            return name in ("source", "points_mm")
+        if name == "toe_allowance_mm":
+            return self.source == "foot" and self.extent == "full"
+        if name == "shoe_size_eu":
+            return self.source == "shoe_size"
+        return name != "points_mm"

@@ -1,12 +1,12 @@
 """A prescription in words, for papers: a line for each correction, and how the insole is made.
 
-Names, units and words come from the `vocabulary`: all fields are said, but those without a value
-and those that do nothing beside others.
+Names, units and words are those that the values are declared with: all are said, but those that are
+not set and those that do nothing beside others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -14,28 +14,16 @@ import numpy as np
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction, Pelott
-from insole_core.insole.elements.pad_kinds import PAD_NAMES, ends_behind_heads, pad_name
-from insole_core.insole.fields import Place
+from insole_core.insole.elements.words import mm_message, number_message, worded
+from insole_core.insole.fields import Declared, Line, Part, Place, Spot, Table, declared
 from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
 from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.prescription.vocabulary import (
-    NAMES,
-    RAISING,
-    SPOKEN,
-    WORDS,
-    Spoken,
-    acts,
-    spoken,
-)
 from insole_core.messages import Message, joined
 
 Values: TypeAlias = dict[str, str]
-_PLACES = ("centre_mm", "apex_mm")
-_DECIMALS = 1
-"""The precision of the tool's own fields."""
 
 
 def correction_lines(
@@ -65,7 +53,7 @@ def make_values(design: InsoleDesign) -> dict[str, str | Values]:
     if design.base is not None:
         said["base form"] = {**_values(design.base.form), **_values(design.base)}
     said |= {
-        "prescribed thickness": _mm(design.made_thickness_mm),
+        "prescribed thickness": mm_message(design.made_thickness_mm),
         "insole": _values(design),
         "outline": _values(design.outline),
     }
@@ -78,22 +66,10 @@ def make_values(design: InsoleDesign) -> dict[str, str | Values]:
     return said if design.shell is None else said | _shell_values(design.shell)
 
 
-def plain_number(value: float, decimals: int = _DECIMALS) -> str:
-    """Return a number as on paper: rounded, without needless zeros, and never "-0"."""
-    text = f"{value:.{decimals}f}"
-    text = text.rstrip("0").rstrip(".") if "." in text else text
-    return "0" if text == "-0" else text
-
-
-def number_message(value: float, decimals: int = _DECIMALS) -> Message:
-    """Return the same number to be translated: with the decimal sign of the language."""
-    return Message("{number:g}", number=round(value, decimals) + 0.0)  # never -0
-
-
 def _finish_values(finish: Finish) -> dict[str, str | Values]:
     said: dict[str, str | Values] = {"finish": _values(finish)}
     heights = {"heel cup": cup_depth_mm(finish), "medial flange": medial_flange_mm(finish)}
-    said |= {name: _mm(height) for name, height in heights.items() if height is not None}
+    said |= {name: mm_message(height) for name, height in heights.items() if height is not None}
     for border in ("medial", "lateral"):
         stations = sorted((s for s in finish.rim if s.border == border), key=lambda s: s.along)
         if stations:
@@ -107,35 +83,23 @@ def _shell_values(shell: Shell) -> dict[str, str | Values]:
 
 
 def _line(correction: Correction, side: Side, landmarks: Landmarks | None) -> Message:
-    said = [_text(_values(correction))]
-    place = next((p for n in _PLACES if (p := getattr(correction, n, None)) is not None), None)
-    if place is not None:
-        said.append(_place(place, side))
-    if landmarks is not None and isinstance(correction, Pelott) and ends_behind_heads(correction):
+    said = [_text(_values(correction)), *_places(correction, side)]
+    if landmarks is not None and isinstance(correction, Pelott) and correction.ends_behind_heads:
         said.append(_from_heads(behind_heads_mm(correction, landmarks)))
     signed = " ".join(word for word in (correction.author, correction.created_at[:10]) if word)
-    what = {"correction": _title(correction), "values": joined(said, "; ")}
+    what = {"correction": correction.title, "values": joined(said, "; ")}
     if not signed:
         return Message("{correction}: {values}", **what)
     return Message("{correction}: {values} ({signed})", signed=signed, **what)
 
 
-def _title(correction: Correction) -> str:
-    if not isinstance(correction, Pelott):
-        return NAMES[type(correction)]
-    name = pad_name(correction)
-    return name[0].upper() + name[1:]
-
-
-def _values(part: Any) -> Values:
+def _values(part: Part) -> Values:
     """Return the values of a part that are set and do something, by their names."""
+    fields = ((name, part.declared(name)) for name in declared(type(part)) if part.acts(name))
     return {
-        said.name: _value(said, value)
-        for name, said in ((name, spoken(part, name)) for name in SPOKEN[type(part)])
-        if name not in _PLACES
-        and acts(part, name)
-        and (value := getattr(part, name)) is not None
-        and value != ""
+        found.label: _value(found, value)
+        for name, found in fields
+        if not isinstance(found, Spot | Table) and (value := getattr(part, name)) not in (None, "")
     }
 
 
@@ -144,21 +108,8 @@ def _text(values: Mapping[str, str], between: str = "; ") -> Message:
     return joined(said, between)
 
 
-def _value(said: Spoken, value: Any) -> Message:
-    if isinstance(value, bool):
-        return Message(said.words.get(value, "yes" if value else "no"))
-    if isinstance(value, str):
-        return Message(said.words.get(value) or WORDS.get(value) or PAD_NAMES.get(value, value))
-    if isinstance(value, tuple):
-        return _pair(said, value) if isinstance(value[0], float | int) else _curve(value)
-    if said.template == RAISING:
-        return _raised(value)
-    return Message(said.template, value=number_message(said.scale * value, said.decimals))
-
-
-def _pair(said: Spoken, pair: Place) -> Message:
-    both = joined((number_message(value, said.decimals) for value in pair), " × ")
-    return Message(said.template, value=both)
+def _value(found: Declared, value: Any) -> Message:
+    return _curve(value) if isinstance(found, Line) else worded(found, value)
 
 
 def _curve(points_mm: tuple[Place, ...]) -> Message:
@@ -175,30 +126,20 @@ def _curve(points_mm: tuple[Place, ...]) -> Message:
     )
 
 
-def _place(place_mm: Place, side: Side) -> Message:
-    """Say where a place lies, as the window does: medial of the axis on either foot."""
-    across, from_heel = place_mm[0] * side.medial_sign, _mm(place_mm[1])
-    values = {"across": _mm(abs(across)), "from_heel": from_heel}
-    if across < 0:
-        return Message("{across} lateral of the axis, {from_heel} from the heel", **values)
-    return Message("{across} medial of the axis, {from_heel} from the heel", **values)
+def _places(part: Part, side: Side) -> Iterator[Message]:
+    """Say where the places of a part lie, as the window does: medial of the axis on either foot."""
+    spots = (name for name, found in declared(type(part)).items() if isinstance(found, Spot))
+    for place_mm in filter(None, (getattr(part, name) for name in spots)):
+        across, from_heel = place_mm[0] * side.medial_sign, mm_message(place_mm[1])
+        values = {"across": mm_message(abs(across)), "from_heel": from_heel}
+        if across < 0:
+            yield Message("{across} lateral of the axis, {from_heel} from the heel", **values)
+        else:
+            yield Message("{across} medial of the axis, {from_heel} from the heel", **values)
 
 
 def _from_heads(distance_mm: float) -> Message:
-    distance = _mm(abs(distance_mm))
+    distance = mm_message(abs(distance_mm))
     if distance_mm < 0:
         return Message("{distance} ahead of the heads", distance=distance)
     return Message("{distance} behind the heads", distance=distance)
-
-
-def _raised(angle_deg: float) -> Message:
-    angle = number_message(abs(angle_deg))
-    if angle == "0":
-        return Message("0°")
-    if angle_deg > 0:
-        return Message("{angle}° medial", angle=angle)
-    return Message("{angle}° lateral", angle=angle)
-
-
-def _mm(value: float) -> Message:
-    return Message("{number} mm", number=number_message(value))

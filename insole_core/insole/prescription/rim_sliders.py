@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from insole_core.insole.elements import Correction, HeelCup
+from insole_core.insole.elements import HeelCup
 from insole_core.insole.prescription.finish import HEADS_ALONG, Finish, RimStation
 
 _CUP_ALONG, _CUP_FADE = 0.2, 0.4
@@ -37,14 +37,13 @@ def with_cup_depth(finish: Finish, depth_mm: float) -> Finish:
     return _moved(finish, depth_mm - old_mm, _cup_weight)
 
 
-def finish_with_cups(finish: Finish, corrections: Iterable[Correction]) -> Finish:
-    """Set the heel cup of a finish to the depth of the last heel cup among active corrections.
+def finish_with_cups(finish: Finish, cups: Iterable[HeelCup]) -> Finish:
+    """Set the heel cup of a finish to the depth of the last of the active heel cups.
 
     So a heel cup means the same with a designed rim as without: the depth that the cup gets.
     """
-    for correction in corrections:
-        if isinstance(correction, HeelCup):
-            finish = with_cup_depth(finish, correction.depth_mm)
+    for cup in cups:
+        finish = with_cup_depth(finish, cup.depth_mm)
     return finish
 
 

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
-from insole_core.insole.fields import Place
+from insole_core.insole.fields import Angle, Choice, Line, Number, Part, Place, Text
 
 LONGEST_TAPER = 0.5
 """Greatest share of an insole's length over which it tapers."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Post:
+class Post(Part):
     """A body below the shell that tilts it, as an extrinsic posting does, and is level below.
 
     Parameters
@@ -27,14 +28,29 @@ class Post:
         Rounding of its lower edge.
     """
 
-    region: str = "rearfoot"
-    angle_deg: float = 0.0
-    length_mm: float | None = None
-    edge_radius_mm: float = 4.0
+    region: Annotated[
+        str, Choice("Region", words={"rearfoot": "rearfoot", "forefoot": "forefoot"})
+    ] = "rearfoot"
+    angle_deg: Annotated[
+        float,
+        Angle(
+            "Angle",
+            "> 0 raises the medial edge (varus), < 0 the lateral one (valgus)",
+            -15,
+            15,
+            raises=True,
+        ),
+    ] = 0.0
+    length_mm: Annotated[float | None, Number("Length", least=15, greatest=120)] = None
+    edge_radius_mm: Annotated[float, Number("Edge radius", least=0, greatest=10)] = 4.0
+
+    def acts(self, name: str) -> bool:
+        """Return whether a field says what the name of the post does not."""
+        return name != "region"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Shell:
+class Shell(Part):
     """The body of a device; its thickness and underside are `thickness_mm` and `bottom`.
 
     Parameters
@@ -44,6 +60,9 @@ class Shell:
     least_mm, least_edge_mm
         What the material needs, at the front edge too, by the clinic's table; None is what the
         product's table says. A design keeps them, so that it is made alike where the table differs.
+    heel_pitch_mm
+        Height of the shoe's heel over its forefoot: the underside is shaped for its last, on which
+        the insole rests with heel and ball.
     taper_mm, taper_length_mm
         Thickness at the front edge, and the length over which it is reached.
     edge_radius_mm
@@ -52,9 +71,6 @@ class Shell:
         Inclination of the walls from the vertical; > 0: wider at the bottom.
     chamfer_mm
         Width of the bevel along the upper edge.
-    heel_pitch_mm
-        Height of the shoe's heel over its forefoot: the underside is shaped for its last, on which
-        the insole rests with heel and ball.
     trim_mm
         Points (x, y), insole frame, of the front edge of a short shell, from the medial to the
         lateral border; by default 11 mm behind the 1st head, 10 mm behind the 5th, and 4 mm
@@ -63,16 +79,56 @@ class Shell:
         At most one for each region.
     """
 
-    material: str = "polypropylene"
-    body_weight_kg: float | None = None
-    least_mm: float | None = None
-    least_edge_mm: float | None = None
-    taper_mm: float = 1.0
-    taper_length_mm: float = 18.0
-    edge_radius_mm: float = 1.0
-    draft_medial_deg: float = 0.0
-    draft_lateral_deg: float = 0.0
-    chamfer_mm: float = 0.0
-    heel_pitch_mm: float = 0.0
-    trim_mm: tuple[Place, ...] | None = None
+    material: Annotated[str, Text("Material")] = "polypropylene"
+    body_weight_kg: Annotated[
+        float | None, Number("Body weight", least=5, greatest=250, unit="kg")
+    ] = None
+    least_mm: Annotated[float | None, Number("Least thickness", least=0.5, greatest=40)] = None
+    least_edge_mm: Annotated[
+        float | None, Number("Least thickness at the front edge", least=0.5, greatest=40)
+    ] = None
+    heel_pitch_mm: Annotated[
+        float, Number("Heel pitch", "Height of the shoe's heel over its forefoot", 0, 30)
+    ] = 0.0
+    taper_mm: Annotated[
+        float,
+        Number("Front edge", "Thickness of the shell at its front edge", 0.5, 10, expert=True),
+    ] = 1.0
+    taper_length_mm: Annotated[
+        float,
+        Number(
+            "Taper length",
+            "Length over which the shell gets as thin as its front edge",
+            5,
+            60,
+            expert=True,
+        ),
+    ] = 18.0
+    edge_radius_mm: Annotated[
+        float, Number("Edge radius", "Rounding of the upper edge", 0, 5, expert=True)
+    ] = 1.0
+    draft_medial_deg: Annotated[
+        float,
+        Angle(
+            "Medial draft",
+            "Inclination of the medial wall; > 0 is wider at the bottom",
+            -15,
+            30,
+            expert=True,
+        ),
+    ] = 0.0
+    draft_lateral_deg: Annotated[
+        float,
+        Angle(
+            "Lateral draft",
+            "Inclination of the lateral wall; > 0 is wider at the bottom",
+            -15,
+            30,
+            expert=True,
+        ),
+    ] = 0.0
+    chamfer_mm: Annotated[
+        float, Number("Chamfer", "Width of the bevel along the upper edge", 0, 10, expert=True)
+    ] = 0.0
+    trim_mm: Annotated[tuple[Place, ...] | None, Line("Trim line", "", 2, 60)] = None
     posts: tuple[Post, ...] = ()

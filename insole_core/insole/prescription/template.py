@@ -19,10 +19,11 @@ import numpy as np
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
+from insole_core.insole.elements.correction import with_places
 from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
-from insole_core.insole.prescription.mirroring import mirrored, with_places
+from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-template", 1

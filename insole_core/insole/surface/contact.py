@@ -16,7 +16,8 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
-from insole_core.insole.elements import ForefootTwist, HeelCup, HeelLift, HeelSkive, Posting
+from insole_core.insole.elements import HeelCup
+from insole_core.insole.elements.correction import Sole
 from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface, finished
 from insole_core.insole.forms.form_surface import base_surface, finish_on_base
@@ -26,7 +27,6 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.rim_sliders import finish_with_cups
 from insole_core.insole.primitives.height_field import HeightField
-from insole_core.insole.surface.heel import cup_rows, cupped, lifted, skived
 from insole_core.insole.surface.heel_rim import RimBand, rim_band
 from insole_core.insole.surface.inpainting import fill
 from insole_core.insole.surface.posting import posted
@@ -90,19 +90,15 @@ class _Grid:
 
 
 BaseKey: TypeAlias = tuple[Any, ...]
-_SHAPING = (Posting, ForefootTwist, HeelSkive, HeelLift, HeelCup)
-
-
 _READ_IN_PART = frozenset({"corrections", "thickness_mm", "layers", "shell"})
 _NOT_READ = frozenset({"bottom", "device"})
 
 
 def base_key(design: InsoleDesign) -> BaseKey:
     """Return all values of a design on which its contact base depends: equal keys, equal base."""
-    shaping = (c for c in design.active if isinstance(c, _SHAPING))
     shell = design.shell
     return (
-        *(replace(c, id="", author="", created_at="") for c in shaping),
+        *(replace(c, id="", author="", created_at="") for c in design.of_stage("turn", "sole")),
         None if shell is None else (shell.posts, shell.heel_pitch_mm, shell.trim_mm),
         design.least_thickness_mm,
         *values_but(design, _READ_IN_PART | _NOT_READ),
@@ -118,8 +114,8 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     """Compute the plantar surface on the design's grid, corrected and raised to its thickness.
 
     The corrections that shape the whole surface are applied in a fixed order, whatever their order
-    in the design: posting, then skive, then lift, and last the heel cup or the finish, which then
-    makes the cup.
+    in the design: posting, then by `Correction.order`, and last the finish, which then makes the
+    cup.
 
     Parameters
     ----------
@@ -143,17 +139,16 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         surface = base_surface(foot, surface, design.base)
     level = surface
     surface = replace(surface, heights_mm=posted(surface, sole.measured, design, length))
-    shaping = [c for c in design.active if isinstance(c, _SHAPING)]
-    for c in sorted(shaping, key=lambda c: _SHAPING.index(type(c))):
-        if isinstance(c, HeelSkive):
-            heights = skived(surface, sole.measured, c, foot.side, length)
-        elif isinstance(c, HeelLift):
-            heights = lifted(surface, c, length)
-        elif isinstance(c, HeelCup) and design.finish is None:
-            heights = cupped(surface, _rim_band(foot, design, sole, c), c, length)
-        else:
-            continue
-        surface = replace(surface, heights_mm=heights)
+    for correction in sorted(design.of_stage("sole"), key=lambda c: c.order):
+        on = Sole(
+            surface,
+            sole.measured,
+            foot.side,
+            length,
+            has_finish=design.finish is not None,
+            beside_mm=partial(_beside_mm, foot, design, sole),
+        )
+        surface = replace(surface, heights_mm=correction.shaped(on))
     finish = None
     if design.finish is not None:
         progress.step(0.85, "Finishing rim and toe zone")
@@ -189,7 +184,7 @@ def with_rim(base: ContactBase, foot: Foot, design: InsoleDesign) -> ContactBase
 
 def _finish_of(finish: Finish, design: InsoleDesign) -> Finish:
     """Return a design's finish as its base and its heel cups change it."""
-    return finish_on_base(finish_with_cups(finish, design.active), design.base)
+    return finish_on_base(finish_with_cups(finish, design.of(HeelCup)), design.base)
 
 
 def _raised(surface: HeightField, foot: Foot, design: InsoleDesign) -> HeightField:
@@ -244,12 +239,15 @@ def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     return foot.derived.get("sole", (grid, highest_mm), sample)
 
 
-def _rim_band(foot: Foot, design: InsoleDesign, sole: ContactBase, cup: HeelCup) -> RimBand:
-    """Return where the rim of a cup can rise; cached with the foot."""
+def _beside_mm(
+    foot: Foot, design: InsoleDesign, sole: ContactBase, rows: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return where the rim of a cup can rise (see `RimBand`); cached with the foot."""
     field, outline = sole.surface, design.outline
-    rows = cup_rows(field, cup, foot.length_mm)
     measure = partial(rim_band, foot, field, sole.measured, outline, rows)
-    return foot.derived.get("heel rim", (field.grid, design.max_height_mm, outline, rows), measure)
+    key = field.grid, design.max_height_mm, outline, rows
+    band: RimBand = foot.derived.get("heel rim", key, measure)
+    return band.beside_mm, band.room_mm
 
 
 def _sampled_sole(foot: Foot, grid: _Grid, max_height_mm: float, progress: Progress) -> ContactBase:

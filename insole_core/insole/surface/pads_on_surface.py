@@ -7,23 +7,23 @@ full rebuild to the bit.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.elements import ArchRaise, BrushStroke, Pelott
-from insole_core.insole.fields import Place
+from insole_core.insole.elements import BrushStroke, Correction, Pelott
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.brush import HALO, stroke_weight, stroked
 from insole_core.insole.surface.contact import ContactBase
 
-Added: TypeAlias = Pelott | ArchRaise | BrushStroke
-"""The corrections that change the surface within an outline, in the order of the design."""
+_Area: TypeAlias = tuple[FloatArray, FloatArray, Callable[[FloatArray, FloatArray], FloatArray]]
+"""Two opposite corners (x, y), and what returns heights or weights (ny, nx) at nodes between."""
 
 
 @dataclass(frozen=True)
@@ -154,40 +154,19 @@ def moved_pad(
     return SurfaceChange(replace(base.surface, heights_mm=heights), window.widened(heights.shape))
 
 
-def added_corrections(design: InsoleDesign) -> list[Added]:
+def added_corrections(design: InsoleDesign) -> tuple[Correction, ...]:
     """Return the active corrections of a design that are added to its base."""
-    return [c for c in design.active if isinstance(c, Pelott | ArchRaise | BrushStroke)]
+    return design.of_stage("pad")
 
 
-def active_pads(design: InsoleDesign) -> list[Pelott]:
+def active_pads(design: InsoleDesign) -> tuple[Pelott, ...]:
     """Return the active pads of a design."""
-    return [c for c in design.active if isinstance(c, Pelott)]
+    return design.of(Pelott)
 
 
-def as_pad(correction: Pelott | ArchRaise, base: ContactBase) -> Pelott:
-    """Convert an arch raise to the elliptical pad that it is on a base; return a pad unchanged."""
-    if isinstance(correction, Pelott):
-        return correction
-    apex = correction.apex_mm or base.arch_apex_mm
-    return Pelott(
-        id=correction.id,
-        centre_mm=apex,
-        length_mm=correction.length_mm,
-        width_mm=correction.width_mm,
-        height_mm=_rise(correction, apex, base.surface),
-        egg_ratio=0.0,
-    )
-
-
-def _rise(arch: ArchRaise, apex_mm: Place, surface: HeightField) -> float:
-    """Return by how much an arch raise lifts a surface at its apex; 0 off the surface."""
-    if arch.target_mm is None:
-        return arch.height_mm
-    missing = arch.target_mm - float(surface.height_at(np.array(apex_mm)))
-    return max(missing, 0.0) if np.isfinite(missing) else 0.0
-
-
-def _changed_window(base: ContactBase, before: list[Added], after: list[Added]) -> Window:
+def _changed_window(
+    base: ContactBase, before: Sequence[Correction], after: Sequence[Correction]
+) -> Window:
     """Return the window of new, removed and edited corrections; all if the order has changed."""
     old, new = {c.id: c for c in before}, {c.id: c for c in after}
     if [i for i in old if i in new] != [i for i in new if i in old]:
@@ -200,11 +179,9 @@ def _changed_window(base: ContactBase, before: list[Added], after: list[Added]) 
     return window
 
 
-def _with_smoothed(base: ContactBase, corrections: Iterable[Added], window: Window) -> Window:
+def _with_smoothed(base: ContactBase, corrections: Iterable[Correction], window: Window) -> Window:
     """Widen a window by the smoothing strokes that reach into it: they propagate changes."""
-    reaches = [
-        _reach(base, c) for c in corrections if isinstance(c, BrushStroke) and c.mode == "smooth"
-    ]
+    reaches = [_reach(base, c) for c in corrections if c.spreads]
     grown = True
     while grown and not window.is_empty:
         joined = window
@@ -215,7 +192,7 @@ def _with_smoothed(base: ContactBase, corrections: Iterable[Added], window: Wind
     return window
 
 
-def _apply(part: FloatArray, base: ContactBase, correction: Added, window: Window) -> None:
+def _apply(part: FloatArray, base: ContactBase, correction: Correction, window: Window) -> None:
     """Change the heights of a window in place."""
     reach, shape = _shape(correction, base)
     common = reach.common(window)
@@ -229,7 +206,7 @@ def _apply(part: FloatArray, base: ContactBase, correction: Added, window: Windo
         part[here] += own
 
 
-def _reach(base: ContactBase, correction: Added) -> Window:
+def _reach(base: ContactBase, correction: Correction) -> Window:
     """Return the window that a correction may change, or that its smoothing reads."""
     return _shape(correction, base)[0]
 
@@ -258,30 +235,44 @@ class _Grid:
         )
 
 
-def _shape(correction: Added, base: ContactBase) -> tuple[Window, FloatArray]:
+def _shape(correction: Correction, base: ContactBase) -> tuple[Window, FloatArray]:
     """Return a correction's window and its height or stroke weight there; cached by the base."""
     # By the pad that it is here: bases of one foot share the cache, and their surfaces differ.
-    laid = correction if isinstance(correction, BrushStroke) else as_pad(correction, base)
+    laid = correction.laid(base.surface, base.arch_apex_mm)
     return base.shapes.get("shape", laid, lambda: _laid_on(_Grid.of(base.surface), laid))
 
 
-def _laid_on(grid: _Grid, correction: Pelott | BrushStroke) -> tuple[Window, FloatArray]:
-    if isinstance(correction, BrushStroke):
-        radius = correction.radius_mm * (1 + (HALO if correction.mode == "smooth" else 0.0))
-        points = np.array(correction.points_mm)
-        window = grid.window(points.min(axis=0) - radius, points.max(axis=0) + radius)
-    else:
-        outline = pad_outline(correction)
-        window = grid.window(outline.min(axis=0), outline.max(axis=0))
+def _laid_on(grid: _Grid, laid: Correction) -> tuple[Window, FloatArray]:
+    low, high, weight = _area(laid)
+    window = grid.window(low, high)
     if window.is_empty:
         return window, np.empty((0, 0))
     columns = np.arange(window.first_column, window.end_column, dtype=np.float64)
     rows = np.arange(window.first_row, window.end_row, dtype=np.float64)
     x, y = grid.x0_mm + grid.step_mm * columns, grid.y0_mm + grid.step_mm * rows
-    if isinstance(correction, BrushStroke):
-        return window, stroke_weight(correction, x, y)
-    places = np.stack(np.meshgrid(x, y), axis=-1)
-    return window, pad_heights(correction, places)
+    return window, weight(x, y)
+
+
+def _area(laid: Correction) -> _Area:
+    if isinstance(laid, BrushStroke):
+        return _stroke_area(laid)
+    assert isinstance(laid, Pelott), 'a correction of the stage "pad" is laid as one of the two'
+    return _pad_area(laid)
+
+
+def _stroke_area(stroke: BrushStroke) -> _Area:
+    radius = stroke.radius_mm * (1 + (HALO if stroke.spreads else 0.0))
+    points = np.array(stroke.points_mm)
+    low, high = points.min(axis=0) - radius, points.max(axis=0) + radius
+    return low, high, partial(stroke_weight, stroke)
+
+
+def _pad_area(pad: Pelott) -> _Area:
+    def heights(x: FloatArray, y: FloatArray) -> FloatArray:
+        return pad_heights(pad, np.stack(np.meshgrid(x, y), axis=-1))
+
+    outline = pad_outline(pad)
+    return outline.min(axis=0), outline.max(axis=0), heights
 
 
 def _whole(field: HeightField) -> Window:

@@ -17,7 +17,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Posting
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.posting_angles import angle_deg, angles_deg
+from insole_core.insole.prescription.posting_angles import angles_deg
 from insole_core.insole.primitives.blending import smooth_step
 from insole_core.insole.primitives.height_field import HeightField
 
@@ -39,7 +39,7 @@ def posted_mesh(foot: Foot, rearfoot_deg: float, forefoot_deg: float) -> Triangl
     """
     x, y, z = foot.mesh.vertices.T
     zone = Posting(rearfoot_deg=rearfoot_deg, forefoot_deg=forefoot_deg)
-    angle = foot.side.medial_sign * np.radians(angle_deg(zone, y / foot.length_mm))
+    angle = foot.side.medial_sign * np.radians(zone.turned_deg(y / foot.length_mm))
     cos, sin = np.cos(angle), np.sin(angle)
     return replace(foot.mesh, vertices=np.stack([x * cos - z * sin, y, z * cos + x * sin], axis=1))
 
@@ -65,10 +65,10 @@ def posted(
     """
     share = field.y_mm / length_mm
     turned = field.heights_mm
-    whole = angles_deg(design, share, "extrinsic")
+    whole = angles_deg(design, share, rim=True)
     if whole.any():
         turned = _turned(field, design.side.medial_sign * np.radians(whole))
-    inner = angles_deg(design, share, "intrinsic")
+    inner = angles_deg(design, share, rim=False)
     if inner.any():
         turned = turned + _inner_tilt(field, measured, design.side, inner)
     return turned

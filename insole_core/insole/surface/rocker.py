@@ -19,7 +19,7 @@ _BEND_MM = 6.0  # distance from the line over which the underside bends
 
 def rockers(design: InsoleDesign) -> tuple[Rocker, ...]:
     """Return the active rockers of a design."""
-    return tuple(c for c in design.active if isinstance(c, Rocker))
+    return design.of(Rocker)
 
 
 def rocker_heights_mm(design: InsoleDesign, foot: Foot, field: HeightField) -> FloatArray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from itertools import combinations, islice
 from pathlib import Path
@@ -15,12 +15,6 @@ from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
 from insole_core.insole.elements import ArchRaise, HeelCup, HeelLift, HeelSkive, Pelott, Posting
-from insole_core.insole.elements.pad_kinds import (
-    ends_behind_heads,
-    is_filler,
-    leaves_first_head_free,
-    pad_name,
-)
 from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign
@@ -148,8 +142,7 @@ def design_warnings(
         shell, and shoe; at most one about landmarks.
     """
     design, table = insole.design, materials or read_materials()
-    pads = [c for c in design.active if isinstance(c, Pelott)]
-    arches = [c for c in design.active if isinstance(c, ArchRaise)]
+    pads, arches = design.of(Pelott), design.of(ArchRaise)
     return (
         *islice(_of_landmarks(design.side, landmarks), 1),  # the first explains the others
         *scan_warnings(insole),
@@ -193,7 +186,7 @@ def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:
 def _of_posting(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     usual = rules.post_unusual_deg
     rearfoot, forefoot = (rounded(angle, _SHOWN) for angle in posting_angles(design))
-    cause = next((c.id for c in design.active if isinstance(c, Posting)), "")
+    cause = next((posting.id for posting in design.of(Posting)), "")
     if abs(rearfoot) > usual:
         posted = Message(
             "The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.",
@@ -220,7 +213,7 @@ def _edge(angle_deg: float) -> str:
 def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     cup = _cup_mm(design)
     inversion = max(rounded(posting_angles(design)[0], _SHOWN), 0.0)
-    lifts = [c for c in design.active if isinstance(c, HeelLift)]
+    lifts = design.of(HeelLift)
     lift_mm = rounded(sum(c.height_mm for c in lifts), _SHOWN)
     if lift_mm > rules.greatest_heel_lift_mm:
         lifted = Message(
@@ -230,9 +223,7 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
             usual_mm=rules.greatest_heel_lift_mm,
         )
         yield DesignWarning(lifted, lifts[-1].id)
-    for c in design.active:
-        if not isinstance(c, HeelSkive):
-            continue
+    for c in design.of(HeelSkive):
         both = rounded(c.depth_mm + inversion, _SHOWN)
         deep = both > rules.skive_and_inversion_limit
         needed = rules.skive_and_inversion_cup_mm if deep else rules.skive_least_cup_mm
@@ -251,10 +242,9 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
 def _cup_mm(design: InsoleDesign) -> float:
     """Return the depth of the heel cup: that of the designed rim, or of the corrections."""
     if design.finish is not None:
-        rim = cup_depth_mm(finish_with_cups(design.finish, design.active))
+        rim = cup_depth_mm(finish_with_cups(design.finish, design.of(HeelCup)))
         return _USUAL_CUP_MM if rim is None else rim
-    cups = [c.depth_mm for c in design.active if isinstance(c, HeelCup)]
-    return min(cups, default=_USUAL_CUP_MM)
+    return min((cup.depth_mm for cup in design.of(HeelCup)), default=_USUAL_CUP_MM)
 
 
 def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:
@@ -287,17 +277,17 @@ def _of_pad(
     insole: Insole, landmarks: Landmarks, pad: Pelott, rules: ClinicRules
 ) -> Iterator[DesignWarning]:
     share = rounded(_share_on_foot(insole, pad), _SHOWN_SHARE)
-    if share < rules.least_on_foot_share and not is_filler(pad):
+    if share < rules.least_on_foot_share and not pad.is_filler:
         beside = Message(
             "Only {share:.0%} of the {pad} lie below the foot; move it inwards.",
             share=share,
-            pad=pad_name(pad),
+            pad=pad.noun,
         )
         yield DesignWarning(beside, pad.id, pad.centre_mm)
     yield from _of_recess(pad, rules)
-    if leaves_first_head_free(pad):
+    if pad.leaves_first_head_free:
         yield from _of_first_head(pad, landmarks, rules)
-    if ends_behind_heads(pad) and pad.height_mm > 0:
+    if pad.ends_behind_heads and pad.height_mm > 0:
         yield from _of_metatarsal_pad(pad, landmarks, rules)
 
 
@@ -305,7 +295,7 @@ def _of_recess(pad: Pelott, rules: ClinicRules) -> Iterator[DesignWarning]:
     if -pad.height_mm > rules.greatest_recess_depth_mm:
         deep = Message(
             "The {pad} is {depth_mm:g} mm deep; up to {usual_mm:g} mm are usual.",
-            pad=pad_name(pad),
+            pad=pad.noun,
             depth_mm=rounded(-pad.height_mm, _SHOWN),
             usual_mm=rules.greatest_recess_depth_mm,
         )
@@ -323,7 +313,7 @@ def _of_first_head(
         near = Message(
             "The {pad} comes within {distance_mm:g} mm of the 1st head, which it leaves free; keep "
             "it at least {least_mm:g} mm away.",
-            pad=pad_name(pad),
+            pad=pad.noun,
             distance_mm=away_mm,
             least_mm=rules.least_beside_first_head_mm,
         )
@@ -336,7 +326,7 @@ def _of_metatarsal_pad(
     if pad.height_mm > rules.greatest_metatarsal_pad_height_mm:
         high = Message(
             "The {pad} is {height_mm:g} mm high; up to {usual_mm:g} mm are usual.",
-            pad=pad_name(pad),
+            pad=pad.noun,
             height_mm=rounded(pad.height_mm, _SHOWN),
             usual_mm=rules.greatest_metatarsal_pad_height_mm,
         )
@@ -347,7 +337,7 @@ def _of_metatarsal_pad(
     least, most = rules.pelott_least_behind_heads_mm, rules.pelott_greatest_behind_heads_mm
     if not least <= behind <= most:
         values: dict[str, Value] = {
-            "pad": pad_name(pad),
+            "pad": pad.noun,
             "distance_mm": abs(behind),
             "least_mm": least,
             "most_mm": most,
@@ -428,7 +418,7 @@ def _share_on_foot(insole: Insole, pad: Pelott) -> float:
     return float(insole.measured[row[inside], column[inside]].sum() / len(places))
 
 
-def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarning]:
+def _of_overlaps(pads: Sequence[Pelott], rules: ClinicRules) -> Iterator[DesignWarning]:
     places = {pad.id: _places_in(pad) for pad in pads}
     outlines = {pad.id: pad_outline(pad, 180) for pad in pads}
     for a, b in combinations(pads, 2):
@@ -440,9 +430,9 @@ def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarni
         if share > rules.greatest_overlap_share:
             overlap = Message(
                 "The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up.",
-                pad=pad_name(small),
+                pad=small.noun,
                 share=share,
-                other_pad=pad_name(large),
+                other_pad=large.noun,
             )
             yield DesignWarning(overlap, small.id, small.centre_mm)
 

@@ -9,7 +9,6 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pad_kinds import ends_behind_heads, pad_name
 from insole_core.insole.fields import Place
 from insole_core.insole.finishing.blend_widths import STEEPEST_DEG
 from insole_core.insole.finishing.finished import FinishedSurface
@@ -38,9 +37,8 @@ def finish_warnings(insole: Insole) -> Iterator[DesignWarning]:
     yield from _of_raising(finished)
     yield from _of_arch(finished)
     yield from _of_expansion(insole, finished)
-    for pad in insole.design.active:
-        if isinstance(pad, Pelott):
-            yield from _of_pad(finished, pad)
+    for pad in insole.design.of(Pelott):
+        yield from _of_pad(finished, pad)
 
 
 def _of_widths(finished: FinishedSurface) -> Iterator[DesignWarning]:
@@ -183,7 +181,7 @@ def _of_expansion(insole: Insole, finished: FinishedSurface) -> Iterator[DesignW
 
 def _of_pad(finished: FinishedSurface, pad: Pelott) -> Iterator[DesignWarning]:
     """Warn of a pad that supports, and lies on the transition to the rim."""
-    if not ends_behind_heads(pad):
+    if not pad.ends_behind_heads:
         return
     place = finished.place
     within = np.zeros(place.inside_mm.shape, bool)
@@ -199,7 +197,7 @@ def _of_pad(finished: FinishedSurface, pad: Pelott) -> Iterator[DesignWarning]:
             "{share:.0%} of the {pad} lie on the transition to the rim; move it inwards or set a "
             "narrower transition.",
             share=share,
-            pad=pad_name(pad),
+            pad=pad.noun,
         )
         yield DesignWarning(beside, pad.id, pad.centre_mm)
 

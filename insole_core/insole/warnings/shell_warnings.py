@@ -11,7 +11,6 @@ from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.shoe_last import last_heights_mm
 from insole_core.insole.outline.trim_line import TrimLine, trim_points
@@ -155,7 +154,7 @@ def _of_trim_line(
     """Warn of pads that the shell does not hold wholly, for its front edge runs through them."""
     sign = design.side.medial_sign
     line = TrimLine(np.array(trim_points(shell, design.side, landmarks)) * [sign, 1.0])
-    for pad in (c for c in design.active if isinstance(c, Pelott)):
+    for pad in design.of(Pelott):
         x, y = pad_outline(pad, 180).T
         ahead = y > line.y_mm(sign * x)
         if ahead.all():
@@ -163,7 +162,7 @@ def _of_trim_line(
                 Message(
                     "The {pad} lies ahead of the trim line and is not made; move the line ahead of "
                     "it, or choose the full length.",
-                    pad=pad_name(pad),
+                    pad=pad.noun,
                 ),
                 pad.id,
                 pad.centre_mm,
@@ -173,7 +172,7 @@ def _of_trim_line(
                 Message(
                     "The trim line runs through the {pad}; move the line ahead of it, or the pad "
                     "behind the line.",
-                    pad=pad_name(pad),
+                    pad=pad.noun,
                 ),
                 pad.id,
                 pad.centre_mm,

@@ -13,7 +13,6 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
 from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.insole.outline.insole_outline import insole_outline, shoe_inside
 from insole_core.insole.outline.shoe_fit import fit_in
 from insole_core.insole.pads.pad_heights import pad_outline
@@ -76,7 +75,7 @@ def warnings_in_shoe(
             place_mm=(float(x), float(y)),
         )
     if shoe.trim:
-        pads = [c for c in design.active if isinstance(c, Pelott)]
+        pads = design.of(Pelott)
         yield from (_cut(pad, inside, shoe.name) for pad in pads if _is_cut(pad, inside))
 
 
@@ -103,7 +102,7 @@ def _cut(pad: Pelott, inside: FloatArray, name: str) -> DesignWarning:
         Message(
             "The {pad} reaches {over:.0f} mm beyond the shoe {shoe} and is cut there; move it or "
             "make it smaller.",
-            pad=Message(pad_name(pad)),
+            pad=Message(pad.noun),
             over=float(fit_in(pad_outline(pad), inside).over_mm.max()),
             shoe=name,
         ),

@@ -17,11 +17,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.prescription_lines import (
-    correction_lines,
-    make_facts,
-    number_message,
-)
+from insole_core.insole.elements.words import number_message
+from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.messages import Message, Translate
 from insole_core.records.capture import Capture
 from insole_core.records.order import Order

@@ -48,6 +48,10 @@
             <translation>,</translation>
         </message>
         <message>
+            <source>0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes</source>
+            <translation>0 % bakom hälen, 70 % vid metatarsalhuvudet, 100 % vid tårna</translation>
+        </message>
+        <message>
             <source>0°</source>
             <translation>0°</translation>
         </message>
@@ -82,6 +86,18 @@
         <message>
             <source>95 % are below</source>
             <translation>95 % ligger under</translation>
+        </message>
+        <message>
+            <source>&gt; 0 raises the medial edge (varus), &lt; 0 the lateral one (valgus)</source>
+            <translation>&gt; 0 höjer den mediala kanten (varus), &lt; 0 den laterala (valgus)</translation>
+        </message>
+        <message>
+            <source>&gt; 0 raises the medial edge of the forefoot (varus), &lt; 0 the lateral one</source>
+            <translation>&gt; 0 höjer framfotens mediala kant (varus), &lt; 0 den laterala</translation>
+        </message>
+        <message>
+            <source>&gt; 0 raises the medial edge of the rearfoot (varus), &lt; 0 the lateral one</source>
+            <translation>&gt; 0 höjer bakfotens mediala kant (varus), &lt; 0 den laterala</translation>
         </message>
         <message>
             <source>A ChArUco marker of {marker_mm:g} mm does not fit a square of {square_mm:g} mm; give the marker's own size in mm.</source>
@@ -122,6 +138,10 @@
         <message>
             <source>A colour image of {width} x {height} px cannot be simulated; choose 1280 x 1024, 1280 x 960 or 640 x 480.</source>
             <translation>En färgbild på {width} x {height} px kan inte simuleras; välj 1280 x 1024, 1280 x 960 eller 640 x 480.</translation>
+        </message>
+        <message>
+            <source>A cover that is glued on later is taken off what is made</source>
+            <translation>Ett överdrag som limmas på senare dras av från det som tillverkas</translation>
         </message>
         <message>
             <source>A cutter of {diameter_mm:g} mm is asked for, and must be {least_mm:g} to {most_mm:g} mm; give another diameter.</source>
@@ -288,6 +308,10 @@
             <translation>hälsena</translation>
         </message>
         <message>
+            <source>Across</source>
+            <translation>Tvärs</translation>
+        </message>
+        <message>
             <source>Added: {correction}, {values}</source>
             <translation>Nytt: {correction}, {values}</translation>
         </message>
@@ -308,16 +332,28 @@
             <translation>Adress, telefon</translation>
         </message>
         <message>
-            <source>Ahead of the toes</source>
-            <translation>Framför tårna</translation>
-        </message>
-        <message>
             <source>All captures show a wall at the same distance, though other distances are given; capture a wall at each of them.</source>
             <translation>Alla bilder visar en vägg på samma avstånd, fast andra avstånd anges; ta en vägg på vart och ett av dem.</translation>
         </message>
         <message>
             <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
+        </message>
+        <message>
+            <source>Allowance around the heel</source>
+            <translation>Tillägg runt hälen</translation>
+        </message>
+        <message>
+            <source>Allowance in front of the longest toe</source>
+            <translation>Tillägg framför den längsta tån</translation>
+        </message>
+        <message>
+            <source>Allowance on both sides of the ball</source>
+            <translation>Tillägg på trampdynans båda sidor</translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation>Längs</translation>
         </message>
         <message>
             <source>Amputated forefoot</source>
@@ -388,10 +424,6 @@
             <translation>Övergång, hålfot</translation>
         </message>
         <message>
-            <source>Around the heel</source>
-            <translation>Runt hälen</translation>
-        </message>
-        <message>
             <source>As scanned</source>
             <translation>Som skannad</translation>
         </message>
@@ -448,10 +480,6 @@
             <translation>Grundform</translation>
         </message>
         <message>
-            <source>Base layer</source>
-            <translation>Baslager</translation>
-        </message>
-        <message>
             <source>Begins at</source>
             <translation>Börjar vid</translation>
         </message>
@@ -460,24 +488,8 @@
             <translation>Bakom huvudena</translation>
         </message>
         <message>
-            <source>Beside the ball</source>
-            <translation>Bredvid trampdynan</translation>
-        </message>
-        <message>
             <source>Between {low_mm:.0f} and {high_mm:.0f} mm the distances are met within {error_mm:.1f} mm.</source>
             <translation>Mellan {low_mm:.0f} och {high_mm:.0f} mm träffas avstånden inom {error_mm:.1f} mm.</translation>
-        </message>
-        <message>
-            <source>Blend at the arch</source>
-            <translation>Övergång vid valvet</translation>
-        </message>
-        <message>
-            <source>Blend at the forefoot</source>
-            <translation>Övergång vid framfoten</translation>
-        </message>
-        <message>
-            <source>Blend at the heel</source>
-            <translation>Övergång vid hälen</translation>
         </message>
         <message>
             <source>Block</source>
@@ -486,6 +498,10 @@
         <message>
             <source>Body weight</source>
             <translation>Kroppsvikt</translation>
+        </message>
+        <message>
+            <source>Border</source>
+            <translation>Kant</translation>
         </message>
         <message>
             <source>Born</source>
@@ -668,10 +684,6 @@
             <translation>Överdrag</translation>
         </message>
         <message>
-            <source>Cover glued on later</source>
-            <translation>Överdrag limmas på senare</translation>
-        </message>
-        <message>
             <source>Cover is</source>
             <translation>Överdraget</translation>
         </message>
@@ -788,6 +800,26 @@
             <translation>Disk</translation>
         </message>
         <message>
+            <source>Distance from the stroke beyond which nothing changes</source>
+            <translation>Avstånd från draget bortom vilket inget ändras</translation>
+        </message>
+        <message>
+            <source>Distance of the highest place from the back of the heel</source>
+            <translation>Högsta punktens avstånd från hälens bakkant</translation>
+        </message>
+        <message>
+            <source>Distance of the highest place from the foot axis; &gt; 0 is medial</source>
+            <translation>Högsta punktens avstånd från fotaxeln; &gt; 0 är medialt</translation>
+        </message>
+        <message>
+            <source>Distance of the line behind heads 1 and 5; &lt; 0 is ahead of them</source>
+            <translation>Linjens avstånd bakom huvud 1 och 5; &lt; 0 är framför dem</translation>
+        </message>
+        <message>
+            <source>Distance of the points that the surface is computed at</source>
+            <translation>Avstånd mellan punkterna som ytan beräknas i</translation>
+        </message>
+        <message>
             <source>Draft and chamfer of the walls are those of the prescription's shell; those of the order are not used.</source>
             <translation>Väggarnas släppning och fas är de som ordinationens skal anger; beställningens används inte.</translation>
         </message>
@@ -810,10 +842,6 @@
         <message>
             <source>Drawing the walls before and after</source>
             <translation>Ritar väggarna före och efter</translation>
-        </message>
-        <message>
-            <source>Drawn outline</source>
-            <translation>Ritad kontur</translation>
         </message>
         <message>
             <source>Dress, three-quarter</source>
@@ -856,6 +884,10 @@
             <translation>Kant</translation>
         </message>
         <message>
+            <source>Edge of the heel that is raised</source>
+            <translation>Den kant av hälen som höjs</translation>
+        </message>
+        <message>
             <source>Edge radius</source>
             <translation>Kantradie</translation>
         </message>
@@ -886,6 +918,10 @@
         <message>
             <source>Extent</source>
             <translation>Längd</translation>
+        </message>
+        <message>
+            <source>Extrinsic turns the whole insole, intrinsic leaves its rim as it is</source>
+            <translation>Extern vrider hela inlägget, intern lämnar dess kant som den är</translation>
         </message>
         <message>
             <source>Face {face}: {across} to the right, {along} downwards</source>
@@ -1004,6 +1040,10 @@
             <translation>Plan</translation>
         </message>
         <message>
+            <source>Flat on the ground, or cupped: everywhere as thick below the foot</source>
+            <translation>Plan mot underlaget, eller skålad: överallt lika tjock under foten</translation>
+        </message>
+        <message>
             <source>Flat pad</source>
             <translation>Plan pelott</translation>
         </message>
@@ -1080,6 +1120,14 @@
             <translation>Frihandspelott</translation>
         </message>
         <message>
+            <source>From axis</source>
+            <translation>Från axeln</translation>
+        </message>
+        <message>
+            <source>From heel</source>
+            <translation>Från hälen</translation>
+        </message>
+        <message>
             <source>Front edge</source>
             <translation>Framkant</translation>
         </message>
@@ -1092,8 +1140,16 @@
             <translation>Full till</translation>
         </message>
         <message>
+            <source>Fullness across</source>
+            <translation>Fyllighet tvärs</translation>
+        </message>
+        <message>
             <source>Fullness across and along</source>
             <translation>Fyllighet tvärs och längs</translation>
+        </message>
+        <message>
+            <source>Fullness along</source>
+            <translation>Fyllighet längs</translation>
         </message>
         <message>
             <source>Functional hallux limitus</source>
@@ -1116,16 +1172,12 @@
             <translation>Grafik</translation>
         </message>
         <message>
-            <source>Greatest height</source>
-            <translation>Största höjd</translation>
+            <source>Greatest height of the wedge in the heel cup</source>
+            <translation>Kilens största höjd i hälskålen</translation>
         </message>
         <message>
             <source>Greek</source>
             <translation>Grekisk</translation>
-        </message>
-        <message>
-            <source>Grid</source>
-            <translation>Rutnät</translation>
         </message>
         <message>
             <source>HMP Global Learning Network</source>
@@ -1192,6 +1244,34 @@
             <translation>Höjd</translation>
         </message>
         <message>
+            <source>Height at the highest place; below 0 it is a recess</source>
+            <translation>Höjd i den högsta punkten; under 0 blir det en urgröpning</translation>
+        </message>
+        <message>
+            <source>Height of the finished arch over the underside of the insole</source>
+            <translation>Det färdiga fotvalvets höjd över inläggets undersida</translation>
+        </message>
+        <message>
+            <source>Height of the rim at this station over its level</source>
+            <translation>Kantens höjd vid denna kantpunkt, över dess nivå</translation>
+        </message>
+        <message>
+            <source>Height of the rim over the lowest place of the heel</source>
+            <translation>Kantens höjd över hälens lägsta punkt</translation>
+        </message>
+        <message>
+            <source>Height of the shoe's heel over its forefoot</source>
+            <translation>Hur mycket högre skons häl är än dess framfot</translation>
+        </message>
+        <message>
+            <source>Height over the ground up to which the insole follows the foot</source>
+            <translation>Höjd över underlaget upp till vilken inlägget följer foten</translation>
+        </message>
+        <message>
+            <source>Heights</source>
+            <translation>Höjder</translation>
+        </message>
+        <message>
             <source>Heights from above</source>
             <translation>Höjder ovanifrån</translation>
         </message>
@@ -1202,6 +1282,34 @@
         <message>
             <source>Hold the board in these parts of the picture: {regions}.</source>
             <translation>Håll brädet i dessa delar av bilden: {regions}.</translation>
+        </message>
+        <message>
+            <source>How far ahead of the metatarsal heads the toe zone begins</source>
+            <translation>Hur långt framför metatarsalhuvudena tåzonen börjar</translation>
+        </message>
+        <message>
+            <source>How far the height spreads across the pad; more makes it fuller</source>
+            <translation>Hur långt höjden breder ut sig tvärs pelotten; mer gör den fylligare</translation>
+        </message>
+        <message>
+            <source>How far the height spreads along the pad; more makes it fuller</source>
+            <translation>Hur långt höjden breder ut sig längs pelotten; mer gör den fylligare</translation>
+        </message>
+        <message>
+            <source>How much a stroke changes the height; 100 % smooths out all it can</source>
+            <translation>Hur mycket ett drag ändrar höjden; vid utjämning jämnar 100 % ut allt som går</translation>
+        </message>
+        <message>
+            <source>How much narrower the rear end is than the front; 0 % is an ellipse</source>
+            <translation>Hur mycket smalare bakre änden är än den främre; 0 % är en ellips</translation>
+        </message>
+        <message>
+            <source>How much the arch is raised at its highest place</source>
+            <translation>Hur mycket valvet höjs i sin högsta punkt</translation>
+        </message>
+        <message>
+            <source>How much the heel is raised</source>
+            <translation>Hur mycket hälen höjs</translation>
         </message>
         <message>
             <source>Identification</source>
@@ -1222,6 +1330,14 @@
         <message>
             <source>In the view {view} {reason}.</source>
             <translation>I vyn {view}: {reason}.</translation>
+        </message>
+        <message>
+            <source>Inclination of the lateral wall; &gt; 0 is wider at the bottom</source>
+            <translation>Den laterala väggens lutning; &gt; 0 är bredare nedtill</translation>
+        </message>
+        <message>
+            <source>Inclination of the medial wall; &gt; 0 is wider at the bottom</source>
+            <translation>Den mediala väggens lutning; &gt; 0 är bredare nedtill</translation>
         </message>
         <message>
             <source>Inside</source>
@@ -1352,12 +1468,8 @@
             <translation>Minsta tjocklek vid framkanten</translation>
         </message>
         <message>
-            <source>Least thickness of the material</source>
-            <translation>Materialets minsta tjocklek</translation>
-        </message>
-        <message>
-            <source>Least thickness of the material at the front edge</source>
-            <translation>Materialets minsta tjocklek vid framkanten</translation>
+            <source>Least thickness under the foot, before pads and recesses</source>
+            <translation>Minsta tjocklek under foten, före pelotter och urgröpningar</translation>
         </message>
         <message>
             <source>Least thickness, without the rim</source>
@@ -1380,8 +1492,16 @@
             <translation>Längd</translation>
         </message>
         <message>
-            <source>Length of the taper</source>
-            <translation>Avsmalningens längd</translation>
+            <source>Length of the pad</source>
+            <translation>Pelottens längd</translation>
+        </message>
+        <message>
+            <source>Length of the zone that is raised</source>
+            <translation>Längd på området som höjs</translation>
+        </message>
+        <message>
+            <source>Length over which the shell gets as thin as its front edge</source>
+            <translation>Sträcka över vilken skalet blir så tunt som framkanten</translation>
         </message>
         <message>
             <source>Length × width × height</source>
@@ -1480,8 +1600,8 @@
             <translation>Mäter skillnaden</translation>
         </message>
         <message>
-            <source>Medial border, from the 1st metatarsal's bisection</source>
-            <translation>Medial kant, från mittlinjen på metatarsale 1</translation>
+            <source>Medial border against the bisection of the 1st metatarsal</source>
+            <translation>Den mediala kanten mot mittlinjen av metatarsal 1</translation>
         </message>
         <message>
             <source>Medial draft</source>
@@ -2024,6 +2144,10 @@
             <translation>Förfinar ytan</translation>
         </message>
         <message>
+            <source>Region</source>
+            <translation>Område</translation>
+        </message>
+        <message>
             <source>Released against a blocking rule by {author}, {at}: {reason}</source>
             <translation>Frisläppt trots en spärrande regel av {author}, {at}: {reason}</translation>
         </message>
@@ -2128,6 +2252,10 @@
             <translation>Runt stycket har blocket {over:.1f} mm för lite för fräsen ”{cutter}”; ta ett större block eller en tunnare fräs för konturen.</translation>
         </message>
         <message>
+            <source>Rounding of the upper edge</source>
+            <translation>Avrundning av den övre kanten</translation>
+        </message>
+        <message>
             <source>SHA-256</source>
             <translation>SHA-256</translation>
         </message>
@@ -2196,6 +2324,38 @@
             <translation>Fotens andel</translation>
         </message>
         <message>
+            <source>Share of the foot's length at which the cup ends</source>
+            <translation>Andel av fotens längd där skålen slutar</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length at which the lift ends</source>
+            <translation>Andel av fotens längd där höjningen slutar</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length at which the twist begins</source>
+            <translation>Andel av fotens längd där vridningen börjar</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length from which the forefoot angle holds</source>
+            <translation>Andel av fotens längd från vilken framfotens vinkel gäller</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length from which the whole angle holds</source>
+            <translation>Andel av fotens längd från vilken hela vinkeln gäller</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length up to which the cup has its full depth</source>
+            <translation>Andel av fotens längd upp till vilken skålen har fullt djup</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length up to which the heel is raised in full</source>
+            <translation>Andel av fotens längd upp till vilken hälen är helt höjd</translation>
+        </message>
+        <message>
+            <source>Share of the foot's length up to which the rearfoot angle holds</source>
+            <translation>Andel av fotens längd upp till vilken bakfotens vinkel gäller</translation>
+        </message>
+        <message>
             <source>Sheet</source>
             <translation>Blad</translation>
         </message>
@@ -2240,6 +2400,10 @@
             <translation>Simulerar vyn {name}</translation>
         </message>
         <message>
+            <source>Size of the shoe, which decides the length</source>
+            <translation>Skons storlek, som bestämmer längden</translation>
+        </message>
+        <message>
             <source>Skin smoothing</source>
             <translation>Hudutjämning</translation>
         </message>
@@ -2248,16 +2412,16 @@
             <translation>Lutning</translation>
         </message>
         <message>
-            <source>Smoothing of skin folds</source>
-            <translation>Utjämning av hudveck</translation>
+            <source>Slope of the underside ahead of the line</source>
+            <translation>Undersidans lutning framför linjen</translation>
+        </message>
+        <message>
+            <source>Slope of the wedge against the ground</source>
+            <translation>Kilens lutning mot underlaget</translation>
         </message>
         <message>
             <source>Soft tissue</source>
             <translation>Mjukdelar</translation>
-        </message>
-        <message>
-            <source>Soft tissue expansion</source>
-            <translation>Mjukdelstillägg</translation>
         </message>
         <message>
             <source>Solving again without uneven walls</source>
@@ -2898,6 +3062,10 @@
         <message>
             <source>The leg was cut off {height_mm:.0f} mm over the sole.</source>
             <translation>Benet skars av {height_mm:.0f} mm över sulan.</translation>
+        </message>
+        <message>
+            <source>The level from which the height is counted</source>
+            <translation>Nivån som höjden räknas från</translation>
         </message>
         <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
@@ -3700,8 +3868,20 @@
             <translation>Tjocklek</translation>
         </message>
         <message>
-            <source>Thickness at the front edge</source>
-            <translation>Tjocklek vid framkanten</translation>
+            <source>Thickness of the layer between cover and base; 0 for none</source>
+            <translation>Tjocklek på lagret mellan överdrag och bas; 0 för inget</translation>
+        </message>
+        <message>
+            <source>Thickness of the layer next to the foot; 0 for none</source>
+            <translation>Tjocklek på lagret närmast foten; 0 för inget</translation>
+        </message>
+        <message>
+            <source>Thickness of the layer next to the shoe; 0 for none</source>
+            <translation>Tjocklek på lagret närmast skon; 0 för inget</translation>
+        </message>
+        <message>
+            <source>Thickness of the shell at its front edge</source>
+            <translation>Skalets tjocklek vid framkanten</translation>
         </message>
         <message>
             <source>This account was disabled meanwhile; ask the administrator.</source>
@@ -3788,6 +3968,10 @@
             <translation>För att avbilda: anslut varje sensors USB-kabel och dess 12 V-matning.</translation>
         </message>
         <message>
+            <source>To the toes, or to behind the metatarsal heads</source>
+            <translation>Till tårna, eller till bakom metatarsalhuvudena</translation>
+        </message>
+        <message>
             <source>Toe line</source>
             <translation>Tålinje</translation>
         </message>
@@ -3842,6 +4026,10 @@
         <message>
             <source>Turn</source>
             <translation>Vridning</translation>
+        </message>
+        <message>
+            <source>Turn seen from above; &gt; 0 is counter-clockwise</source>
+            <translation>Vridning sedd uppifrån; &gt; 0 är moturs</translation>
         </message>
         <message>
             <source>Turn the board strongly, by 40 to 55°: {sides}.</source>
@@ -4008,6 +4196,18 @@
             <translation>Det som inte kan läsas får sitt standardvärde vid nästa start; filen behålls bredvid.</translation>
         </message>
         <message>
+            <source>What lies ahead of the metatarsal heads, in place of the scanned toes</source>
+            <translation>Vad som ligger framför metatarsalhuvudena, i stället för de skannade tårna</translation>
+        </message>
+        <message>
+            <source>What the edge of the insole follows</source>
+            <translation>Vad inläggets kant följer</translation>
+        </message>
+        <message>
+            <source>What the stroke does to the surface</source>
+            <translation>Vad draget gör med ytan</translation>
+        </message>
+        <message>
             <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
             <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
         </message>
@@ -4016,8 +4216,40 @@
             <translation>Var varje del ligger</translation>
         </message>
         <message>
+            <source>Widening of heel and lateral border: soft tissue spreads in stance</source>
+            <translation>Breddning av häl och lateral kant: mjukdelarna breder ut sig vid belastning</translation>
+        </message>
+        <message>
             <source>Width</source>
             <translation>Bredd</translation>
+        </message>
+        <message>
+            <source>Width of the bevel along the upper edge</source>
+            <translation>Fasens bredd längs den övre kanten</translation>
+        </message>
+        <message>
+            <source>Width of the pad</source>
+            <translation>Pelottens bredd</translation>
+        </message>
+        <message>
+            <source>Width of the transition from support to rim at the forefoot</source>
+            <translation>Bredden på övergången från stöd till kant vid framfoten</translation>
+        </message>
+        <message>
+            <source>Width of the transition from support to rim at the heel</source>
+            <translation>Bredden på övergången från stöd till kant vid hälen</translation>
+        </message>
+        <message>
+            <source>Width of the transition from support to rim in the arch</source>
+            <translation>Bredden på övergången från stöd till kant i hålfoten</translation>
+        </message>
+        <message>
+            <source>Width of the zone that is raised</source>
+            <translation>Bredd på området som höjs</translation>
+        </message>
+        <message>
+            <source>Width over which folds of the skin are evened out; 0 for none</source>
+            <translation>Bredd över vilken hudveck jämnas ut; 0 för ingen</translation>
         </message>
         <message>
             <source>Windows cannot load a library of {name}; run the installer of Insole Studio again, and install the updates of Windows.</source>
@@ -4408,10 +4640,6 @@
             <translation>ämne</translation>
         </message>
         <message>
-            <source>blend</source>
-            <translation>övergång</translation>
-        </message>
-        <message>
             <source>block</source>
             <translation>block</translation>
         </message>
@@ -4430,6 +4658,10 @@
         <message>
             <source>bruised heel</source>
             <translation>hälkontusion</translation>
+        </message>
+        <message>
+            <source>brush stroke</source>
+            <translation>penseldrag</translation>
         </message>
         <message>
             <source>bunionette</source>
@@ -6720,10 +6952,6 @@
             <translation>strength{where} är {strength:g}, och måste för utjämning vara 0 till 1; 1 jämnar ut allt den kan.</translation>
         </message>
         <message>
-            <source>stroke</source>
-            <translation>drag</translation>
-        </message>
-        <message>
             <source>sulcus</source>
             <translation>tåfåra</translation>
         </message>
@@ -7036,6 +7264,10 @@
             <translation>åt höger</translation>
         </message>
         <message>
+            <source>to {height}</source>
+            <translation>till {height}</translation>
+        </message>
+        <message>
             <source>toe filler</source>
             <translation>tåutfyllnad</translation>
         </message>
@@ -7224,12 +7456,8 @@
             <translation>{across} medialt om axeln, {from_heel} från hälen</translation>
         </message>
         <message>
-            <source>{angle} lateral</source>
-            <translation>{angle} lateralt</translation>
-        </message>
-        <message>
-            <source>{angle} medial</source>
-            <translation>{angle} medialt</translation>
+            <source>{angle}°</source>
+            <translation>{angle}°</translation>
         </message>
         <message>
             <source>{angle}° lateral</source>
@@ -7290,6 +7518,10 @@
         <message>
             <source>{block}, {length:g} × {width:g} × {height:g} mm</source>
             <translation>{block}, {length:g} × {width:g} × {height:g} mm</translation>
+        </message>
+        <message>
+            <source>{border} {depth}</source>
+            <translation>{border} {depth}</translation>
         </message>
         <message>
             <source>{capture} has no reading in the middle; put a flat surface there.</source>
@@ -7456,6 +7688,10 @@
             <translation>{days:.0f} dagar gammal</translation>
         </message>
         <message>
+            <source>{depth} mm deep</source>
+            <translation>djup {depth} mm</translation>
+        </message>
+        <message>
             <source>{deviation:.3f} mm at most</source>
             <translation>högst {deviation:.3f} mm</translation>
         </message>
@@ -7470,6 +7706,10 @@
         <message>
             <source>{dpi:g} dots per inch are none of a scanner; they must be {low:g} to {high:g}.</source>
             <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
+        </message>
+        <message>
+            <source>{end_key}{where} is {end:g}, and must lie at least {least:g} beyond {start_key} ({start:g}), or the surface gets a step.</source>
+            <translation>{end_key}{where} är {end:g}, och måste ligga minst {least:g} bortom {start_key} ({start:g}), annars får ytan ett steg.</translation>
         </message>
         <message>
             <source>{fault} ({reason})</source>
@@ -7720,6 +7960,10 @@
             <translation>{heights} mm över tårna</translation>
         </message>
         <message>
+            <source>{height} ({length} × {width})</source>
+            <translation>{height} ({length} × {width})</translation>
+        </message>
+        <message>
             <source>{key} of form has {count} stations, and must have {least} to {most}; add or remove some.</source>
             <translation>{key} i form har {count} stationer och måste ha {least} till {most}; lägg till eller ta bort några.</translation>
         </message>
@@ -7916,8 +8160,8 @@
             <translation>{name}: matrisen {array} är skadad, eller av ett slag som inte hör hemma där; återställ filen.</translation>
         </message>
         <message>
-            <source>{number:g}</source>
-            <translation>{number:g}</translation>
+            <source>{number:.12g}</source>
+            <translation>{number:.12g}</translation>
         </message>
         <message>
             <source>{number} mm</source>
@@ -7954,6 +8198,10 @@
         <message>
             <source>{part_0} with {part_1} with {part_2}</source>
             <translation>{part_0} med {part_1} med {part_2}</translation>
+        </message>
+        <message>
+            <source>{part}, {value}</source>
+            <translation>{part}, {value}</translation>
         </message>
         <message>
             <source>{path} cannot be opened: no program for it is installed; open it from the file manager.</source>
@@ -8600,6 +8848,10 @@
             <translation>{pseudonym} beställer sidan {side}, och ingen fil finns att tillverka den från; be kliniken om den.</translation>
         </message>
         <message>
+            <source>{rearfoot} / {forefoot}</source>
+            <translation>{rearfoot} / {forefoot}</translation>
+        </message>
+        <message>
             <source>{reason} Until then the learnt correction is used.</source>
             <translation>{reason} Tills dess används den inlärda korrektionen.</translation>
         </message>
@@ -8708,10 +8960,6 @@
             <translation>{value:g}</translation>
         </message>
         <message>
-            <source>{value:g} {unit}</source>
-            <translation>{value:g} {unit}</translation>
-        </message>
-        <message>
             <source>{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
             <translation>{value:g} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
         </message>
@@ -8746,10 +8994,6 @@
         <message>
             <source>{value} over the floor</source>
             <translation>{value} över golvet</translation>
-        </message>
-        <message>
-            <source>{value}° medial</source>
-            <translation>{value}° medialt</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>
@@ -8830,10 +9074,6 @@
         <message>
             <source>{zone} {density:g} %</source>
             <translation>{zone} {density:g} %</translation>
-        </message>
-        <message>
-            <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>
-            <translation>{zone}_end{where} är {end:g}, och måste ligga minst {least:g} bortom {zone}_start ({start:g}), annars får ytan ett steg.</translation>
         </message>
         <message>
             <source>± {number} mm</source>

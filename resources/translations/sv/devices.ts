@@ -4,20 +4,8 @@
     <context>
         <name>insole_studio</name>
         <message>
-            <source>0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes</source>
-            <translation>0 % bakom hälen, 70 % vid metatarsalhuvudet, 100 % vid tårna</translation>
-        </message>
-        <message>
-            <source>&gt; 0 raises the medial edge (varus), &lt; 0 the lateral one (valgus)</source>
-            <translation>&gt; 0 höjer den mediala kanten (varus), &lt; 0 den laterala (valgus)</translation>
-        </message>
-        <message>
             <source>A body below the shell that tilts it and stands flat on the ground</source>
             <translation>En kil under skalet som lutar det och står plant på underlaget</translation>
-        </message>
-        <message>
-            <source>A cover that is glued on later is taken off what is made</source>
-            <translation>Ett överdrag som limmas på senare dras av från det som tillverkas</translation>
         </message>
         <message>
             <source>Add a body weight</source>
@@ -228,20 +216,8 @@
             <translation>Kantens höjd runt inlägget</translation>
         </message>
         <message>
-            <source>Height of the rim at this station over its level</source>
-            <translation>Kantens höjd vid denna kantpunkt, över dess nivå</translation>
-        </message>
-        <message>
             <source>Height of the rim behind the heel over the heel's floor</source>
             <translation>Kantens höjd bakom hälen, över hälens botten</translation>
-        </message>
-        <message>
-            <source>Height of the shoe's heel over its forefoot</source>
-            <translation>Hur mycket högre skons häl är än dess framfot</translation>
-        </message>
-        <message>
-            <source>How far ahead of the metatarsal heads the toe zone begins</source>
-            <translation>Hur långt framför metatarsalhuvudena tåzonen börjar</translation>
         </message>
         <message>
             <source>How far the medial arch is lowered below the scan</source>
@@ -258,14 +234,6 @@
         <message>
             <source>Import findings…</source>
             <translation>Importera fynd…</translation>
-        </message>
-        <message>
-            <source>Inclination of the lateral wall; &gt; 0 is wider at the bottom</source>
-            <translation>Den laterala väggens lutning; &gt; 0 är bredare nedtill</translation>
-        </message>
-        <message>
-            <source>Inclination of the medial wall; &gt; 0 is wider at the bottom</source>
-            <translation>Den mediala väggens lutning; &gt; 0 är bredare nedtill</translation>
         </message>
         <message>
             <source>Keep as a finding</source>
@@ -288,10 +256,6 @@
             <translation>Sökord, med komma</translation>
         </message>
         <message>
-            <source>Length over which the shell gets as thin as its front edge</source>
-            <translation>Sträcka över vilken skalet blir så tunt som framkanten</translation>
-        </message>
-        <message>
             <source>Make it the clinic's default</source>
             <translation>Gör den till klinikens förval</translation>
         </message>
@@ -302,10 +266,6 @@
         <message>
             <source>Materials…</source>
             <translation>Material…</translation>
-        </message>
-        <message>
-            <source>Medial border against the bisection of the 1st metatarsal</source>
-            <translation>Den mediala kanten mot mittlinjen av metatarsal 1</translation>
         </message>
         <message>
             <source>More</source>
@@ -336,10 +296,6 @@
             <translation>Grundformens namn</translation>
         </message>
         <message>
-            <source>Narrow</source>
-            <translation>Smal</translation>
-        </message>
-        <message>
             <source>New designs start with: {name}</source>
             <translation>Nya ordinationer börjar med: {name}</translation>
         </message>
@@ -362,10 +318,6 @@
         <message>
             <source>Raise a station of the rim</source>
             <translation>Höj en kantpunkt</translation>
-        </message>
-        <message>
-            <source>Regular</source>
-            <translation>Normal</translation>
         </message>
         <message>
             <source>Remove a station of the rim</source>
@@ -402,10 +354,6 @@
         <message>
             <source>Rim</source>
             <translation>Kant</translation>
-        </message>
-        <message>
-            <source>Rounding of the upper edge</source>
-            <translation>Avrundning av den övre kanten</translation>
         </message>
         <message>
             <source>Save as a device</source>
@@ -448,10 +396,6 @@
             <translation>Sparad: {name}</translation>
         </message>
         <message>
-            <source>Sulcus</source>
-            <translation>Sulcus</translation>
-        </message>
-        <message>
             <source>Table of materials</source>
             <translation>Materialtabell</translation>
         </message>
@@ -488,10 +432,6 @@
             <translation>Inlägget följer fotsulan överallt: full kontakt.</translation>
         </message>
         <message>
-            <source>The level from which the height is counted</source>
-            <translation>Nivån som höjden räknas från</translation>
-        </message>
-        <message>
             <source>The rim appears here as soon as there is a foot.</source>
             <translation>Kanten visas här så snart det finns en fot.</translation>
         </message>
@@ -504,16 +444,8 @@
             <translation>Den vanliga tjockleken för materialet och vikten</translation>
         </message>
         <message>
-            <source>Thickness of the shell at its front edge</source>
-            <translation>Skalets tjocklek vid framkanten</translation>
-        </message>
-        <message>
             <source>This insole is as scanned; choose a device to design its rim</source>
             <translation>Inlägget är som skannat; välj en inläggstyp för att utforma kanten</translation>
-        </message>
-        <message>
-            <source>Toe crest</source>
-            <translation>Tåkam</translation>
         </message>
         <message>
             <source>Type to search: cup, child, plantar fasciitis</source>
@@ -524,48 +456,16 @@
             <translation>Vanlig tjocklek</translation>
         </message>
         <message>
-            <source>What lies ahead of the metatarsal heads, in place of the scanned toes</source>
-            <translation>Vad som ligger framför metatarsalhuvudena, i stället för de skannade tårna</translation>
-        </message>
-        <message>
             <source>What the finding proposes stays. To change that, keep a design under its name.</source>
             <translation>Det som fyndet föreslår blir kvar. Behåll en ordination under dess namn för att ändra det.</translation>
-        </message>
-        <message>
-            <source>Wide</source>
-            <translation>Bred</translation>
-        </message>
-        <message>
-            <source>Widening of heel and lateral border: soft tissue spreads in stance</source>
-            <translation>Breddning av häl och lateral kant: mjukdelarna breder ut sig vid belastning</translation>
-        </message>
-        <message>
-            <source>Width of the bevel along the upper edge</source>
-            <translation>Fasens bredd längs den övre kanten</translation>
-        </message>
-        <message>
-            <source>Width of the transition from support to rim {where}</source>
-            <translation>Bredden på övergången från stöd till kant {where}</translation>
-        </message>
-        <message>
-            <source>Width over which folds of the skin are evened out; 0 for none</source>
-            <translation>Bredd över vilken hudveck jämnas ut; 0 för ingen</translation>
         </message>
         <message>
             <source>above</source>
             <translation>över</translation>
         </message>
         <message>
-            <source>at the forefoot</source>
-            <translation>vid framfoten</translation>
-        </message>
-        <message>
             <source>for every body weight</source>
             <translation>för alla kroppsvikter</translation>
-        </message>
-        <message>
-            <source>in the arch</source>
-            <translation>i hålfoten</translation>
         </message>
         <message>
             <source>materials</source>

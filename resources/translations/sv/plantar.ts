@@ -12,16 +12,8 @@
             <translation>4:e huvudet</translation>
         </message>
         <message>
-            <source>Across</source>
-            <translation>Tvärs</translation>
-        </message>
-        <message>
             <source>Add the relief of the library under this head; it can be undone and changed</source>
             <translation>Lägg bibliotekets avlastning under huvudet; den kan ångras och ändras</translation>
-        </message>
-        <message>
-            <source>Along</source>
-            <translation>Längs</translation>
         </message>
         <message>
             <source>Click two points whose distance is known</source>

@@ -28,14 +28,6 @@
             <translation>&amp;Visa</translation>
         </message>
         <message>
-            <source>&gt; 0 raises the medial edge of the forefoot (varus), &lt; 0 the lateral one</source>
-            <translation>&gt; 0 höjer framfotens mediala kant (varus), &lt; 0 den laterala</translation>
-        </message>
-        <message>
-            <source>&gt; 0 raises the medial edge of the rearfoot (varus), &lt; 0 the lateral one</source>
-            <translation>&gt; 0 höjer bakfotens mediala kant (varus), &lt; 0 den laterala</translation>
-        </message>
-        <message>
             <source>A pelott</source>
             <translation>En pelott</translation>
         </message>
@@ -82,18 +74,6 @@
         <message>
             <source>All views are captured.</source>
             <translation>Alla vyer är avbildade.</translation>
-        </message>
-        <message>
-            <source>Allowance around the heel</source>
-            <translation>Tillägg runt hälen</translation>
-        </message>
-        <message>
-            <source>Allowance in front of the longest toe</source>
-            <translation>Tillägg framför den längsta tån</translation>
-        </message>
-        <message>
-            <source>Allowance on both sides of the ball</source>
-            <translation>Tillägg på trampdynans båda sidor</translation>
         </message>
         <message>
             <source>An insole begins with a scan: captured with the sensors, or imported from any scanner. Click on “Open the example”, whose scan is done.</source>
@@ -316,10 +296,6 @@
             <translation>Kopiera måtten</translation>
         </message>
         <message>
-            <source>Cupped</source>
-            <translation>Skålad</translation>
-        </message>
-        <message>
             <source>Cut the insole and measure its thickness</source>
             <translation>Snitta inlägget och mät dess tjocklek</translation>
         </message>
@@ -346,26 +322,6 @@
         <message>
             <source>Discard it…</source>
             <translation>Kasta…</translation>
-        </message>
-        <message>
-            <source>Distance from the stroke beyond which nothing changes</source>
-            <translation>Avstånd från draget bortom vilket inget ändras</translation>
-        </message>
-        <message>
-            <source>Distance of the highest place from the back of the heel</source>
-            <translation>Högsta punktens avstånd från hälens bakkant</translation>
-        </message>
-        <message>
-            <source>Distance of the highest place from the foot axis; &gt; 0 is medial</source>
-            <translation>Högsta punktens avstånd från fotaxeln; &gt; 0 är medialt</translation>
-        </message>
-        <message>
-            <source>Distance of the line behind heads 1 and 5; &lt; 0 is ahead of them</source>
-            <translation>Linjens avstånd bakom huvud 1 och 5; &lt; 0 är framför dem</translation>
-        </message>
-        <message>
-            <source>Distance of the points that the surface is computed at</source>
-            <translation>Avstånd mellan punkterna som ytan beräknas i</translation>
         </message>
         <message>
             <source>Do not open</source>
@@ -504,18 +460,6 @@
             <translation>Rita med processorn där grafikkortet inte kan; från nästa start</translation>
         </message>
         <message>
-            <source>Drawn</source>
-            <translation>Ritad</translation>
-        </message>
-        <message>
-            <source>Drop</source>
-            <translation>Droppe</translation>
-        </message>
-        <message>
-            <source>Edge of the heel that is raised</source>
-            <translation>Den kant av hälen som höjs</translation>
-        </message>
-        <message>
             <source>Edit the insole</source>
             <translation>Ändra inlägget</translation>
         </message>
@@ -572,14 +516,6 @@
             <translation>Exporterade {name}</translation>
         </message>
         <message>
-            <source>Extrinsic</source>
-            <translation>Extern</translation>
-        </message>
-        <message>
-            <source>Extrinsic turns the whole insole, intrinsic leaves its rim as it is</source>
-            <translation>Extern vrider hela inlägget, intern lämnar dess kant som den är</translation>
-        </message>
-        <message>
             <source>Filler, 1st toe</source>
             <translation>Utfyllnad, första tån</translation>
         </message>
@@ -616,10 +552,6 @@
             <translation>Passformskarta</translation>
         </message>
         <message>
-            <source>Flat on the ground, or cupped: everywhere as thick below the foot</source>
-            <translation>Plan mot underlaget, eller skålad: överallt lika tjock under foten</translation>
-        </message>
-        <message>
             <source>Foot</source>
             <translation>Fot</translation>
         </message>
@@ -644,32 +576,8 @@
             <translation>Från skanning till skriven fil, på exemplet; igen för att nå dess bubbla</translation>
         </message>
         <message>
-            <source>From axis</source>
-            <translation>Från axeln</translation>
-        </message>
-        <message>
-            <source>From heel</source>
-            <translation>Från hälen</translation>
-        </message>
-        <message>
-            <source>From the foot</source>
-            <translation>Från foten</translation>
-        </message>
-        <message>
             <source>Front edge {distance} mm behind the metatarsal heads</source>
             <translation>Framkanten {distance} mm bakom metatarsalhuvudena</translation>
-        </message>
-        <message>
-            <source>Full length</source>
-            <translation>Hel längd</translation>
-        </message>
-        <message>
-            <source>Fullness across</source>
-            <translation>Fyllighet tvärs</translation>
-        </message>
-        <message>
-            <source>Fullness along</source>
-            <translation>Fyllighet längs</translation>
         </message>
         <message>
             <source>Go on working</source>
@@ -678,10 +586,6 @@
         <message>
             <source>Graphics, sensors, disk, settings and record, with advice</source>
             <translation>Grafik, sensorer, disk, inställningar och journal, med råd</translation>
-        </message>
-        <message>
-            <source>Greatest height of the wedge in the heel cup</source>
-            <translation>Kilens största höjd i hälskålen</translation>
         </message>
         <message>
             <source>Heel centre</source>
@@ -700,24 +604,8 @@
             <translation>Hälbredd</translation>
         </message>
         <message>
-            <source>Height at the highest place; below 0 it is a recess</source>
-            <translation>Höjd i den högsta punkten; under 0 blir det en urgröpning</translation>
-        </message>
-        <message>
             <source>Height map</source>
             <translation>Höjdkarta</translation>
-        </message>
-        <message>
-            <source>Height of the finished arch over the underside of the insole</source>
-            <translation>Det färdiga fotvalvets höjd över inläggets undersida</translation>
-        </message>
-        <message>
-            <source>Height of the rim over the lowest place of the heel</source>
-            <translation>Kantens höjd över hälens lägsta punkt</translation>
-        </message>
-        <message>
-            <source>Height over the ground up to which the insole follows the foot</source>
-            <translation>Höjd över underlaget upp till vilken inlägget följer foten</translation>
         </message>
         <message>
             <source>Held</source>
@@ -726,34 +614,6 @@
         <message>
             <source>Here is the scanned foot; the landmarks on its skin were found. Choose “Landmarks” to see and correct them.</source>
             <translation>Här är den skannade foten; landmärkena på huden är hittade. Välj ”Landmärken” för att se och rätta dem.</translation>
-        </message>
-        <message>
-            <source>Horseshoe</source>
-            <translation>Hästsko</translation>
-        </message>
-        <message>
-            <source>How far the height spreads across the pad; more makes it fuller</source>
-            <translation>Hur långt höjden breder ut sig tvärs pelotten; mer gör den fylligare</translation>
-        </message>
-        <message>
-            <source>How far the height spreads along the pad; more makes it fuller</source>
-            <translation>Hur långt höjden breder ut sig längs pelotten; mer gör den fylligare</translation>
-        </message>
-        <message>
-            <source>How much a stroke changes the height; 1 smooths out all it can</source>
-            <translation>Hur mycket ett drag ändrar höjden; vid utjämning jämnar 1 ut allt som går</translation>
-        </message>
-        <message>
-            <source>How much narrower the rear end is than the front; 0 % is an ellipse</source>
-            <translation>Hur mycket smalare bakre änden är än den främre; 0 % är en ellips</translation>
-        </message>
-        <message>
-            <source>How much the arch is raised at its highest place</source>
-            <translation>Hur mycket valvet höjs i sin högsta punkt</translation>
-        </message>
-        <message>
-            <source>How much the heel is raised</source>
-            <translation>Hur mycket hälen höjs</translation>
         </message>
         <message>
             <source>Identify</source>
@@ -798,10 +658,6 @@
         <message>
             <source>Instep height</source>
             <translation>Vristhöjd</translation>
-        </message>
-        <message>
-            <source>Intrinsic</source>
-            <translation>Intern</translation>
         </message>
         <message>
             <source>It holds the pads and corrections of the insole that it was kept from; those of this design come on top.</source>
@@ -856,20 +712,8 @@
             <translation>Lateralt</translation>
         </message>
         <message>
-            <source>Least thickness under the foot, before pads and recesses</source>
-            <translation>Minsta tjocklek under foten, före pelotter och urgröpningar</translation>
-        </message>
-        <message>
             <source>Left foot</source>
             <translation>Vänster fot</translation>
-        </message>
-        <message>
-            <source>Length of the pad</source>
-            <translation>Pelottens längd</translation>
-        </message>
-        <message>
-            <source>Length of the zone that is raised</source>
-            <translation>Längd på området som höjs</translation>
         </message>
         <message>
             <source>Let the light of this sensor blink</source>
@@ -934,10 +778,6 @@
         <message>
             <source>Looking for sensors</source>
             <translation>Söker sensorer</translation>
-        </message>
-        <message>
-            <source>Lower</source>
-            <translation>Sänk</translation>
         </message>
         <message>
             <source>Lower with the brush</source>
@@ -1224,10 +1064,6 @@
             <translation>HÖGER fot</translation>
         </message>
         <message>
-            <source>Raise</source>
-            <translation>Höj</translation>
-        </message>
-        <message>
             <source>Raise the medial arch about its apex</source>
             <translation>Höj det mediala fotvalvet kring dess högsta punkt</translation>
         </message>
@@ -1440,38 +1276,6 @@
             <translation>Skuggat</translation>
         </message>
         <message>
-            <source>Share of the foot's length at which the cup ends</source>
-            <translation>Andel av fotens längd där skålen slutar</translation>
-        </message>
-        <message>
-            <source>Share of the foot's length at which the lift ends</source>
-            <translation>Andel av fotens längd där höjningen slutar</translation>
-        </message>
-        <message>
-            <source>Share of the foot's length at which the twist begins</source>
-            <translation>Andel av fotens längd där vridningen börjar</translation>
-        </message>
-        <message>
-            <source>Share of the foot's length from which the forefoot angle holds</source>
-            <translation>Andel av fotens längd från vilken framfotens vinkel gäller</translation>
-        </message>
-        <message>
-            <source>Share of the foot's length from which the whole angle holds</source>
-            <translation>Andel av fotens längd från vilken hela vinkeln gäller</translation>
-        </message>
-        <message>
-            <source>Share of the foot's length up to which the cup has its full depth</source>
-            <translation>Andel av fotens längd upp till vilken skålen har fullt djup</translation>
-        </message>
-        <message>
-            <source>Share of the foot's length up to which the heel is raised in full</source>
-            <translation>Andel av fotens längd upp till vilken hälen är helt höjd</translation>
-        </message>
-        <message>
-            <source>Share of the foot's length up to which the rearfoot angle holds</source>
-            <translation>Andel av fotens längd upp till vilken bakfotens vinkel gäller</translation>
-        </message>
-        <message>
             <source>Shoe outline</source>
             <translation>Skokontur</translation>
         </message>
@@ -1516,28 +1320,12 @@
             <translation>Storlek</translation>
         </message>
         <message>
-            <source>Size of the shoe, which decides the length</source>
-            <translation>Skons storlek, som bestämmer längden</translation>
-        </message>
-        <message>
             <source>Sizes</source>
             <translation>Storlekar</translation>
         </message>
         <message>
             <source>Skip</source>
             <translation>Hoppa över</translation>
-        </message>
-        <message>
-            <source>Slope of the underside ahead of the line</source>
-            <translation>Undersidans lutning framför linjen</translation>
-        </message>
-        <message>
-            <source>Slope of the wedge against the ground</source>
-            <translation>Kilens lutning mot underlaget</translation>
-        </message>
-        <message>
-            <source>Smooth</source>
-            <translation>Jämna ut</translation>
         </message>
         <message>
             <source>Smooth with the brush</source>
@@ -1760,24 +1548,8 @@
             <translation>Tjocklekskarta</translation>
         </message>
         <message>
-            <source>Thickness of the layer between cover and base; 0 for none</source>
-            <translation>Tjocklek på lagret mellan överdrag och bas; 0 för inget</translation>
-        </message>
-        <message>
-            <source>Thickness of the layer next to the foot; 0 for none</source>
-            <translation>Tjocklek på lagret närmast foten; 0 för inget</translation>
-        </message>
-        <message>
-            <source>Thickness of the layer next to the shoe; 0 for none</source>
-            <translation>Tjocklek på lagret närmast skon; 0 för inget</translation>
-        </message>
-        <message>
             <source>This line is 100 mm long. If not, print without scaling.</source>
             <translation>Denna linje är 100 mm lång. Om inte: skriv ut utan skalning.</translation>
-        </message>
-        <message>
-            <source>Three-quarter</source>
-            <translation>Trekvarts</translation>
         </message>
         <message>
             <source>Tilt +</source>
@@ -1816,10 +1588,6 @@
             <translation>Andra tåns spets</translation>
         </message>
         <message>
-            <source>To the toes, or to behind the metatarsal heads</source>
-            <translation>Till tårna, eller till bakom metatarsalhuvudena</translation>
-        </message>
-        <message>
             <source>Toe end up</source>
             <translation>Tåänden upp</translation>
         </message>
@@ -1846,10 +1614,6 @@
         <message>
             <source>Turn a sensor from the box into a measuring device</source>
             <translation>Gör en sensor ur kartongen till ett mätinstrument</translation>
-        </message>
-        <message>
-            <source>Turn seen from above; &gt; 0 is counter-clockwise</source>
-            <translation>Vridning sedd uppifrån; &gt; 0 är moturs</translation>
         </message>
         <message>
             <source>Turn the forefoot against the rearfoot</source>
@@ -1912,28 +1676,12 @@
             <translation>Vad syns här? Texten står vid punkten, i journalen.</translation>
         </message>
         <message>
-            <source>What the edge of the insole follows</source>
-            <translation>Vad inläggets kant följer</translation>
-        </message>
-        <message>
-            <source>What the stroke does to the surface</source>
-            <translation>Vad draget gör med ytan</translation>
-        </message>
-        <message>
             <source>What was recovered of {name} and not saved will be gone for good.</source>
             <translation>Det som räddats av {name} och inte sparats försvinner för alltid.</translation>
         </message>
         <message>
             <source>Widen the pad</source>
             <translation>Bredda pelotten</translation>
-        </message>
-        <message>
-            <source>Width of the pad</source>
-            <translation>Pelottens bredd</translation>
-        </message>
-        <message>
-            <source>Width of the zone that is raised</source>
-            <translation>Bredd på området som höjs</translation>
         </message>
         <message>
             <source>Wireframe</source>
@@ -2032,10 +1780,6 @@
             <translation>mall</translation>
         </message>
         <message>
-            <source>to {height} mm</source>
-            <translation>till {height} mm</translation>
-        </message>
-        <message>
             <source>valg.</source>
             <translation>valg.</translation>
         </message>
@@ -2046,10 +1790,6 @@
         <message>
             <source>warm in {minutes:.0f} min</source>
             <translation>varm om {minutes:.0f} min</translation>
-        </message>
-        <message>
-            <source>{depth} mm deep</source>
-            <translation>djup {depth} mm</translation>
         </message>
         <message>
             <source>{fps:.0f} frames/s, {lost} lost</source>

@@ -16,28 +16,14 @@ from hypothesis import strategies as st
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import CORRECTION_TYPES, ArchRaise, BrushStroke, Pelott, Posting
-from insole_core.insole.pads.pad_shapes import FREE
+from insole_core.insole.elements.pelott import FREE
+from insole_core.insole.fields import Range, choices_of, ranges_of
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import (
     design_from_json,
     design_to_json,
     read_design,
-)
-from insole_core.insole.prescription.design_limits import (
-    BASE_RANGES,
-    CHOICES,
-    CORRECTION_RANGES,
-    DESIGN_RANGES,
-    FINISH_RANGES,
-    FORM_RANGES,
-    LAYER_RANGES,
-    OUTLINE_RANGES,
-    POST_RANGES,
-    RIM_RANGES,
-    SHELL_RANGES,
-    SHOE_RANGES,
-    Range,
 )
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.layers import Layers
@@ -69,20 +55,20 @@ def place(limits: Range) -> st.SearchStrategy[tuple[float, float]]:
 
 
 def correction(kind: type, /, **extra: Any) -> st.SearchStrategy[Any]:
-    ranges = CORRECTION_RANGES[kind]
+    ranges = ranges_of(kind)
     numbers = {k: within(r) for k, r in ranges.items() if k not in extra}
-    words = {k: st.sampled_from(v) for k, v in CHOICES.get(kind, {}).items() if k not in extra}
+    words = {k: st.sampled_from(v) for k, v in choices_of(kind).items() if k not in extra}
     zones = {k: st.floats(0, 0.5) for k in ranges if k.endswith("_start")}
     zones |= {k: st.floats(0.55, 1) for k in ranges if k.endswith("_end")}
     texts = {"author": st.text(max_size=8), "enabled": st.booleans()}
     return st.builds(kind, **{**numbers, **words, **zones, **texts, **extra})
 
 
-PELOTT = CORRECTION_RANGES[Pelott]
+PELOTT = ranges_of(Pelott)
 SQUARE = ((-10.0, -10.0), (10.0, -10.0), (10.0, 12.0), (-10.0, 10.0))
 PADS = correction(
     Pelott,
-    shape=st.sampled_from([s for s in CHOICES[Pelott]["shape"] if s not in FREE]),
+    shape=st.sampled_from([s for s in choices_of(Pelott)["shape"] if s not in FREE]),
     kind=st.none() | st.text(min_size=1, max_size=60),
     outline_mm=st.none(),
     centre_mm=place(PELOTT["centre_mm"]),
@@ -100,9 +86,9 @@ FREE_PADS = correction(
 STROKES = correction(
     BrushStroke,
     strength=st.floats(0, 1),
-    points_mm=st.lists(
-        place(CORRECTION_RANGES[BrushStroke]["points_mm"]), min_size=1, max_size=4
-    ).map(tuple),
+    points_mm=st.lists(place(ranges_of(BrushStroke)["points_mm"]), min_size=1, max_size=4).map(
+        tuple
+    ),
 )
 OTHERS = [
     correction(
@@ -110,7 +96,7 @@ OTHERS = [
         **(
             {
                 "apex_mm": st.none() | place(PELOTT["centre_mm"]),
-                "target_mm": st.none() | within(CORRECTION_RANGES[ArchRaise]["target_mm"]),
+                "target_mm": st.none() | within(ranges_of(ArchRaise)["target_mm"]),
             }
             if kind is ArchRaise
             else {}
@@ -122,36 +108,37 @@ OTHERS = [
 outlines = st.builds(
     Outline,
     source=st.sampled_from(["foot", "shoe_size", "drawn"]),
-    extent=st.sampled_from(CHOICES[Outline]["extent"]),
+    extent=st.sampled_from(choices_of(Outline)["extent"]),
     points_mm=st.just(SQUARE),
-    **{k: within(r) for k, r in OUTLINE_RANGES.items() if k != "points_mm"},
+    **{k: within(r) for k, r in ranges_of(Outline).items() if k != "points_mm"},
 )
 rim_stations = st.builds(
     RimStation,
-    **{k: st.sampled_from(v) for k, v in CHOICES[RimStation].items()},
-    **{k: within(r) for k, r in RIM_RANGES.items()},
+    **{k: st.sampled_from(v) for k, v in choices_of(RimStation).items()},
+    **{k: within(r) for k, r in ranges_of(RimStation).items()},
 )
 finishes = st.builds(
     Finish,
-    toe_zone=st.sampled_from(CHOICES[Finish]["toe_zone"]),
+    toe_zone=st.sampled_from(choices_of(Finish)["toe_zone"]),
     rim=st.lists(rim_stations, max_size=4).map(tuple),
-    **{k: within(r) for k, r in FINISH_RANGES.items()},
+    **{k: within(r) for k, r in ranges_of(Finish).items()},
 )
+TRIM, HEIGHT = ranges_of(Shell)["trim_mm"], ranges_of(Form)["heights_mm"]
 trim_lines = st.lists(st.integers(-400, 400), min_size=2, max_size=3, unique=True).flatmap(
-    lambda x: st.tuples(*(st.tuples(st.just(float(v)), within(SHELL_RANGES["trim_mm"])) for v in x))
+    lambda x: st.tuples(*(st.tuples(st.just(float(v)), within(TRIM)) for v in x))
 )
 shells = st.builds(
     Shell,
     material=st.text(max_size=8),
     trim_mm=st.none() | trim_lines,
-    posts=st.sampled_from(CHOICES[Post]["region"]).flatmap(
+    posts=st.sampled_from(choices_of(Post)["region"]).flatmap(
         lambda region: st.tuples(
             st.builds(
-                Post, region=st.just(region), **{k: within(r) for k, r in POST_RANGES.items()}
+                Post, region=st.just(region), **{k: within(r) for k, r in ranges_of(Post).items()}
             )
         )
     ),
-    **{k: within(r) for k, r in SHELL_RANGES.items() if k != "trim_mm"},
+    **{k: within(r) for k, r in ranges_of(Shell).items() if k != "trim_mm"},
 )
 SHARES = st.lists(st.integers(0, 100), min_size=4, max_size=6, unique=True).map(
     lambda shares: tuple(share / 100 for share in sorted(shares))
@@ -160,13 +147,11 @@ forms = st.tuples(SHARES, SHARES).flatmap(
     lambda shares: st.builds(
         Form,
         name=st.text(max_size=8),
-        length_mm=within(FORM_RANGES["length_mm"]),
-        ball_width_mm=within(FORM_RANGES["ball_width_mm"]),
+        length_mm=within(ranges_of(Form)["length_mm"]),
+        ball_width_mm=within(ranges_of(Form)["ball_width_mm"]),
         along_shares=st.just(shares[0]),
         across_shares=st.just(shares[1]),
-        heights_mm=st.tuples(
-            *(st.tuples(*(within(FORM_RANGES["heights_mm"]) for _ in shares[1])),) * len(shares[0])
-        ),
+        heights_mm=st.tuples(*(st.tuples(*(within(HEIGHT) for _ in shares[1])),) * len(shares[0])),
     )
 )
 
@@ -179,7 +164,7 @@ def in_order(design: InsoleDesign) -> InsoleDesign:
     return replace(design, shell=replace(design.shell, trim_mm=tuple(points)))
 
 
-bases = st.builds(BaseForm, form=forms, contact_share=within(BASE_RANGES["contact_share"]))
+bases = st.builds(BaseForm, form=forms, contact_share=within(ranges_of(BaseForm)["contact_share"]))
 designs = st.builds(
     InsoleDesign,
     side=st.sampled_from(Side),
@@ -188,14 +173,14 @@ designs = st.builds(
     layers=st.builds(
         Layers,
         cover_is_taken_off=st.booleans(),
-        **{k: within(r) for k, r in LAYER_RANGES.items()},
+        **{k: within(r) for k, r in ranges_of(Layers).items()},
     ),
-    bottom=st.sampled_from(CHOICES[InsoleDesign]["bottom"]),
+    bottom=st.sampled_from(choices_of(InsoleDesign)["bottom"]),
     device=st.text(max_size=8),
     base=st.none() | bases,
     finish=st.none() | finishes,
     shell=st.none() | shells,
-    **{key: within(limits) for key, limits in DESIGN_RANGES.items()},
+    **{key: within(limits) for key, limits in ranges_of(InsoleDesign).items()},
 ).map(in_order)
 
 
@@ -236,26 +221,21 @@ def test_every_design_comes_back_and_obeys_the_schema(design):
 
 
 DESCRIBED = [
-    (InsoleDesign, DESIGN_RANGES, SCHEMA["properties"]),
-    (Outline, OUTLINE_RANGES, SCHEMA["$defs"]["outline"]["properties"]),
-    (Shoe, SHOE_RANGES, SCHEMA["$defs"]["shoe"]["properties"]),
-    (Layers, LAYER_RANGES, SCHEMA["$defs"]["layers"]["properties"]),
-    (BaseForm, BASE_RANGES, SCHEMA["$defs"]["base"]["properties"]),
-    (Form, FORM_RANGES, SCHEMA["$defs"]["form"]["properties"]),
-    (Finish, FINISH_RANGES, SCHEMA["$defs"]["finish"]["properties"]),
-    (RimStation, RIM_RANGES, SCHEMA["$defs"]["rim_station"]["properties"]),
-    (Shell, SHELL_RANGES, SCHEMA["$defs"]["shell"]["properties"]),
-    (Post, POST_RANGES, SCHEMA["$defs"]["post"]["properties"]),
+    (InsoleDesign, SCHEMA["properties"]),
     *(
-        (kind, CORRECTION_RANGES[kind], SCHEMA["$defs"][name]["properties"])
-        for name, kind in CORRECTION_TYPES.items()
+        (kind, SCHEMA["$defs"][name]["properties"])
+        for name, kind in {
+            "outline": Outline, "shoe": Shoe, "layers": Layers, "base": BaseForm, "form": Form,
+            "finish": Finish, "rim_station": RimStation, "shell": Shell, "post": Post,
+            **CORRECTION_TYPES,
+        }.items()
     ),
-]
-KINDS = [kind.__name__ for kind, _, _ in DESCRIBED]
+]  # fmt: skip
+KINDS = [kind.__name__ for kind, _ in DESCRIBED]
 
 
-@pytest.mark.parametrize(("kind", "ranges", "described"), DESCRIBED, ids=KINDS)
-def test_defaults_of_the_schema_are_those_of_the_values(kind, ranges, described):
+@pytest.mark.parametrize(("kind", "described"), DESCRIBED, ids=KINDS)
+def test_defaults_of_the_schema_are_those_of_the_values(kind, described):
     assert {f.name for f in fields(kind)} == described.keys() - {"format", "version", "type"}
     for field in fields(kind):
         default = None if field.default is MISSING else field.default
@@ -269,14 +249,15 @@ def _number_of(described: dict[str, Any]) -> dict[str, Any]:
     return described
 
 
-@pytest.mark.parametrize(("kind", "ranges", "described"), DESCRIBED, ids=KINDS)
-def test_ranges_of_the_schema_are_those_of_the_reader(kind, ranges, described):
+@pytest.mark.parametrize(("kind", "described"), DESCRIBED, ids=KINDS)
+def test_ranges_of_the_schema_are_those_of_the_reader(kind, described):
+    ranges = ranges_of(kind)
     for key, limits in ranges.items():
         number = _number_of(described[key])
         assert (number["minimum"], number["maximum"]) == (limits.least, limits.greatest)
     assert {k for k, v in described.items() if "minimum" in _number_of(v)} == ranges.keys()
     words = {k: tuple(v["enum"]) for k, v in described.items() if "enum" in v and k != "side"}
-    assert words == CHOICES.get(kind, {})
+    assert words == choices_of(kind)
 
 
 BAD = [

@@ -19,7 +19,6 @@ from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.pads.pad_shapes import pad_size, resized
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
-from insole_core.insole.prescription.mirroring import mirrored_correction
 from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.workflows.pad_library import LibraryPad, load_pads
 
@@ -64,7 +63,7 @@ def test_every_element_can_be_prescribed_on_either_foot(pad: LibraryPad) -> None
         assert height_at(put, *put.centre_mm) == pytest.approx(
             0.0 if pad.kind == "horseshoe" else pad.template.height_mm, abs=1e-9
         )
-    mirrored = mirrored_correction(replace(here, id=there.id))
+    mirrored = replace(here, id=there.id).mirrored()
     assert isinstance(mirrored, Pelott)
     places = np.stack(np.meshgrid(np.arange(-60, 60, 2.0), np.arange(0, 320, 2.0)), axis=-1)
     difference = pad_heights(mirrored, places) - pad_heights(there, places)

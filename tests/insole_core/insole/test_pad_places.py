@@ -15,7 +15,6 @@ from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.clearance import clearance
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_places import PLACES, placed_pad
-from insole_core.insole.prescription.mirroring import mirrored_correction
 from insole_core.insole.prescription.pronation import proposed_post_deg
 from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.simulate.foot_model import build_foot
@@ -107,7 +106,7 @@ def test_pads_of_a_mirrored_foot_are_mirrored(
 ) -> None:
     here = placed_pad(pad.template, pad.place, foot.side, landmarks, 8.0)
     there = placed_pad(pad.template, pad.place, foot.side.other, mirror(landmarks), 8.0)
-    mirrored = mirrored_correction(here)
+    mirrored = here.mirrored()
     assert isinstance(mirrored, Pelott)
     assert there.centre_mm == pytest.approx(mirrored.centre_mm, abs=1e-9)
     assert (there.turn_deg - mirrored.turn_deg) % 360 == pytest.approx(0, abs=1e-6)

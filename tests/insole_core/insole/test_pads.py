@@ -8,9 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from insole_core.insole.elements import Pelott
+from insole_core.insole.elements.pelott import FREE, PAD_SHAPES
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
-from insole_core.insole.pads.pad_shapes import FREE, PAD_SHAPES
-from insole_core.insole.prescription.mirroring import mirrored_correction
 from insole_core.insole.primitives.outline_curve import inside_curve
 
 pelotts = st.builds(
@@ -153,9 +152,9 @@ def test_every_shape_has_a_continuous_slope(shape):
 def test_mirrored_pad_is_the_mirror_image(shape):
     pad = pad_of(shape)
     places = places_about(pad, 1.0)
-    there = pad_heights(mirrored_correction(pad), places * [-1, 1])
+    there = pad_heights(pad.mirrored(), places * [-1, 1])
     assert np.abs(there - pad_heights(pad, places)).max() < 1e-6
-    back = mirrored_correction(mirrored_correction(pad))
+    back = pad.mirrored().mirrored()
     assert np.abs(pad_heights(back, places) - pad_heights(pad, places)).max() < 1e-9
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from typing import Any, get_args
+from typing import Any
 
 import pytest
 from varied_designs import DRAWN, FROM_FOOT, OTHERS, varied
@@ -12,8 +12,8 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import (
+    CORRECTION_TYPES,
     Correction,
-    CorrectionBase,
     Pelott,
 )
 from insole_core.insole.prescription.base_form import BaseForm, Form
@@ -24,10 +24,9 @@ from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
-from insole_core.insole.prescription.vocabulary import spoken
 
 SILENT: dict[tuple[type[Any], str], str] = {
-    (CorrectionBase, "id"): "by which the program finds it",
+    (Correction, "id"): "by which the program finds it",
     (InsoleDesign, "side"): "heads the paper of each foot",
     (Form, "along_shares"): "stands behind the name of the form",
     (Form, "across_shares"): "stands behind the name of the form",
@@ -61,13 +60,13 @@ def test_each_value_is_on_paper_with_its_name() -> None:
             is_gone = name == "enabled" and len(paper(other)) < len(before)
             unsaid[kind, name] = unsaid.get((kind, name), True) and not changed and not is_gone
             if changed and name not in NAMED_OTHERWISE:
-                assert any(spoken(part, name).name in line for line in changed), (kind, name)
+                assert any(part.declared(name).label in line for line in changed), (kind, name)
     assert {key for key, nothing in unsaid.items() if nothing and not is_silent(*key)} == set()
 
 
 def test_every_field_is_varied_or_silent_for_a_reason() -> None:
     parts = (
-        *get_args(Correction), InsoleDesign, Outline, Layers, Finish, RimStation, Shell, Post,
+        *CORRECTION_TYPES.values(), InsoleDesign, Outline, Layers, Finish, RimStation, Shell, Post,
         Shoe, BaseForm, Form,
     )  # fmt: skip
     nested = {"corrections", "outline", "layers", "base", "finish", "shell", "shoe", "posts", "rim"}
@@ -76,7 +75,7 @@ def test_every_field_is_varied_or_silent_for_a_reason() -> None:
     seen = {(kind, name) for d in (FROM_FOOT, OTHERS, DRAWN) for kind, name, *_ in varied(d)}
     assert {key for key in known - seen if not is_silent(*key)} == set()
     assert all(reason for reason in SILENT.values())
-    assert {name for kind, name in SILENT if kind is CorrectionBase} == {"id"}
+    assert {name for kind, name in SILENT if kind is Correction} == {"id"}
 
 
 def test_a_unit_stands_with_each_number() -> None:

@@ -11,7 +11,7 @@ import trimesh
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.build import build_insole
-from insole_core.insole.elements import ArchRaise, Correction, CorrectionBase
+from insole_core.insole.elements import ArchRaise, Correction, new_id
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
@@ -30,7 +30,7 @@ def elements(foot: Foot, kinds: tuple[str, ...]) -> tuple[Correction, ...]:
     laid = (
         placed_pad(pad.template, pad.place, foot.side, find_landmarks(foot), 8.0) for pad in pads
     )
-    return tuple(replace(pad, id=CorrectionBase().id) for pad in laid)
+    return tuple(replace(pad, id=new_id()) for pad in laid)
 
 
 @pytest.mark.parametrize("bottom", ["flat", "following"])

@@ -15,7 +15,6 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import build_insole
 from insole_core.insole.elements import Rocker
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.mirroring import mirrored_correction
 from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.surface.rocker import LEAST_LEFT_MM
 from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
@@ -101,6 +100,6 @@ def test_one_that_is_switched_off_changes_nothing(foot: Foot) -> None:
 
 
 def test_it_is_the_same_for_the_other_foot_and_makes_another_body(foot: Foot) -> None:
-    assert mirrored_correction(ROCKER) == ROCKER
+    assert ROCKER.mirrored() == ROCKER
     plain = InsoleDesign(foot.side)
     assert bare_key(foot, plain) != bare_key(foot, plain.with_added(ROCKER))

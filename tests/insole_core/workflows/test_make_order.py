@@ -21,11 +21,12 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.elements import ArchRaise, Pelott, Posting
+from insole_core.insole.elements.words import number_message
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.materials import read_materials
-from insole_core.insole.prescription.prescription_lines import correction_lines, plain_number
+from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
 from insole_core.resources import resource_path
@@ -343,7 +344,7 @@ def test_a_prescription_with_a_nonsense_date_is_not_written(
 def test_numbers_on_paper_have_the_precision_of_the_tool(
     value: float, decimals: int, text: str
 ) -> None:
-    assert plain_number(value, decimals) == text
+    assert number_message(value, decimals) == text
 
 
 def test_a_prescription_prints_no_needless_digits() -> None:

@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 
 from insole_core.errors import InputError
-from insole_core.insole.elements.pad_kinds import pad_name
 from insole_core.workflows.pad_library import GROUPS, LibraryPad, default_pelott, load_pads
 
 FELT = {"kind": "felt_pad", "shape": "oval", "height_mm": 3, "place": "cuboid"}
@@ -30,7 +29,7 @@ def test_a_kind_of_the_clinics_own_keeps_its_name(tmp_path: Path) -> None:
         "",
         "felt_pad",
     )
-    assert pad_name(felt.template) == "felt pad"
+    assert felt.template.noun == "felt pad"
 
 
 def test_what_its_shape_names_is_stored_without_a_kind(tmp_path: Path) -> None:

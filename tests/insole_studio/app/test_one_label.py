@@ -15,11 +15,11 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.fields import Spot
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.menus import LANGUAGE_KEYS
 from insole_studio.features.design.correction_names import name_of
-from insole_studio.features.design.parameters.correction_fields import EDITABLE
 from insole_studio.features.records.visit_card import VisitCard
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
@@ -85,7 +85,7 @@ def test_the_pointer_tells_a_place_by_the_names_of_its_fields(
     view = opened.stage.foot.scene
     place = np.array([3.0, 153.34, 6.0])
     view.hovered.emit(PointerEvent(Phase.MOVE, Subject.FOOT, view.look, (0.0, 0.0), place))
-    labels = [e.label() for e in EDITABLE[Pelott] if e.name == "centre_mm"]
+    labels = [label for label, _ in Spot.each]
     medial = {Side.LEFT: "3.0", Side.RIGHT: "-3.0"}[side]
     assert told == [f"{labels[0]} {medial}   {labels[1]} 153.3   Height 6.0 mm"]
 

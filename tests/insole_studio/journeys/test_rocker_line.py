@@ -14,8 +14,8 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Rocker
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.surface.rocker import heads_ahead
 from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
@@ -94,7 +94,7 @@ def test_a_drag_ends_at_the_range_and_escape_takes_it_back(
     shown = rocked.case.shown.design
     assert shown is not None
     rocker = next(c for c in shown.corrections if isinstance(c, Rocker))
-    assert rocker.behind_heads_mm == CORRECTION_RANGES[Rocker]["behind_heads_mm"].greatest
+    assert rocker.behind_heads_mm == ranges_of(Rocker)["behind_heads_mm"].greatest
     QTest.keyClick(view.surface, Qt.Key.Key_Escape)
     assert rocked.case.shown.design == rocked.case.record.design
     QTest.mouseRelease(view.surface, LEFT, pos=far)

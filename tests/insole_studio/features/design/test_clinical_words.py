@@ -23,12 +23,14 @@ from insole_core.insole.elements import (
     Rocker,
 )
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Post, Shell
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.correction_names import describe
 from insole_studio.features.design.parameters.correction_fields import (
-    EDITABLE,
+    editables,
     field_specs,
     with_value,
 )
@@ -49,14 +51,20 @@ PARTS = (
     ArchRaise(apex_mm=(20.0, 110.0)), HeelCup(), Rocker(), BrushStroke(points_mm=((0.0, 50.0),)),
     InsoleDesign(Side.RIGHT), Layers(), Outline(source="shoe_size", shoe_size_eu=42.0),
 )  # fmt: skip
+
+
+def kind_of(part: Any) -> str:
+    return type(part).__name__
+
+
 OF_THE_PROGRAM = ("sigma", "egg", "blend", "apex", " x", " y")
 
 
-@pytest.mark.parametrize("kind", EDITABLE, ids=lambda kind: kind.__name__)
-def test_every_field_says_in_plain_words_what_it_does(kind: type[Any]) -> None:
-    for editable in EDITABLE[kind]:
-        assert 10 < len(editable.tip()) < 80, editable.key
-        assert not any(word in editable.label().lower() for word in OF_THE_PROGRAM)
+@pytest.mark.parametrize("part", [*PARTS, Finish(), Shell(), Post()], ids=kind_of)
+def test_every_field_says_in_plain_words_what_it_does(part: Any) -> None:
+    for editable in editables(part):
+        assert not editable.found.tip or 10 < len(editable.found.tip) < 80, editable.key
+        assert not any(word in editable.found.label.lower() for word in OF_THE_PROGRAM)
 
 
 @pytest.mark.parametrize("side", Side)

@@ -13,10 +13,10 @@ from insole_core.export.atomic import replacing_file
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import ArchRaise, Correction, CorrectionBase
+from insole_core.insole.elements import ArchRaise, Correction, new_id
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.prescription.template import (
     make_template,
     read_template,
@@ -71,7 +71,7 @@ class PrescriptionActions:
             return
         x, y, z = (float(part) for part in find_landmarks(foot)["arch_apex"].point)
         height = rounded(z + design.least_thickness_mm + _ABOVE_ARCH_MM, 0.5)
-        allowed = CORRECTION_RANGES[ArchRaise]["target_mm"]
+        allowed = ranges_of(ArchRaise)["target_mm"]
         target = min(max(height, allowed.least), allowed.greatest)
         self.prescribe(ArchRaise(target_mm=target, apex_mm=(round(x, 1), round(y, 1))))
 
@@ -86,7 +86,7 @@ class PrescriptionActions:
         landmarks = landmarks_of(self._case.record)
         laid = placed_pad(pad.template, pad.place, side, landmarks, self._behind_heads_mm)
         tool.template = laid
-        new = self._case.stamped(replace(laid, id=CorrectionBase().id))
+        new = self._case.stamped(replace(laid, id=new_id()))
         self._case.apply(design.with_added(new), tr("Place: {name}").format(name=name_of(new)))
         self._case.select(new.id)
 

@@ -7,14 +7,9 @@ from dataclasses import dataclass, replace
 
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
+from insole_core.insole.fields import Range, ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import (
-    FINISH_RANGES,
-    RIM_RANGES,
-    SHELL_RANGES,
-    Range,
-)
-from insole_core.insole.prescription.finish import Finish
+from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.materials import (
     MaterialTable,
     proposed_thickness,
@@ -26,8 +21,8 @@ from insole_core.insole.prescription.rim_sliders import (
     with_cup_depth,
     with_medial_flange,
 )
-from insole_core.insole.prescription.shell import Post
-from insole_studio.features.design.correction_names import device_name
+from insole_core.insole.prescription.shell import Post, Shell
+from insole_studio.features.design.correction_names import capitalised, device_name
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.texts import localised, tr, translate_core_message
@@ -62,21 +57,21 @@ SLIDERS: dict[str, _Slider] = {
         lambda: tr("Height of the rim behind the heel over the heel's floor"),
         cup_depth_mm,
         with_cup_depth,
-        RIM_RANGES["height_mm"],
+        ranges_of(RimStation)["height_mm"],
     ),
     "flange": _Slider(
         lambda: tr("Medial flange"),
         lambda: tr("Height of the medial rim at its peak, over the heel's floor"),
         medial_flange_mm,
         with_medial_flange,
-        RIM_RANGES["height_mm"],
+        ranges_of(RimStation)["height_mm"],
     ),
     "fill": _Slider(
         lambda: tr("Arch fill"),
         lambda: tr("How far the medial arch is lowered below the scan"),
         lambda finish: finish.arch_fill_mm,
         lambda finish, value: replace(finish, arch_fill_mm=value),
-        FINISH_RANGES["arch_fill_mm"],
+        ranges_of(Finish)["arch_fill_mm"],
     ),
 }
 
@@ -165,23 +160,23 @@ def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
     """
     shell = design.shell
     assert shell is not None, "a solid insole has no shell"
-    least, most = SHELL_RANGES["body_weight_kg"].least, SHELL_RANGES["body_weight_kg"].greatest
+    allowed = ranges_of(Shell)["body_weight_kg"]
     weight = FieldSpec(
         "shell.body_weight_kg",
         tr("Body weight"),
         "kg",
         shell.body_weight_kg or 0.0,
         0.0,
-        most,
+        allowed.greatest,
         step=1.0,
         tip=tr("From {least} kg on, a thickness is proposed; 0 if unknown").format(
-            least=localised(least, "g")
+            least=localised(allowed.least, "g")
         ),
-        least_known=least,
+        least_known=allowed.least,
     )
     known = table.names
     names = known if shell.material in known else (*known, shell.material)
-    materials = tuple((name, _capitalised(translate_core_message(name))) for name in names)
+    materials = tuple((name, capitalised(name)) for name in names)
     material = ChoiceSpec(
         "shell.material",
         tr("Material"),
@@ -192,10 +187,6 @@ def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
     posts = (spec for region in REGIONS for spec in _post_fields(design, region))
     fields = (material, weight, *field_specs(shell, "shell", design.side), *posts)
     return FieldGroup(tr("Shell"), fields, _offers(design, table))
-
-
-def _capitalised(text: str) -> str:
-    return text[:1].upper() + text[1:]
 
 
 def _post_fields(design: InsoleDesign, region: str) -> Fields:

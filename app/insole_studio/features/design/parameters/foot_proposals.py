@@ -11,8 +11,8 @@ from insole_core.errors import InputError
 from insole_core.foot.alignment import PoseAngles, pose_angles
 from insole_core.foot.foot import Foot
 from insole_core.foot.measures import measure
-from insole_core.insole.elements import CorrectionBase, Pelott, Posting
-from insole_core.insole.prescription.design_limits import Range
+from insole_core.insole.elements import Pelott, Posting, new_id
+from insole_core.insole.fields import Range
 from insole_core.insole.prescription.pronation import proposed_post_deg
 from insole_core.insole.warnings.clinic_rules import ClinicRules
 from insole_core.workflows.foot_landmarks import landmarks_of
@@ -133,7 +133,7 @@ class FootProposals:
             return
         point = self._marks.of(self._case.record)[int(name)].mark.point
         centre = (round(float(point[0]), 1), round(float(point[1]), 1))
-        pad = self._case.stamped(replace(self._pelott, id=CorrectionBase().id, centre_mm=centre))
+        pad = self._case.stamped(replace(self._pelott, id=new_id(), centre_mm=centre))
         self._case.apply(design.with_added(pad), tr("Place: {name}").format(name=name_of(pad)))
         self._case.select(pad.id)
 

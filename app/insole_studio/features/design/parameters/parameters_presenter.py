@@ -9,9 +9,9 @@ from typing import Any, Protocol, TypeAlias
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction, Pelott, Posting
+from insole_core.insole.fields import Range
 from insole_core.insole.finishing.rim_edits import counted_from, replaced_station
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import Range
 from insole_core.insole.warnings.clinic_rules import ClinicRules
 from insole_core.pressure.regions import RELIEF_KPA
 from insole_core.workflows.pad_library import LibraryPad, default_pelott

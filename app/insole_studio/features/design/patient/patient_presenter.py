@@ -14,7 +14,7 @@ from insole_core.cases.sample import SAMPLE_KEEPS_NAME
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import ArchRaise, BrushStroke, Correction, CorrectionBase, Pelott
+from insole_core.insole.elements import ArchRaise, BrushStroke, Correction, Pelott, new_id
 from insole_studio.document.case import Case
 from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.correction_names import describe, device_name, name_of
@@ -140,7 +140,7 @@ class PatientPresenter:
         correction = design.correction(correction_id) if design is not None else None
         if design is None or correction is None:
             return
-        fresh = self._case.stamped(replace(correction, id=CorrectionBase().id))
+        fresh = self._case.stamped(replace(correction, id=new_id()))
         if isinstance(fresh, Pelott):
             x, y = fresh.centre_mm
             fresh = replace(fresh, centre_mm=(x, y - COPY_BEHIND_MM))

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.errors import InputError
-from insole_core.insole.prescription.design_limits import SHOE_RANGES
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.shoes.shoe_sizes import (
     LEAST_WIDTH_MM,
@@ -77,7 +77,7 @@ class ShoeDialog(QDialog):
         self.inside = NumberField("mm", least=LEAST_WIDTH_MM, greatest=MOST_WIDTH_MM, step=1)
         self.browse = QPushButton(tr("Choose the last…"))
         self.trim = QCheckBox(tr("Trim the insole to the shoe"))
-        room = SHOE_RANGES["clearance_mm"]
+        room = ranges_of(Shoe)["clearance_mm"]
         self.clearance = NumberField("mm", least=room.least, greatest=room.greatest, step=0.5)
         self.note = MessageLabel("warning")
         self.buttons = QDialogButtonBox()

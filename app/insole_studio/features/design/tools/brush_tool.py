@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from insole_core.insole.elements import BrushStroke, CorrectionBase
+from insole_core.insole.elements import BrushStroke, new_id
 from insole_core.insole.fields import Place
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.pelott_tool import seen_from_above
@@ -45,7 +45,7 @@ class BrushTool(Tool):
         design = case.record.design
         assert design is not None
         points: tuple[Place, ...] = ()
-        fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
+        fresh = case.stamped(replace(self.template, id=new_id()))
         while True:
             before = points
             for place in map(place_at, event.touched_mm):

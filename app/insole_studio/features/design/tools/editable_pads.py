@@ -9,9 +9,8 @@ import numpy as np
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.elements import ArchRaise, Correction, Pelott
-from insole_core.insole.fields import Place
+from insole_core.insole.fields import Place, ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_studio.document.case import Case
 
 
@@ -90,5 +89,5 @@ def _ellipse(case: Case, arch: ArchRaise) -> Pelott | None:
 
 
 def _within(name: str, value: float) -> float:
-    allowed = CORRECTION_RANGES[ArchRaise][name]
+    allowed = ranges_of(ArchRaise)[name]
     return float(np.clip(value, allowed.least, allowed.greatest))

@@ -8,7 +8,6 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pad_kinds import ends_behind_heads
 from insole_core.insole.fields import Place
 from insole_core.insole.pads.clearance import Clearance
 from insole_core.insole.pads.clearance import clearance as pad_clearance
@@ -35,7 +34,7 @@ def clearance(record: CaseRecord, pad: Pelott) -> Clearance | None:
     Clearance or None
         None if the line does not matter for the pad.
     """
-    line = metatarsal_line(record) if ends_behind_heads(pad) else None
+    line = metatarsal_line(record) if pad.ends_behind_heads else None
     return None if line is None else pad_clearance(pad, line[:, :2])
 
 

@@ -10,12 +10,11 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.elements import CorrectionBase, Pelott
-from insole_core.insole.fields import Place
+from insole_core.insole.elements import Pelott, new_id
+from insole_core.insole.fields import Place, ranges_of
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_shapes import local_outline, pad2insole, pad_size, resized
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of
@@ -109,7 +108,7 @@ class PelottTool(Tool):
             return None
         if not surface.covers(place[0], place[1]):
             return None
-        fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
+        fresh = case.stamped(replace(self.template, id=new_id()))
         new = replace(fresh, centre_mm=place_at(place))
         return _follow(case, event, new, case.record.design, self._behind_heads_mm)
 
@@ -434,7 +433,7 @@ def _beside_corners_mm(pad: Pelott) -> float:
 
 
 def _within(name: str, value: float) -> float:
-    allowed = CORRECTION_RANGES[Pelott][name]
+    allowed = ranges_of(Pelott)[name]
     return float(np.clip(value, allowed.least, allowed.greatest))
 
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.elements import Posting
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool, rise_mm, with_number
@@ -105,7 +105,7 @@ def tilted(
     """
     posting = posting_of(design) or new or Posting()
     name = f"{part}_deg"
-    allowed = CORRECTION_RANGES[Posting][name]
+    allowed = ranges_of(Posting)[name]
     angle = rounded(getattr(posting, name) + by_deg, ANGLE_STEP_DEG)
     angle = float(np.clip(angle, allowed.least, allowed.greatest))
     return with_posting(design, with_number(posting, name, angle))

@@ -9,12 +9,12 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.fields import Place
+from insole_core.insole.fields import Place, ranges_of
 from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim
 from insole_core.insole.finishing.rim_edits import added_station, moved_station, raised_station
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import FINISH_RANGES
+from insole_core.insole.prescription.finish import Finish
 from insole_studio.document.case import Case
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.rim_texts import station_text
@@ -247,7 +247,7 @@ def _carry_toe_line(
     """Let the toe line follow the pointer ahead of the heads."""
     finish, start, event = design.finish, press.place_mm(0.0), press
     assert finish is not None
-    allowed, changed = FINISH_RANGES["toe_line_mm"], design
+    allowed, changed = ranges_of(Finish)["toe_line_mm"], design
     while event.phase is not Phase.RELEASE:
         event = yield
         now = event.place_mm(0.0)

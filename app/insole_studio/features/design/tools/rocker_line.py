@@ -8,8 +8,8 @@ import numpy as np
 
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.elements import Rocker
+from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.surface.rocker import heads_ahead, rocker_line
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import SurfaceContext, nudge_mm
@@ -19,7 +19,7 @@ from insole_studio.texts import tr
 
 ROCKER_LINE = "rocker_line"
 STEP_MM, FINE_STEP_MM = 0.5, 0.05
-_ALLOWED = CORRECTION_RANGES[Rocker]["behind_heads_mm"]
+_ALLOWED = ranges_of(Rocker)["behind_heads_mm"]
 
 
 def selected_rocker(case: Case) -> Rocker | None:

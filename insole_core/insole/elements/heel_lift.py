@@ -1,0 +1,54 @@
+"""A raised heel."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.elements.correction import Correction, Sole
+from insole_core.insole.elements.words import mm_message
+from insole_core.insole.fields import Number, OfLength
+from insole_core.insole.primitives.blending import smooth_step
+from insole_core.messages import Message
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeelLift(Correction):
+    """A raised heel, with a smooth transition to the forefoot."""
+
+    type, name = "heel_lift", "Heel lift"
+    stage, order = "sole", 20
+
+    height_mm: Annotated[
+        float, Number("Height", "How much the heel is raised", -10, 20, main="")
+    ] = 3.0
+    fade_start: Annotated[
+        float,
+        OfLength(
+            "Full up to",
+            "Share of the foot's length up to which the heel is raised in full",
+            before="fade_end",
+        ),
+    ] = 0.25
+    fade_end: Annotated[
+        float,
+        OfLength(
+            "Ends at", "Share of the foot's length at which the lift ends", after="fade_start"
+        ),
+    ] = 0.65
+
+    def raised_mm(self, share: FloatArray) -> FloatArray:
+        """Return by how much it raises the sections at shares (n,) of the length."""
+        return np.asarray(self.height_mm * (1 - smooth_step(share, self.fade_start, self.fade_end)))
+
+    def shaped(self, sole: Sole) -> FloatArray:
+        """Raise the heel."""
+        raised = self.raised_mm(sole.surface.y_mm / sole.length_mm)
+        return np.asarray(sole.surface.heights_mm + raised[:, None])
+
+    def brief(self) -> Message:
+        """Return its height."""
+        return mm_message(self.height_mm)
