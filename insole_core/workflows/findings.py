@@ -137,7 +137,7 @@ def apply_finding(
         design = _with_correction(design, correction, stamp)
     for proposed in finding.pads:
         pad = _placed(proposed, finding, design, landmarks, catalogue)
-        if not any(_is_at(pad, other) for other in design.corrections):
+        if not any(_is_at(pad, other) for other in design.of(Pelott, active=False)):
             design = design.with_added(stamp(replace(pad, id=new_id())))
     return design
 
@@ -240,8 +240,8 @@ def placed_proposal(
     return placed_pad(pad.template, pad.place, side, landmarks, catalogue.behind_heads_mm)
 
 
-def _is_at(pad: Pelott, other: Correction) -> bool:
-    if not isinstance(other, Pelott) or (other.shape, other.kind) != (pad.shape, pad.kind):
+def _is_at(pad: Pelott, other: Pelott) -> bool:
+    if (other.shape, other.kind) != (pad.shape, pad.kind):
         return False
     (x, y), (u, v) = pad.centre_mm, other.centre_mm
     return math.hypot(x - u, y - v) < _SAME_PLACE_MM

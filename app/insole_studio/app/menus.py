@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from insole_core.insole.elements import in_order
 from insole_studio.texts import tr
 
 SEPARATOR = ""
@@ -13,6 +14,12 @@ PADS = "pads"
 """Placeholder for the library's pads in the menu."""
 RECENT = "recent"
 """Placeholder for the recent files in the menu."""
+
+
+def _added(name: str) -> tuple[str, ...]:
+    """Return the keys of what adds a correction of a type."""
+    return (f"add_{name}", "add_arch_height") if name == "arch_raise" else (f"add_{name}",)
+
 
 MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference", "map_pressure")
 LANGUAGE_KEYS = ("language_system", "language_en", "language_sv")
@@ -126,14 +133,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "edit_materials",
             "choose_shoe",
             SEPARATOR,
-            "add_posting",
-            "add_forefoot_twist",
-            "add_heel_skive",
-            "add_heel_lift",
-            "add_heel_cup",
-            "add_arch_raise",
-            "add_arch_height",
-            "add_rocker",
+            *(key for kind in in_order() if kind.tip for key in _added(kind.type)),
             PADS,
             SEPARATOR,
             "confirm_landmarks",

@@ -5,7 +5,7 @@ Each is declared by a class in a module of its own; a new one is named here, and
 
 from insole_core.insole.elements.arch_raise import ArchRaise
 from insole_core.insole.elements.brush_stroke import BrushStroke
-from insole_core.insole.elements.correction import CORRECTION_TYPES, Correction, new_id
+from insole_core.insole.elements.correction import CORRECTION_TYPES, Correction, in_order, new_id
 from insole_core.insole.elements.forefoot_twist import ForefootTwist
 from insole_core.insole.elements.heel_cup import HeelCup
 from insole_core.insole.elements.heel_lift import HeelLift
@@ -26,5 +26,6 @@ __all__ = [
     "Pelott",
     "Posting",
     "Rocker",
+    "in_order",
     "new_id",
 ]

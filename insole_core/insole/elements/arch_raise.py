@@ -31,6 +31,7 @@ class ArchRaise(Correction):
     """
 
     type, name = "arch_raise", "Arch raise"
+    tip = "Raise the medial arch about its apex"
     stage = "pad"
 
     height_mm: Annotated[

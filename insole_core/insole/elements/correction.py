@@ -9,7 +9,7 @@ from __future__ import annotations
 import uuid
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import ClassVar, TypeVar
+from typing import ClassVar, Self, TypeVar
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.side import Side
@@ -19,6 +19,7 @@ from insole_core.messages import Message
 
 CORRECTION_TYPES: dict[str, type[Correction]] = {}
 """All corrections, by their types."""
+STAGES = ("turn", "sole", "pad", "body")
 _Part = TypeVar("_Part", bound=Part)
 
 
@@ -72,6 +73,9 @@ class Correction(Part):
     """Its name in files."""
     name: ClassVar[str] = ""
     """What it is called."""
+    tip: ClassVar[str] = ""
+    """What it does, in one sentence; without one it is no entry of the window's menu, but laid by a
+    tool."""
     stage: ClassVar[str] = ""
     """What it changes: "turn" the sole as a whole, "sole" its heights, "pad" (what lies on it, in
     the order of the design) or "body" (what is made below)."""
@@ -85,6 +89,11 @@ class Correction(Part):
 
     def __init_subclass__(cls) -> None:
         CORRECTION_TYPES[cls.type] = cls
+
+    @classmethod
+    def usual(cls) -> Self:
+        """Return it with the values that it has when it is added by the menu."""
+        return cls()
 
     @property
     def title(self) -> str:
@@ -153,6 +162,12 @@ class Correction(Part):
     def mirrored(self) -> Correction:
         """Return it for the other foot; angles and borders are medial and lateral already."""
         return reflected(self)
+
+
+def in_order() -> tuple[type[Correction], ...]:
+    """Return all corrections in the order in which they change an insole."""
+    kinds = CORRECTION_TYPES.values()
+    return tuple(sorted(kinds, key=lambda kind: (STAGES.index(kind.stage), kind.order)))
 
 
 def with_places(part: _Part, move: Callable[[Place], Place]) -> _Part:

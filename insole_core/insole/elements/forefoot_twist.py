@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Self
 
 import numpy as np
 
@@ -23,7 +23,8 @@ class ForefootTwist(Correction):
     """
 
     type, name = "forefoot_twist", "Forefoot twist"
-    stage = "turn"
+    tip = "Turn the forefoot against the rearfoot"
+    stage, order = "turn", 10
 
     angle_deg: Annotated[
         float,
@@ -50,6 +51,11 @@ class ForefootTwist(Correction):
             after="blend_start",
         ),
     ] = 0.75
+
+    @classmethod
+    def usual(cls) -> Self:
+        """Return it as it is added by the menu: with an angle that can be seen."""
+        return cls(angle_deg=4.0)
 
     def turned_deg(self, share: FloatArray) -> FloatArray:
         """Return the angle in the sections at shares (n,) of the length."""

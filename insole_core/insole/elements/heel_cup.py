@@ -29,6 +29,7 @@ class HeelCup(Correction):
     """
 
     type, name = "heel_cup", "Heel cup"
+    tip = "Set the depth of the heel cup"
     stage, order = "sole", 30
 
     depth_mm: Annotated[

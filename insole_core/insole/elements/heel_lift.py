@@ -20,6 +20,7 @@ class HeelLift(Correction):
     """A raised heel, with a smooth transition to the forefoot."""
 
     type, name = "heel_lift", "Heel lift"
+    tip = "Raise the whole heel"
     stage, order = "sole", 20
 
     height_mm: Annotated[

@@ -30,6 +30,7 @@ class HeelSkive(Correction):
     """
 
     type, name = "heel_skive", "Heel skive"
+    tip = "A wedge in the heel cup, medial or lateral"
     stage, order = "sole", 10
 
     depth_mm: Annotated[

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Self
 
 import numpy as np
 
@@ -29,6 +29,7 @@ class Posting(Correction):
     """
 
     type, name = "posting", "Posting"
+    tip = "Tilt rear- and forefoot by degrees, against pronation or supination"
     stage = "turn"
 
     rearfoot_deg: Annotated[
@@ -77,6 +78,11 @@ class Posting(Correction):
             after="blend_start",
         ),
     ] = 0.65
+
+    @classmethod
+    def usual(cls) -> Self:
+        """Return it as it is added by the menu: with an angle that can be seen."""
+        return cls(rearfoot_deg=4.0)
 
     @property
     def turns_rim(self) -> bool:

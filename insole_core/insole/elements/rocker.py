@@ -19,6 +19,7 @@ class Rocker(Correction):
     """
 
     type, name = "rocker", "Rocker"
+    tip = "Let the underside rise ahead of a line along the heads"
     stage = "body"
 
     behind_heads_mm: Annotated[

@@ -114,9 +114,14 @@ class InsoleDesign(Part):
         """The corrections that are switched on, in order."""
         return tuple(c for c in self.corrections if c.enabled)
 
-    def of(self, kind: type[_Kind]) -> tuple[_Kind, ...]:
-        """Return the active corrections of one type, in order."""
-        return tuple(c for c in self.active if isinstance(c, kind))
+    def of(self, kind: type[_Kind], *, active: bool = True) -> tuple[_Kind, ...]:
+        """Return the corrections of one type, in order; those switched off too if not `active`."""
+        among = self.active if active else self.corrections
+        return tuple(c for c in among if isinstance(c, kind))
+
+    def found(self, correction_id: str | None, kind: type[_Kind]) -> _Kind | None:
+        """Return the correction with this id if it is of one type, or None."""
+        return next((c for c in self.of(kind, active=False) if c.id == correction_id), None)
 
     def of_stage(self, *stages: str) -> tuple[Correction, ...]:
         """Return the active corrections that change something at one of these stages, in order."""

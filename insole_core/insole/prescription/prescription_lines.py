@@ -36,7 +36,8 @@ def correction_lines(
     landmarks
         Of the foot, insole frame; with them a pad that is laid by the heads says how far behind.
     """
-    return tuple(_line(correction, design.side, landmarks) for correction in design.active)
+    behind_mm = {} if landmarks is None else _behind_heads_mm(design, landmarks)
+    return tuple(_line(c, design.side, behind_mm.get(c.id)) for c in design.active)
 
 
 def make_facts(design: InsoleDesign) -> dict[str, str]:
@@ -82,10 +83,16 @@ def _shell_values(shell: Shell) -> dict[str, str | Values]:
     return {"shell": _values(shell), **posts}
 
 
-def _line(correction: Correction, side: Side, landmarks: Landmarks | None) -> Message:
+def _behind_heads_mm(design: InsoleDesign, landmarks: Landmarks) -> dict[str, float]:
+    """Return how far behind the heads each pad lies that is laid by them, by its id."""
+    laid = (pad for pad in design.of(Pelott) if pad.ends_behind_heads)
+    return {pad.id: behind_heads_mm(pad, landmarks) for pad in laid}
+
+
+def _line(correction: Correction, side: Side, behind_mm: float | None) -> Message:
     said = [_text(_values(correction)), *_places(correction, side)]
-    if landmarks is not None and isinstance(correction, Pelott) and correction.ends_behind_heads:
-        said.append(_from_heads(behind_heads_mm(correction, landmarks)))
+    if behind_mm is not None:
+        said.append(_from_heads(behind_mm))
     signed = " ".join(word for word in (correction.author, correction.created_at[:10]) if word)
     what = {"correction": correction.title, "values": joined(said, "; ")}
     if not signed:

@@ -268,6 +268,10 @@
             <translation>Ett besök tar högst {most} foton; ta bort ett först.</translation>
         </message>
         <message>
+            <source>A wedge in the heel cup, medial or lateral</source>
+            <translation>En kil i hälskålen, medialt eller lateralt</translation>
+        </message>
+        <message>
             <source>A {part} has only {count} usable points, but {least} are needed; move the sensor nearer and measure again.</source>
             <translation>En {part} har bara {count} användbara punkter, men {least} behövs; flytta sensorn närmare och mät igen.</translation>
         </message>
@@ -1508,6 +1512,10 @@
             <translation>Längd × bredd × höjd</translation>
         </message>
         <message>
+            <source>Let the underside rise ahead of a line along the heads</source>
+            <translation>Låt undersidan stiga framför en linje längs huvudena</translation>
+        </message>
+        <message>
             <source>Line</source>
             <translation>Linje</translation>
         </message>
@@ -2080,6 +2088,14 @@
             <translation>Radie</translation>
         </message>
         <message>
+            <source>Raise the medial arch about its apex</source>
+            <translation>Höj det mediala fotvalvet kring dess högsta punkt</translation>
+        </message>
+        <message>
+            <source>Raise the whole heel</source>
+            <translation>Höj hela hälen</translation>
+        </message>
+        <message>
             <source>Read in {unit}.</source>
             <translation>Inläst i {unit}.</translation>
         </message>
@@ -2306,6 +2322,10 @@
         <message>
             <source>Sesamoiditis</source>
             <translation>Sesamoidit</translation>
+        </message>
+        <message>
+            <source>Set the depth of the heel cup</source>
+            <translation>Ange hälskålens djup</translation>
         </message>
         <message>
             <source>Settings</source>
@@ -3956,6 +3976,10 @@
             <translation>Tibialis posterior-dysfunktion, flexibel</translation>
         </message>
         <message>
+            <source>Tilt rear- and forefoot by degrees, against pronation or supination</source>
+            <translation>Luta bak- och framfot i grader, mot pronation eller supination</translation>
+        </message>
+        <message>
             <source>Tilting the sensor for view {view}</source>
             <translation>Lutar sensorn för vy {view}</translation>
         </message>
@@ -4034,6 +4058,10 @@
         <message>
             <source>Turn the board strongly, by 40 to 55°: {sides}.</source>
             <translation>Vrid brädet kraftigt, 40 till 55°: {sides}.</translation>
+        </message>
+        <message>
+            <source>Turn the forefoot against the rearfoot</source>
+            <translation>Vrid framfoten mot bakfoten</translation>
         </message>
         <message>
             <source>Turning the foot and shaping the heel</source>

@@ -40,10 +40,6 @@
             <translation>En skanning</translation>
         </message>
         <message>
-            <source>A wedge in the heel cup, medial or lateral</source>
-            <translation>En kil i hälskålen, medialt eller lateralt</translation>
-        </message>
-        <message>
             <source>About Insole Studio</source>
             <translation>Om Insole Studio</translation>
         </message>
@@ -720,10 +716,6 @@
             <translation>Låt denna sensors lampa blinka</translation>
         </message>
         <message>
-            <source>Let the underside rise ahead of a line along the heads</source>
-            <translation>Låt undersidan stiga framför en linje längs huvudena</translation>
-        </message>
-        <message>
             <source>Level</source>
             <translation>Räta upp</translation>
         </message>
@@ -1064,16 +1056,8 @@
             <translation>HÖGER fot</translation>
         </message>
         <message>
-            <source>Raise the medial arch about its apex</source>
-            <translation>Höj det mediala fotvalvet kring dess högsta punkt</translation>
-        </message>
-        <message>
             <source>Raise the pad</source>
             <translation>Höj pelotten</translation>
-        </message>
-        <message>
-            <source>Raise the whole heel</source>
-            <translation>Höj hela hälen</translation>
         </message>
         <message>
             <source>Raise with the brush</source>
@@ -1266,10 +1250,6 @@
         <message>
             <source>Session or mesh</source>
             <translation>Session eller ytmodell</translation>
-        </message>
-        <message>
-            <source>Set the depth of the heel cup</source>
-            <translation>Ange hälskålens djup</translation>
         </message>
         <message>
             <source>Shaded</source>
@@ -1556,10 +1536,6 @@
             <translation>Luta +</translation>
         </message>
         <message>
-            <source>Tilt rear- and forefoot by degrees, against pronation or supination</source>
-            <translation>Luta bak- och framfot i grader, mot pronation eller supination</translation>
-        </message>
-        <message>
             <source>Tilt the forefoot</source>
             <translation>Luta framfoten</translation>
         </message>
@@ -1614,10 +1590,6 @@
         <message>
             <source>Turn a sensor from the box into a measuring device</source>
             <translation>Gör en sensor ur kartongen till ett mätinstrument</translation>
-        </message>
-        <message>
-            <source>Turn the forefoot against the rearfoot</source>
-            <translation>Vrid framfoten mot bakfoten</translation>
         </message>
         <message>
             <source>Turn the pad</source>

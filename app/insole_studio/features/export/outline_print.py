@@ -82,7 +82,7 @@ def _draw(
     painter.setPen(QPen(Qt.GlobalColor.black, 0.4))
     painter.drawPolygon(on_page(outline))
     painter.setPen(QPen(Qt.GlobalColor.darkGray, 0.25))
-    for pad in (c for c in insole.design.active if isinstance(c, Pelott)):
+    for pad in insole.design.of(Pelott):
         painter.drawPolygon(on_page(pad_outline(pad, 180)))
     painter.setPen(QPen(Qt.GlobalColor.black, 0.2))
     font = QFont(painter.font())

@@ -2,34 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from insole_core.insole.elements import (
-    ArchRaise,
-    Correction,
-    ForefootTwist,
-    HeelCup,
-    HeelLift,
-    HeelSkive,
-    Posting,
-    Rocker,
-)
+from insole_core.insole.elements import Correction, in_order
 from insole_studio.services.action_record import ActionRecord
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
     from insole_studio.features.design.design import Design
 
 
-def _prescription(
-    text: Callable[[], str], tip: Callable[[], str], make: Callable[[], Correction]
-) -> ActionRecord[Design]:
+def _added(kind: type[Correction]) -> ActionRecord[Design]:
     return ActionRecord(
-        f"add_{make().type}",
-        text,
-        tip,
-        lambda design, _on: design.prescription.prescribe(make()),
+        f"add_{kind.type}",
+        lambda: translate_core_message(kind.name),
+        lambda: translate_core_message(kind.tip),
+        lambda design, _on: design.prescription.prescribe(kind.usual()),
         needs_foot=True,
     )
 
@@ -65,37 +53,13 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         lambda design, _on: design.shoe.ask(),
         needs_foot=True,
     ),
-    _prescription(
-        lambda: tr("Posting"),
-        lambda: tr("Tilt rear- and forefoot by degrees, against pronation or supination"),
-        lambda: Posting(rearfoot_deg=4.0),
-    ),
-    _prescription(
-        lambda: tr("Forefoot twist"),
-        lambda: tr("Turn the forefoot against the rearfoot"),
-        lambda: ForefootTwist(angle_deg=4.0),
-    ),
-    _prescription(
-        lambda: tr("Heel skive"),
-        lambda: tr("A wedge in the heel cup, medial or lateral"),
-        HeelSkive,
-    ),
-    _prescription(lambda: tr("Heel lift"), lambda: tr("Raise the whole heel"), HeelLift),
-    _prescription(lambda: tr("Heel cup"), lambda: tr("Set the depth of the heel cup"), HeelCup),
-    _prescription(
-        lambda: tr("Arch raise"), lambda: tr("Raise the medial arch about its apex"), ArchRaise
-    ),
+    *(_added(kind) for kind in in_order() if kind.tip),
     ActionRecord(
         "add_arch_height",
         lambda: tr("Arch to a height"),
         lambda: tr("Prescribe the height of the finished arch and its place"),
         lambda design, _on: design.prescription.prescribe_arch_height(),
         needs_foot=True,
-    ),
-    _prescription(
-        lambda: tr("Rocker"),
-        lambda: tr("Let the underside rise ahead of a line along the heads"),
-        Rocker,
     ),
     ActionRecord(
         "confirm_landmarks",

@@ -386,11 +386,11 @@ class ModelPresenter:
 
     def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
         design = self._case.shown.design
-        pads = [c for c in design.corrections if isinstance(c, Pelott)] if design else []
+        pads = design.of(Pelott) if design else ()
         selected = selected_zone(self._case)
         lines: dict[bool, list[FloatArray]] = {True: [], False: []}
         for pad in pads:
-            if pad.enabled and pad != selected:
+            if pad != selected:
                 lines[False].append(self._outline(pad))
         if selected is not None and selected.enabled:
             lines[True].append(self._outline(selected))

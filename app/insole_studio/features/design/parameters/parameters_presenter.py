@@ -190,7 +190,7 @@ class ParametersPresenter:
             selected = posting_of(design) or Posting()
         if selected is None:
             return ()
-        prefix = "posting" if isinstance(selected, Posting) else "correction"
+        prefix = "posting" if selected.type == Posting.type else "correction"
         return field_specs(selected, prefix, self._side, expert=True)
 
     @property
@@ -204,13 +204,13 @@ class ParametersPresenter:
         return design.correction(selection) if selection is not None else None
 
     def _correction_group(self, correction: Correction) -> FieldGroup:
-        if isinstance(correction, Posting):
+        if correction.type == Posting.type:
             return self._posting_group(correction)
         fields = field_specs(correction, "correction", self._side)
         offers = self._size_offers(correction)
         return FieldGroup(name_of(correction), fields, offers, caption=_size_caption(offers))
 
-    def _posting_group(self, posting: Posting) -> FieldGroup:
+    def _posting_group(self, posting: Correction) -> FieldGroup:
         """Return the group of the angles, with the posting suggested by the measured axis."""
         note = self._foot_offers.posting_note()
         offers = self._foot_offers.posting_offers()

@@ -14,7 +14,7 @@ from insole_core.cases.sample import SAMPLE_KEEPS_NAME
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import ArchRaise, BrushStroke, Correction, Pelott, new_id
+from insole_core.insole.elements import Correction, Pelott, new_id
 from insole_studio.document.case import Case
 from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.correction_names import describe, device_name, name_of
@@ -190,4 +190,4 @@ def _marked(record: CaseRecord) -> list[tuple[Foot, Annotations]]:
 
 def has_order(correction: Correction) -> bool:
     """Return whether the order matters; corrections of the whole shape have a fixed one."""
-    return isinstance(correction, Pelott | ArchRaise | BrushStroke)
+    return correction.stage == "pad"

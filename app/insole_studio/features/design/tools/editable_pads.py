@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -13,24 +14,23 @@ from insole_core.insole.fields import Place, ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.document.case import Case
 
+_Kind = TypeVar("_Kind", bound=Correction)
+
 
 def selected_pelott(case: Case) -> Pelott | None:
     """Return the selected correction if it is a pad of the shown design."""
-    selected = _selected(case)
-    return selected if isinstance(selected, Pelott) else None
+    return _selected(case, Pelott)
 
 
 def selected_zone(case: Case) -> Pelott | None:
     """Return the selected pad, or the ellipse of the selected arch raise."""
-    selected = _selected(case)
-    if isinstance(selected, ArchRaise):
-        return _ellipse(case, selected)
-    return selected if isinstance(selected, Pelott) else None
+    arch = _selected(case, ArchRaise)
+    return selected_pelott(case) if arch is None else _ellipse(case, arch)
 
 
 def is_arch(case: Case) -> bool:
     """Return whether the selected correction is an arch raise."""
-    return isinstance(_selected(case), ArchRaise)
+    return _selected(case, ArchRaise) is not None
 
 
 def with_zone(design: InsoleDesign, before: Pelott, after: Pelott) -> InsoleDesign:
@@ -41,8 +41,8 @@ def with_zone(design: InsoleDesign, before: Pelott, after: Pelott) -> InsoleDesi
     before, after
         As `selected_zone` returned it, and as edited.
     """
-    correction = design.correction(after.id)
-    if not isinstance(correction, ArchRaise):
+    correction = design.found(after.id, ArchRaise)
+    if correction is None:
         return design.with_changed(after)
     raised = replace(
         correction,
@@ -65,11 +65,9 @@ def arch_apex_mm(case: Case, arch: ArchRaise) -> Place | None:
     return float(x), float(y)
 
 
-def _selected(case: Case) -> Correction | None:
+def _selected(case: Case, kind: type[_Kind]) -> _Kind | None:
     design = case.shown.design
-    if design is None or case.selection is None:
-        return None
-    return design.correction(case.selection)
+    return None if design is None else design.found(case.selection, kind)
 
 
 def _ellipse(case: Case, arch: ArchRaise) -> Pelott | None:

@@ -172,8 +172,7 @@ def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
     if event.surface_mm is None or seen_from_above(event):
         return None
     place = event.surface_mm[:2]
-    pads = [c for c in design.active if isinstance(c, Pelott)]
-    outlines = ((pad, pad_outline(pad, OUTLINE_POINTS)) for pad in reversed(pads))
+    outlines = ((pad, pad_outline(pad, OUTLINE_POINTS)) for pad in reversed(design.of(Pelott)))
     return next((pad for pad, outline in outlines if inside_curve(outline, place)), None)
 
 

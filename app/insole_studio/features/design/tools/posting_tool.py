@@ -77,7 +77,7 @@ class PostingTool(Tool):
 
 def posting_of(design: InsoleDesign) -> Posting | None:
     """Return the design's posting; None if it has none."""
-    return next((c for c in design.corrections if isinstance(c, Posting)), None)
+    return next(iter(design.of(Posting, active=False)), None)
 
 
 def with_posting(design: InsoleDesign, posting: Posting) -> InsoleDesign:

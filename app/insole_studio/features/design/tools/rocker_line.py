@@ -25,10 +25,8 @@ _ALLOWED = ranges_of(Rocker)["behind_heads_mm"]
 def selected_rocker(case: Case) -> Rocker | None:
     """Return the selected rocker of the shown design, if one is selected and switched on."""
     design = case.shown.design
-    if design is None or case.selection is None:
-        return None
-    selected = design.correction(case.selection)
-    return selected if isinstance(selected, Rocker) and selected.enabled else None
+    selected = None if design is None else design.found(case.selection, Rocker)
+    return selected if selected is not None and selected.enabled else None
 
 
 def rocker_handles(case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
