@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import ClassVar, Self, TypeVar
 
+import numpy as np
+
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.fields import Line, Part, Place, Spot, declared
@@ -127,9 +129,14 @@ class Correction(Part):
             Naming the key.
         """
 
+    def raised_mm(self, share: FloatArray) -> FloatArray:
+        """Return by how much it lifts whole sections, at shares (n,) of the length."""
+        return np.zeros_like(share)
+
     def shaped(self, sole: Sole) -> FloatArray:
         """Return the heights (ny, nx), mm, of a sole that one of the stage "sole" shapes."""
-        return sole.surface.heights_mm
+        raised = self.raised_mm(sole.surface.y_mm / sole.length_mm)
+        return np.asarray(sole.surface.heights_mm + raised[:, None])
 
     @property
     def spreads(self) -> bool:

@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.elements.correction import Correction, Sole
+from insole_core.insole.elements.correction import Correction
 from insole_core.insole.elements.words import mm_message
 from insole_core.insole.fields import Number, OfLength
 from insole_core.insole.primitives.blending import smooth_step
@@ -44,11 +44,6 @@ class HeelLift(Correction):
     def raised_mm(self, share: FloatArray) -> FloatArray:
         """Return by how much it raises the sections at shares (n,) of the length."""
         return np.asarray(self.height_mm * (1 - smooth_step(share, self.fade_start, self.fade_end)))
-
-    def shaped(self, sole: Sole) -> FloatArray:
-        """Raise the heel."""
-        raised = self.raised_mm(sole.surface.y_mm / sole.length_mm)
-        return np.asarray(sole.surface.heights_mm + raised[:, None])
 
     def brief(self) -> Message:
         """Return its height."""

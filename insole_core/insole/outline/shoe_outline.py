@@ -13,11 +13,11 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measures import PARIS_MM, shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.elements import HeelLift
 from insole_core.insole.outline.insole_outline import full_outline, insole_outline, shoe_inside
 from insole_core.insole.outline.shoe_fit import fit_in
 from insole_core.insole.outline.shoe_last import ground_heights_mm, last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.lifts import heel_lift_mm
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.primitives.outline_curve import smoothed_along
 
@@ -111,11 +111,6 @@ def _edge(foot: Foot, design: InsoleDesign) -> FloatArray:
     # Only a shortened insole needs landmarks.
     landmarks = {} if design.outline.extent == "full" else find_landmarks(foot)
     return insole_outline(foot, design, landmarks)
-
-
-def heel_lift_mm(design: InsoleDesign) -> float:
-    """Return the height of all heel lifts of a design together."""
-    return sum((lift.height_mm for lift in design.of(HeelLift)), 0.0)
 
 
 def _outward(curve: FloatArray) -> FloatArray:

@@ -7,9 +7,9 @@ import numpy as np
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
-from insole_core.insole.elements import HeelLift
 from insole_core.insole.fields import Range
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.lifts import lift_profile_mm
 from insole_core.insole.prescription.posting_angles import posting_profile_deg
 
 POSTING_TOTAL = Range(-15, 15, "degrees")
@@ -42,19 +42,13 @@ def check_totals(design: InsoleDesign) -> None:
             angle_deg=angle_deg,
             range=str(POSTING_TOTAL),
         )
-    lift_mm = _farthest(_lift_profile_mm(design))
+    lift_mm = _farthest(lift_profile_mm(design, _SHARES))
     if lift_mm not in LIFT_TOTAL:
         raise DesignError(
             "The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.",
             lift_mm=lift_mm,
             range=str(LIFT_TOTAL),
         )
-
-
-def _lift_profile_mm(design: InsoleDesign) -> FloatArray:
-    """Return by how much all active lifts raise the sections at `_SHARES`."""
-    raised = (lift.raised_mm(_SHARES) for lift in design.of(HeelLift))
-    return np.asarray(sum(raised, start=np.zeros_like(_SHARES)))
 
 
 def _farthest(profile: FloatArray) -> float:

@@ -16,8 +16,9 @@ from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_core.geometry.surface_path import shortest_path
 from insole_core.insole.elements import Pelott
-from insole_core.insole.outline.shoe_outline import heel_lift_mm, shoe_outline
+from insole_core.insole.outline.shoe_outline import shoe_outline
 from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.prescription.lifts import heel_lift_mm
 from insole_core.insole.surface.rocker import rocker_line
 from insole_core.pressure.laid_map import PlantarLayers
 from insole_studio.document.case import Case
