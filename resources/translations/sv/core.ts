@@ -1728,6 +1728,10 @@
             <translation>Ingen punkt är märkt i båda bilderna; märk målen i färg och djup.</translation>
         </message>
         <message>
+            <source>No program is installed that opens {names}; they are in {folder}.</source>
+            <translation>Det finns inget program som öppnar {names}; de ligger i {folder}.</translation>
+        </message>
+        <message>
             <source>No single toes are seen, as in a sock or where they melted together, so what lies at them is a guess; see that it is a foot, and no shoe last or prosthesis.</source>
             <translation>Inga enskilda tår syns, som i en strumpa eller där de flutit ihop, så det som ligger vid dem är en gissning; se efter att det är en fot och inte en läst eller en protes.</translation>
         </message>

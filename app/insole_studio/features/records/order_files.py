@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject
 from insole_core.errors import OutputError
 from insole_core.export.atomic import make_output_folder, make_private_folder
 from insole_core.export.write_errors import output_errors
+from insole_core.messages import joined
 from insole_core.records.order import Order
 from insole_core.visible_text import visible_line
 from insole_core.workflows.records.plain_name import free_folder
@@ -102,15 +103,23 @@ class OrderFiles(QObject):
     def _open_all(self, paths: tuple[Path, ...]) -> None:
         if not paths:
             self._services.messages.say(tr("This order was written without papers."))
-        for path in paths:
-            if not self._open(path):
-                self._tell(
-                    OutputError(
-                        "{path} cannot be opened: no program for it is installed; open it from "
-                        "the file manager.",
-                        path=visible_line(str(path)),
-                    )
+        closed = [path for path in paths if not self._open(path)]
+        if len(closed) == 1:
+            self._tell(
+                OutputError(
+                    "{path} cannot be opened: no program for it is installed; open it from "
+                    "the file manager.",
+                    path=visible_line(str(closed[0])),
                 )
+            )
+        elif closed:
+            self._tell(
+                OutputError(
+                    "No program is installed that opens {names}; they are in {folder}.",
+                    names=joined(visible_line(path.name) for path in closed),
+                    folder=visible_line(str(closed[0].parent)),
+                )
+            )
 
 
 def _remove_old(papers: Path) -> None:

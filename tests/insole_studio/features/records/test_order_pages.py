@@ -193,6 +193,27 @@ def test_papers_are_printed_again_and_the_folder_is_opened(
     assert [path.name for path in papers.iterdir()] == ["printing"]
 
 
+def test_papers_that_no_program_shows_are_told_of_in_one_sentence(
+    page: OrdersPage, clinic: Application, records: Records, order: Order,
+    rest: Callable[[], None], tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    monkeypatch.setattr(clinic.features.records.order_files, "_open", lambda _path: False)
+    names = "p-left-job-sheet.pdf", "p-left-prescription.pdf"
+    for name in names:
+        (tmp_path / name).write_bytes(b"%PDF")
+    written = [tmp_path / name for name in names]
+    records.orders.revise(
+        order.id, order.version_ids, order.revision, release=2, files=written, place=str(tmp_path)
+    )
+    rest()
+    page.table.take_first()
+    QTest.mouseClick(page.papers_button, LEFT)
+    rest()
+    (told,) = clinic.services.messages.dialogs
+    assert all(name in told.text() for name in names)
+    assert str(clinic.services.paths.papers_folder) in told.text()
+
+
 def test_a_visit_that_is_exported_again_is_one_order_with_two_revisions(
     records: Records, visit: Visit, opened: Application, rest: Callable[[], None], tmp_path: Path,
     qtbot: QtBot,
