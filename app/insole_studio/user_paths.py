@@ -69,6 +69,16 @@ class UserPaths:
         return self.data_folder / "papers"
 
     @property
+    def waiting_photos_folder(self) -> Path:
+        """The folder of what was drawn on photos and is not in the record yet."""
+        return self.data_folder / "waiting" / "photos"
+
+    @property
+    def waiting_orders_folder(self) -> Path:
+        """The folder of orders that were written and are not in the record yet."""
+        return self.data_folder / "waiting" / "orders"
+
+    @property
     def erasures_folder(self) -> Path:
         """The folder of notes on what erased patients have left on this computer."""
         return self.data_folder / "erasures"

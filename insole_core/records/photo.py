@@ -112,7 +112,17 @@ def marks_from_text(text: str) -> tuple[PhotoMark, ...]:
     InputError
         When they are none.
     """
-    root = JsonObject.parse("marks of a photo", f'{{"marks": {text}}}'.encode())
+    return marks_of(JsonObject.parse("marks of a photo", f'{{"marks": {text}}}'.encode()))
+
+
+def marks_of(root: JsonObject) -> tuple[PhotoMark, ...]:
+    """Read the marks that an object has; the inverse of `marks_to_json`.
+
+    Raises
+    ------
+    InputError
+        When they are none.
+    """
     return tuple(_mark(mark) for mark in root.objects("marks"))
 
 

@@ -86,6 +86,7 @@ class MainController(QObject):
         """Tell of work that was handed over to the record, and offer what it cannot take."""
         recovery = self._features.case_files.recovery
         hand_over.stuck_changed.connect(lambda left: recovery.show_stuck(left, hand_over.give_up))
+        hand_over.stuck_changed.connect(self._features.records.order_actions.take_left)
         hand_over.found.connect(recovery.offer)
         hand_over.damaged.connect(self._services.messages.show_sentence)
         hand_over.handed_over.connect(self._tell_handed_over)

@@ -23,6 +23,7 @@ from insole_core.export.write_errors import output_errors
 from insole_core.forgiving_json import rename_unreadable
 from insole_core.json_object import JsonObject
 from insole_studio.document.journal import Recovered, find_recovered, remove_files
+from insole_studio.document.waiting_work import forget_visits
 from insole_studio.settings import Settings, folder_names
 from insole_studio.user_paths import UserPaths, is_older
 
@@ -147,6 +148,8 @@ def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings | None
             journal.discard()
         else:
             journal.release()
+    for waiting in (paths.waiting_photos_folder, paths.waiting_orders_folder):
+        forget_visits(waiting, traces.visit_ids)
     for copy in paths.fetched_folder.glob("*-????????.*"):
         if any(capture.startswith(copy.stem[-8:]) for capture in traces.capture_ids):
             remove_files(copy)

@@ -736,6 +736,10 @@
             <translation>Hur det gick med inläggen för patienten på sidan</translation>
         </message>
         <message>
+            <source>What was drawn on a photo and not saved yet is now in the record.</source>
+            <translation>Det som ritades på ett foto och inte var sparat är nu i journalen.</translation>
+        </message>
+        <message>
             <source>Which orders</source>
             <translation>Vilka beställningar</translation>
         </message>

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import logging
+import time
+import uuid
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from datetime import date
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.order_note import OrderNote
-from insole_core.errors import Conflict, Unreachable
-from insole_core.export.shop_order import OrderTerms
+from insole_core.errors import Conflict, InputError, PersonErased, Unreachable
+from insole_core.export.shop_order import OrderTerms, terms_from_json, terms_to_json
 from insole_core.geometry.side import Side
 from insole_core.records.order import Order, OrderState, OrderSummary
 from insole_core.workflows.order_package import Ordered
 from insole_studio.document.clinic_record import RecordState
+from insole_studio.document.journal import Recovered
+from insole_studio.document.waiting_work import LeftWork, WaitingWork
 from insole_studio.features.records.order_dialog import OrderDialog
 from insole_studio.features.records.order_rows import name_of, state_text
 from insole_studio.features.records.record_texts import day_text
@@ -25,7 +32,10 @@ from insole_studio.texts import tr
 if TYPE_CHECKING:
     from insole_core.records.records import Records
 
+log = logging.getLogger(__name__)
+
 NOTICE = "record-order"
+_MOST_RELEASES = 10**6
 
 
 @dataclass(frozen=True)
@@ -36,12 +46,52 @@ class _Export:
     ----------
     before
         The terms from which those of the order were changed.
+    key
+        By which it waits on the disk; earlier exports have lower ones.
+    is_left
+        Whether it was written in a window that ended before it heard that it is stored.
     """
 
     visit_id: str
     sides: tuple[Side, ...]
     ordered: Ordered
     before: OrderTerms
+    key: str = field(default_factory=lambda: f"{time.time_ns()}-{uuid.uuid4().hex}")
+    is_left: bool = False
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as values for `json.dumps`."""
+        ordered = self.ordered
+        return {
+            "sides": [str(side) for side in self.sides],
+            "paths": [str(path) for path in ordered.paths],
+            "papers": [str(path) for path in ordered.papers],
+            "number": ordered.number,
+            "release": ordered.revision,
+            "terms": terms_to_json(ordered.terms),
+            "before": terms_to_json(self.before),
+        }
+
+    @classmethod
+    def of_left(cls, left: LeftWork) -> _Export:
+        """Return what a window has left; the inverse of `to_json`.
+
+        Raises
+        ------
+        InputError
+            When it is none.
+        """
+        of = left.content
+        ordered = Ordered(
+            tuple(map(Path, of.texts("paths"))),
+            terms_from_json(of.object("terms")),
+            of.text("number"),
+            of.integer("release", 1, _MOST_RELEASES),
+            tuple(map(Path, of.texts("papers"))),
+        )
+        sides = tuple(side for side in Side if side in of.texts("sides"))
+        before = terms_from_json(of.object("before"))
+        return cls(left.visit_id, sides, ordered, before, left.key, is_left=True)
 
 
 class OrderActions(QObject):
@@ -55,6 +105,9 @@ class OrderActions(QObject):
         self._terms: dict[str, OrderTerms] = {}
         """By visit, those of the last export, or as it was opened."""
         self._waiting: list[_Export] = []
+        self._kept = WaitingWork(services.paths.waiting_orders_folder)
+        self._left: list[_Export] = []
+        """Whose visit has work on this computer that is still to come into the record."""
         self._under_way: _Export | None = None
         self._clinic.changed.connect(self._refresh_note)
         self._clinic.changed.connect(self._go_on)
@@ -74,13 +127,43 @@ class OrderActions(QObject):
         if not visit_id:
             return
         files = set(ordered.files)
-        waiting = (export for export in self._waiting if files.isdisjoint(export.ordered.files))
         before = self._terms.get(visit_id, ordered.terms)
         sides = tuple(foot.side for foot in exported.feet)
         # Files that were written over are none of what they were exported for.
-        self._waiting = [*waiting, _Export(visit_id, sides, ordered, before)]
+        for export in [one for one in self._waiting if not files.isdisjoint(one.ordered.files)]:
+            self._waiting.remove(export)
+            self._kept.drop(export.key)
+        export = _Export(visit_id, sides, ordered, before)
+        self._waiting.append(export)
+        self._kept.keep(export.key, visit_id, export.to_json())
         self._terms[visit_id] = ordered.terms
         self._store_when_saved()
+
+    def take_left(self, stuck: Sequence[Recovered]) -> None:
+        """Store what windows have left that ended, once their prescriptions are in the record.
+
+        Parameters
+        ----------
+        stuck
+            Unsaved work that the record does not take; the orders of its visits wait for it.
+        """
+        clinic = self._clinic
+        if not clinic.is_open or clinic.is_read_only or not clinic.may_show_patients:
+            return
+        for left in self._kept.take_over():
+            try:
+                self._left.append(_Export.of_left(left))
+            except InputError as error:
+                log.warning("an order that was left cannot be read: %s", error)
+        visits = {one.visit.visit_id for one in stuck if one.visit is not None}
+        self._waiting += [export for export in self._left if export.visit_id not in visits]
+        self._left = [export for export in self._left if export.visit_id in visits]
+        if self._waiting:
+            self._store_when_saved()
+
+    def close(self) -> None:
+        """Leave what is not stored to the next window that starts."""
+        self._kept.close()
 
     def _go_on(self) -> None:
         """Store what could not be stored before, once the record can be asked."""
@@ -105,6 +188,7 @@ class OrderActions(QObject):
 
         def stored(order: Order) -> None:
             self._under_way = None
+            self._kept.drop(export.key)
             self._offer(order)
             self._store_next()
 
@@ -112,6 +196,8 @@ class OrderActions(QObject):
             self._under_way = None
             if isinstance(error, Unreachable | Conflict):
                 self._waiting.insert(0, export)
+            elif isinstance(error, InputError | PersonErased):  # for good; all else is tried again
+                self._kept.drop(export.key)
             if not isinstance(error, Conflict):  # of a change between reading and writing
                 self._tell(error)
             if not isinstance(error, Unreachable):
@@ -197,11 +283,15 @@ class OrderActions(QObject):
 def _store(records: Records, export: _Export) -> Order:
     """Store an order, or a revision of the order of its number."""
     visit_id, ordered, before = export.visit_id, export.ordered, export.before
+    records.visits.get(visit_id)  # which says so where it is gone
     newest = [records.prescriptions.versions(visit_id, side)[0].id for side in export.sides]
     terms, files, place = ordered.terms, ordered.files, str(ordered.place)
-    known = records.orders.with_number(ordered.number) if ordered.revision > 1 else None
+    is_known = ordered.revision > 1 or export.is_left
+    known = records.orders.with_number(ordered.number) if is_known else None
     if known is not None and known.visit_id == visit_id:
         stored = records.orders.get(known.id)
+        if export.is_left and stored.release >= ordered.revision:  # it was stored after all
+            return stored
         is_moved = terms.deliver_on is not None and terms.deliver_on != before.deliver_on
         return records.orders.revise(
             known.id, newest, stored.revision,

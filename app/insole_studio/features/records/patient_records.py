@@ -124,6 +124,8 @@ class PatientRecords(QObject):
         """Leave the open visit to other stations."""
         self._presence.close()
         self.order_files.close()
+        self.order_actions.close()
+        self.photos.close()
 
     def show_start(self) -> None:
         """Show the start page, its search line empty and with the focus."""

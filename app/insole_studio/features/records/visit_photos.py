@@ -2,24 +2,33 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 from shiboken6 import isValid
 
-from insole_core.errors import Conflict, InputError
-from insole_core.records.photo import Photo
+from insole_core.errors import Conflict, InputError, InsoleError
+from insole_core.records.field_checks import MOST_NAME
+from insole_core.records.photo import Photo, marks_of, marks_to_json
 from insole_studio.document.clinic_record import RecordState
+from insole_studio.document.waiting_work import LeftWork, WaitingWork
 from insole_studio.features.records.photos_dialog import PhotosDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
+from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
 
+log = logging.getLogger(__name__)
+
+MOST_REVISIONS = 10**6
 _READ, _PICTURE = "records-photos", "records-photo"
 
 
@@ -30,13 +39,41 @@ class VisitPhotos(QObject):
         super().__init__(services.window)
         self._services = services
         self._visits: dict[str, _PhotosOfVisit] = {}
+        self._waiting = WaitingWork(services.paths.waiting_photos_folder)
+        self._left: dict[str, LeftWork] = {}
+        """What was drawn in a window that ended before it was stored."""
+        services.clinic.state_changed.connect(self._store_left)
+
+    def close(self) -> None:
+        """Leave what is not stored to the next window that starts."""
+        self._waiting.close()
+
+    def _store_left(self) -> None:
+        clinic = self._services.clinic
+        if not clinic.is_open or clinic.is_read_only or not clinic.may_show_patients:
+            return
+        self._left |= {left.key: left for left in self._waiting.take_over()}
+        for left in list(self._left.values()):
+            clinic.write(
+                partial(_store_drawn, left=left), partial(self._drop_left, left.key), _note_failure
+            )
+
+    def _drop_left(self, photo_id: str, is_there: bool) -> None:
+        is_first = self._left.pop(photo_id, None) is not None
+        self._waiting.drop(photo_id)
+        if is_first and is_there:
+            self._services.messages.say(
+                tr("What was drawn on a photo and not saved yet is now in the record."), LONG_MS
+            )
 
     def open(self, visit_id: str) -> None:
         """Show the photos of a visit."""
 
         def show(photos: list[Photo]) -> None:
             if visit_id not in self._visits:
-                self._visits[visit_id] = _PhotosOfVisit(visit_id, self._services, self)
+                self._visits[visit_id] = _PhotosOfVisit(
+                    visit_id, self._services, self._waiting, self
+                )
             self._visits[visit_id].show(photos)
 
         self._services.clinic.ask(
@@ -53,8 +90,11 @@ class _PhotosOfVisit(QObject):
     A visit has one of its own, so that no late answer comes to the photos of another patient.
     """
 
-    def __init__(self, visit_id: str, services: AppServices, parent: QObject) -> None:
+    def __init__(
+        self, visit_id: str, services: AppServices, waiting: WaitingWork, parent: QObject
+    ) -> None:
         super().__init__(parent)
+        self._waiting = waiting
         self._services = services
         self._clinic = services.clinic
         self._clinic.state_changed.connect(self._note_state)
@@ -74,7 +114,8 @@ class _PhotosOfVisit(QObject):
             photo.id: max(photo, self._stored.get(photo.id, photo), key=lambda p: p.revision)
             for photo in photos
         }
-        self._wanted = {key: photo for key, photo in self._wanted.items() if key in self._stored}
+        for gone in self._wanted.keys() - self._stored.keys():
+            self._forget(gone)
         dialog = PhotosDialog(
             tr("Photos of the visit"),
             self._services.window,
@@ -108,7 +149,7 @@ class _PhotosOfVisit(QObject):
 
         def deleted(_nothing: None) -> None:
             self._stored.pop(photo_id, None)
-            self._wanted.pop(photo_id, None)
+            self._forget(photo_id)
             self._show()
 
         self._clinic.write(lambda r: r.photos.delete(photo), deleted, self._tell)
@@ -126,7 +167,21 @@ class _PhotosOfVisit(QObject):
 
     def _edit(self, photo: Photo) -> None:
         self._wanted[photo.id] = photo
+        self._keep(photo)
         self._store_next()
+
+    def _keep(self, photo: Photo) -> None:
+        """Keep on the disk what is drawn until it is stored."""
+        drawn = {
+            "caption": photo.caption,
+            "marks": marks_to_json(photo.marks),
+            "revision": self._stored[photo.id].revision,
+        }
+        self._waiting.keep(photo.id, self._visit_id, drawn)
+
+    def _forget(self, photo_id: str) -> None:
+        self._wanted.pop(photo_id, None)
+        self._waiting.drop(photo_id)
 
     def _note_state(self) -> None:
         """Store what waited for the record to be back; one that was closed gives no answer."""
@@ -181,9 +236,11 @@ class _PhotosOfVisit(QObject):
         self._store_next()
 
     def _drop(self, wanted: Photo) -> None:
-        """Drop a wish, unless a newer one has taken its place."""
+        """Drop a wish; a newer one that has taken its place is based on what is stored now."""
         if self._wanted.get(wanted.id) is wanted:
-            del self._wanted[wanted.id]
+            self._forget(wanted.id)
+        elif wanted.id in self._wanted and wanted.id in self._stored:
+            self._keep(self._wanted[wanted.id])
 
     def _show(self, chosen: str = "") -> None:
         if self._dialog is not None and isValid(self._dialog):
@@ -201,3 +258,42 @@ class _PhotosOfVisit(QObject):
     def _tell(self, error: Exception) -> None:
         over = self._dialog if self._dialog is not None and isValid(self._dialog) else None
         self._services.messages.show_error(error, over=over or self._services.window)
+
+
+def _store_drawn(records: Records, left: LeftWork) -> bool:
+    """Store what was drawn on a photo; what somebody else has drawn since stays beside it.
+
+    Returns
+    -------
+    bool
+        Whether the photo is still there.
+
+    Raises
+    ------
+    RecordsError
+        When the record has no such visit: it may be another clinic's.
+    InputError
+        When the file of it is damaged, or together it is more than a photo takes.
+    """
+    records.visits.get(left.visit_id)
+    photos = {photo.id: photo for photo in records.photos.of_visit(left.visit_id)}
+    theirs = photos.get(left.key)
+    if theirs is None:  # deleted since
+        return False
+    caption = left.content.text("caption", empty=True)
+    marks = marks_of(left.content)
+    if left.content.integer("revision", 0, MOST_REVISIONS) != theirs.revision:
+        captions = dict.fromkeys(filter(None, (theirs.caption, caption)))
+        caption = " · ".join(captions)[:MOST_NAME]
+        marks = (*theirs.marks, *(mark for mark in marks if mark not in theirs.marks))
+    mine = replace(theirs, caption=caption, marks=marks).checked()
+    if mine != theirs:
+        records.photos.change(mine, theirs.revision)
+    return True
+
+
+def _note_failure(error: Exception) -> None:
+    """Leave work on the disk that the record does not take; it is tried again later."""
+    if not isinstance(error, InsoleError):
+        raise error
+    log.warning("what was drawn on a photo is not in the record yet: %s", error)
