@@ -29,7 +29,7 @@ _ENDINGS: Final = {
     ".3dm": Message("a model of Rhino; export its mesh as .stl or .ply"),
     **dict.fromkeys((".e57", ".las", ".laz"), _CLOUD),
     **dict.fromkeys((".step", ".stp", ".igs", ".iges"), _CAD),
-    **dict.fromkeys((".blend", ".ztl", ".fbx", ".dae", ".usdz", ".wrl"), _SCENE),
+    **dict.fromkeys((".blend", ".ztl", ".fbx", ".usdz", ".wrl"), _SCENE),
     **dict.fromkeys((".csv", ".tsv", ".txt", ".lst", ".asf"), _TABLE),
     ".mtl": Message("the list of materials beside an .obj; open that"),
     ".dcm": Message("a slice of a tomography; export the surface of the skin as .stl"),

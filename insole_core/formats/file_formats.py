@@ -151,6 +151,7 @@ MESH_FORMATS: Final = (
         name="GLB", endings=(".glb", ".gltf"), rank=3, begins_with=(b"glTF",),
         reader="gltf.read_gltf",
     ),
+    MeshFormat(name="COLLADA", endings=(".dae",), rank=4, reader="dae.read_dae"),
     MeshFormat(
         name="OFF", endings=(".off",), rank=7, begins_with=(b"OFF\n",), reader="off.read_off"
     ),

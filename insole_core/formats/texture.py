@@ -16,13 +16,19 @@ NO_COLOR = 128
 _SEEN_PIXELS = 4096 * 4096  # 0.15 mm of a leg and foot; more than is ever sampled
 
 
+def is_texture(content: bytes) -> bool:
+    """Return whether this is a picture of no more pixels than are read."""
+    width, height = picture_size(content) or (0, 0)
+    return 0 < width * height <= _MOST_PIXELS
+
+
 def decode_texture(content: bytes) -> ByteArray | None:
     """Decode a picture (h, w, 3) uint8, RGB; None for what is none, or far too large.
 
     Large ones are decoded at half, a quarter or an eighth of their size.
     """
     size = picture_size(content)
-    if size is None or not 0 < size[0] * size[1] <= _MOST_PIXELS:
+    if size is None or not is_texture(content):
         return None
     reduction = next((n for n in (1, 2, 4, 8) if size[0] * size[1] <= _SEEN_PIXELS * n * n), 8)
     flags = {

@@ -90,31 +90,18 @@ class _Surface:
         inner = points[1:-1]
         few = min(_FACES, self._centres.n)
         number = np.asarray(self._centres.query(inner, k=few)[1]).reshape(len(inner), few)
-        found = _nearest_in(self._corners[number], inner[:, None])
+        found = _nearest_in(self._corners[number], inner)
         best = ((found - inner[:, None]) ** 2).sum(axis=2).argmin(axis=1)
         return np.concatenate([points[:1], found[np.arange(len(inner)), best], points[-1:]])
 
 
 def _nearest_in(triangles: FloatArray, points: FloatArray) -> FloatArray:
-    """Return the points (..., 3) of triangles (..., 3, 3) nearest to points (..., 3)."""
-    a, b, c = np.moveaxis(triangles, -2, 0)
-    u, v, w = b - a, c - a, points - a
-    uu, uv, vv = (u * u).sum(axis=-1), (u * v).sum(axis=-1), (v * v).sum(axis=-1)
-    wu, wv = (w * u).sum(axis=-1), (w * v).sum(axis=-1)
-    area = np.maximum(uu * vv - uv**2, 1e-12)
-    s, t = (vv * wu - uv * wv) / area, (uu * wv - uv * wu) / area
-    inside = (s >= 0) & (t >= 0) & (s + t <= 1)
-    best = a + s[..., None] * u + t[..., None] * v
-    off = np.where(inside, 0.0, np.inf)
-    for first, last in ((a, b), (b, c), (c, a)):
-        along = last - first
-        size = np.maximum((along * along).sum(axis=-1), 1e-12)
-        share = np.clip(((points - first) * along).sum(axis=-1) / size, 0, 1)
-        place = first + share[..., None] * along
-        away = np.where(inside, np.inf, ((points - place) ** 2).sum(axis=-1))
-        best = np.where((away < off)[..., None], place, best)
-        off = np.minimum(off, away)
-    return np.asarray(best)
+    """Return the points (n, k, 3) of triangles (n, k, 3, 3) nearest to points (n, 3)."""
+    from trimesh.triangles import closest_point
+
+    each = np.repeat(points, triangles.shape[1], axis=0)
+    found = closest_point(triangles.reshape(-1, 3, 3), each)
+    return np.asarray(found).reshape(triangles.shape[:3])
 
 
 def _pulled_tight(surface: _Surface, way: FloatArray) -> FloatArray:

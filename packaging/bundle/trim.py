@@ -85,7 +85,6 @@ UNUSED = (
     "scipy/special/cython_special*",
     "scipy/stats/*",
     "setuptools*",
-    "trimesh*",
 )
 
 QT_TRANSLATIONS = ("qtbase_sv.qm", "qtbase_en.qm")

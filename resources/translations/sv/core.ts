@@ -4828,6 +4828,10 @@
             <translation>filer</translation>
         </message>
         <message>
+            <source>coordinates in it are no numbers</source>
+            <translation>koordinater i den är inga tal</translation>
+        </message>
+        <message>
             <source>corn</source>
             <translation>liktorn</translation>
         </message>
@@ -5596,6 +5600,10 @@
             <translation>den börjar inte med ”OFF” och antalet punkter och ytor</translation>
         </message>
         <message>
+            <source>it has far more parts than a scan</source>
+            <translation>den har långt fler delar än en skanning</translation>
+        </message>
+        <message>
             <source>it holds a word where a number must stand</source>
             <translation>den har ett ord där ett tal måste stå</translation>
         </message>
@@ -5788,12 +5796,20 @@
             <translation>dess föremål innehåller varandra, eller är alldeles för många</translation>
         </message>
         <message>
+            <source>its parts do not fit together</source>
+            <translation>dess delar passar inte ihop</translation>
+        </message>
+        <message>
             <source>its sensor.json lists the faces {faces}, but the reference system "{system}" has the faces {system_faces}</source>
             <translation>dess sensor.json anger ytorna {faces}, men referenssystemet ”{system}” har ytorna {system_faces}</translation>
         </message>
         <message>
             <source>its sensor.json says that it sees the markers {faces}, but it sees "{face}"; exchange the views, or correct "faces" there</source>
             <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
+        </message>
+        <message>
+            <source>its unit is no length</source>
+            <translation>dess enhet är ingen längd</translation>
         </message>
         <message>
             <source>its unit {unit} is none of 3MF</source>

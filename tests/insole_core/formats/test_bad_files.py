@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import io
 import re
+import subprocess
+import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
+import trimesh
+from PIL import Image
 
 from insole_core.errors import InputError
 from insole_core.formats.reading import read_raw
@@ -17,6 +22,7 @@ from insole_core.formats.scan_content import file_content
 from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.scans.mesh_file import read_mesh
 
 CORNERS = np.array([[0.0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.125]])
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
@@ -31,6 +37,11 @@ def amf(folder: Path) -> bytes:
     path = folder / "sound.amf"
     write_solids([SolidPart(TETRA, "left")], path)
     return path.read_bytes()
+
+
+def dae(folder: Path) -> bytes:
+    content: bytes = trimesh.Trimesh(CORNERS, FACES, process=False).export(file_type="dae")
+    return content
 
 
 def packed(*names: str) -> Change:
@@ -60,7 +71,24 @@ def swapped(old: bytes, new: bytes) -> Change:
 
 
 def behind_head(more: bytes) -> Change:
-    return lambda content: content.replace(b"?>", b"?>" + more, 1)
+    return lambda content: re.sub(rb"^(<\?.*?\?>|)", lambda head: head[0] + more, content, count=1)
+
+
+def behind(more: bytes) -> Change:
+    return lambda content: content.replace(b"</visual_scene>", more + b"</visual_scene>", 1)
+
+
+def of_unit(metres: bytes) -> Change:
+    unit = b'<unit name="unit" meter="' + metres + b'"/>'
+
+    def change(content: bytes) -> bytes:
+        return re.sub(rb"<unit[^>]*/>|(?=</asset>)", unit, content, count=1)
+
+    return change
+
+
+def in_itself(content: bytes) -> bytes:
+    return behind(b'<node id="a"><instance_node url="#a"/></node>')(content)
 
 
 BAD: dict[str, tuple[str, Change, str]] = {
@@ -79,9 +107,22 @@ BAD: dict[str, tuple[str, Change, str]] = {
     "AMF, archive of two": (".amf", packed("a.amf", "b.amf"), "no model, or several"),
     "AMF, archive without one": (".amf", packed("a.txt"), "no model, or several"),
     "AMF bomb": (".amf", bomb, "larger than 572 MB"),
+    "COLLADA cut off": (".dae", lambda content: content[: len(content) // 2], "damaged or cut off"),
+    "COLLADA that is no XML": (".dae", lambda _: b"COLLADA", "follow the rules of the format"),
+    "COLLADA of something else": (".dae", lambda _: b"<scene/>", "follow the rules"),
+    "COLLADA with laughs": (".dae", behind_head(LAUGHS), "declares entities"),
+    "COLLADA that names a file": (".dae", behind_head(OUTSIDE), "declares entities"),
+    "COLLADA, word for a number": (".dae", swapped(b" 10 0", b" ten 0"), "not fit together"),
+    "COLLADA, fewer numbers": (".dae", swapped(b" 30.125", b""), "not fit together"),
+    "COLLADA, corner beyond": (".dae", swapped(b"<p>0", b"<p>7777"), "not fit together"),
+    "COLLADA, source missing": (".dae", swapped(b'N" source="#', b'N" source="#no'), "the rules"),
+    "COLLADA, unit of no length": (".dae", of_unit(b"-1"), "unit is no length"),
+    "COLLADA, nodes in a circle": (".dae", in_itself, "contain each other"),
+    "COLLADA, 100 000 parts": (".dae", behind(b"<node/>" * 100_000), "far more parts"),
+    "COLLADA, archive": (".dae", packed("foot.dae"), "zip archive"),
     "STL in the name of an AMF": (".amf", lambda _: b"solid x\n", "something else than its name"),
 }
-SOUND = {".amf": amf}
+SOUND = {".amf": amf, ".dae": dae}
 
 
 @pytest.mark.parametrize("what", BAD)
@@ -92,6 +133,19 @@ def test_a_bad_file_is_one_sentence(what: str, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=re.escape(words)) as refused:
         read_raw(file_content(path))
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "number"), [(".amf", b"<y>20.00000"), (".dae", b" 20 0")], ids=["AMF", "COLLADA"]
+)
+def test_a_coordinate_that_is_no_number_is_refused(
+    suffix: str, number: bytes, tmp_path: Path
+) -> None:
+    path = tmp_path / f"foot{suffix}"
+    nan = re.sub(rb"\d+", b"nan", number, count=1).replace(b".00000", b"")
+    path.write_bytes(swapped(number, nan)(SOUND[suffix](tmp_path)))
+    with pytest.raises(InputError, match=r"coordinates (that are not|in it are no) numbers"):
+        read_mesh(path)
 
 
 def test_an_amf_in_an_archive_is_moved_to_where_its_constellation_says(tmp_path: Path) -> None:
@@ -115,3 +169,85 @@ def test_bodies_of_one_assembly_are_one_object_of_an_amf(tmp_path: Path) -> None
     assert "Insole P-17" in text
     assert "Fuß &amp; &lt;wedge&gt;" in text
     assert len(read_raw(file_content(path)).triangles) == 3 * len(FACES)
+
+
+@pytest.mark.parametrize(("metres", "unit", "factor"), [
+    (b"0.001", "mm", 1.0), (b"0.01", "cm", 1.0), (b"1", "m", 1.0), (b"0.0254", "inch", 1.0),
+    (b"0.1", "m", 0.1),
+])  # fmt: skip
+def test_a_collada_states_its_unit(metres: bytes, unit: str, factor: float, tmp_path: Path) -> None:
+    path = tmp_path / "foot.dae"
+    path.write_bytes(of_unit(metres)(dae(tmp_path)))
+    raw = read_raw(file_content(path))
+    assert raw.unit == unit
+    assert raw.vertices[raw.triangles] == pytest.approx(CORNERS[FACES] * factor)
+
+
+def test_a_collada_that_states_no_unit_leaves_it_open(tmp_path: Path) -> None:
+    path = tmp_path / "foot.dae"
+    path.write_bytes(dae(tmp_path))
+    assert read_raw(file_content(path)).unit is None
+
+
+def test_a_node_of_a_collada_moves_and_mirrors_its_mesh(tmp_path: Path) -> None:
+    matrix = b"<matrix>-1 0 0 5  0 1 0 0  0 0 1 0  0 0 0 1</matrix>"
+    path = tmp_path / "foot.dae"
+    path.write_bytes(re.sub(rb"<matrix.*?</matrix>|(?=<instance_geometry)", matrix,
+                            dae(tmp_path), count=1, flags=re.DOTALL))  # fmt: skip
+    raw = read_raw(file_content(path))
+    mesh = TriangleMesh(raw.vertices, raw.triangles)
+    assert mesh.bounds_mm == pytest.approx(np.array([[-5.0, 0, 0], [5, 20, 30.125]]))
+    assert mesh.volume_mm3 == pytest.approx(TETRA.volume_mm3)
+
+
+@pytest.mark.parametrize("texture", ["skin.png", "../skin.png", "none.png"])
+def test_the_texture_of_a_collada_lies_beside_it(texture: str, tmp_path: Path) -> None:
+    folder = tmp_path / "scan"
+    folder.mkdir()
+    picture = np.zeros((8, 8, 3), np.uint8)
+    picture[:, :4] = (20, 10, 200)  # blue, green, red, as OpenCV has them
+    for place in (folder, tmp_path):
+        cv2.imwrite(str(place / "skin.png"), picture)
+    material = trimesh.visual.material.PBRMaterial(baseColorTexture=Image.new("RGB", (8, 8)))
+    uv = np.array([[0.1, 0.5], [0.9, 0.5], [0.1, 0.5], [0.9, 0.5]])
+    shape = trimesh.Trimesh(
+        CORNERS, FACES, process=False, visual=trimesh.visual.TextureVisuals(uv, material=material)
+    )
+    content: bytes = shape.export(file_type="dae")
+    path = folder / "foot.dae"
+    path.write_bytes(textured(content, texture.encode()))
+    raw = read_raw(file_content(path))
+    if texture != "skin.png":
+        assert raw.colors is None
+        assert "is not beside the scan" in str(raw.notes[0])
+        return
+    assert raw.colors is not None
+    reds = raw.colors[:, 0].reshape(-1, 3)
+    assert (reds == np.where(np.isin(FACES, [0, 2]), 200, 0)).all()
+
+
+def test_a_collada_is_read_without_what_the_bundle_leaves_out(tmp_path: Path) -> None:
+    path = tmp_path / "foot.dae"
+    path.write_bytes(dae(tmp_path))
+    script = """
+import sys
+sys.modules.update(dict.fromkeys(("lxml", "networkx", "shapely", "jsonschema")))
+from pathlib import Path
+from insole_core.formats.reading import read_raw
+from insole_core.formats.scan_content import file_content
+print(len(read_raw(file_content(Path(sys.argv[1]))).triangles))
+"""
+    call = [sys.executable, "-c", script, str(path)]
+    done = subprocess.run(call, check=True, capture_output=True, text=True)
+    assert done.stdout.split() == ["4"]
+
+
+def textured(content: bytes, name: bytes) -> bytes:
+    """Give a COLLADA of trimesh, which writes no pictures, one of its own folder."""
+    image = b'<library_images><image id="i"><init_from>' + name + b"</init_from></image>"
+    effect = b"""<newparam sid="s"><surface type="2D"><init_from>i</init_from></surface></newparam>
+        <newparam sid="t"><sampler2D><source>s</source></sampler2D></newparam>"""
+    content = content.replace(b"<library_effects", image + b"</library_images><library_effects")
+    content = content.replace(b"<profile_COMMON>", b"<profile_COMMON>" + effect)
+    diffuse = b'<diffuse><texture texture="t" texcoord="UV"/></diffuse>'
+    return re.sub(rb"<diffuse>.*?</diffuse>", diffuse, content, flags=re.DOTALL)

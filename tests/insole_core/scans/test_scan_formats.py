@@ -32,7 +32,7 @@ def largest_distance_mm(mesh: TriangleMesh, foot: TriangleMesh) -> float:
     return float(cKDTree(foot.vertices).query(mesh.vertices)[0].max())
 
 
-@pytest.mark.parametrize("suffix", [".off", ".3mf", ".glb"])
+@pytest.mark.parametrize("suffix", [".off", ".3mf", ".glb", ".dae"])
 def test_formats_of_other_programs_give_the_same_closed_surface(left_mesh, tmp_path, suffix):
     path = tmp_path / f"foot{suffix}"
     as_trimesh(left_mesh).export(path)
