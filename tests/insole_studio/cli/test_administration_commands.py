@@ -28,6 +28,9 @@ CHEF, EVA, FIRST = "four words in a row", "quite some other words", "told across
 Command = Callable[..., int]
 
 
+pytestmark = pytest.mark.usefixtures("quick_passphrases")
+
+
 @pytest.fixture(autouse=True)
 def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))

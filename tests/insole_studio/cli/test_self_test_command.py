@@ -37,6 +37,7 @@ def unexpected(result: StepResult) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("quick_passphrases")
 def test_all_steps_pass_and_nothing_of_the_user_is_touched(
     qapp: QApplication, small_session: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
