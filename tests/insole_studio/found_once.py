@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from insole_core.calibration.boards import board
 from insole_core.foot.foot import Foot
 from insole_core.insole import build
 from insole_core.insole.build import Insole, build_insole
@@ -39,11 +40,14 @@ from insole_core.workflows import (
     make_order,
     scanned_feet,
 )
+from insole_studio.features.design.models import model_presenter
 from insole_studio.features.export import export_actions
 
-KEPT, KEPT_FEET = 8, 4
-"""Results of each kind; and feet, with what is derived from each of them, which is some 50 MB."""
+KEPT, KEPT_FEET, KEPT_SMALL = 8, 4, 256
+"""Results of each kind; feet, with what is derived from each of them, which is some 50 MB; and
+corners of boards, of which a sensor's pictures show many."""
 OF_FEET = frozenset({"derived", "place_foot", "find_foot", "find_imprints"})
+SMALL = frozenset({"_chequerboard_corners"})
 
 SHARED = (
     (scanned_feet, "find_foot"),
@@ -54,6 +58,8 @@ SHARED = (
     (MeasuredView, "_registered"),
     (compare_case, "compare_surfaces"),
     (order, "simplify"),
+    (board, "_chequerboard_corners"),
+    (model_presenter, "contour_lines"),
 )
 """Functions whose results are told by the content of what they are given."""
 
@@ -66,10 +72,11 @@ class SharedResults:
 
     def forget(self) -> None:
         """Let everything be found and made anew."""
-        self._memo, self._feet = Memo(KEPT), Memo(KEPT_FEET)
+        self._memo, self._feet, self._small = Memo(KEPT), Memo(KEPT_FEET), Memo(KEPT_SMALL)
 
     def get(self, kind: str, key: Hashable, make: Callable[[], Any]) -> Any:
-        return (self._feet if kind in OF_FEET else self._memo).get(kind, key, make)
+        memo = self._small if kind in SMALL else self._memo
+        return (self._feet if kind in OF_FEET else memo).get(kind, key, make)
 
 
 def share_results(kept: SharedResults, patch: pytest.MonkeyPatch) -> None:
