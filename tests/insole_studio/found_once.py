@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 
 from insole_core.calibration.boards import board
+from insole_core.foot import foot as foot_module
 from insole_core.foot.foot import Foot
 from insole_core.insole import build
 from insole_core.insole.build import Insole, build_insole
@@ -46,6 +47,8 @@ from insole_studio.features.export import export_actions
 KEPT, KEPT_FEET, KEPT_SMALL = 8, 4, 256
 """Results of each kind; feet, with what is derived from each of them, which is some 50 MB; and
 corners of boards, of which a sensor's pictures show many."""
+KEPT_BYTES = 24_000_000
+"""Of a kind that is derived from a foot: a quarter of what the window keeps."""
 OF_FEET = frozenset({"derived", "place_foot", "find_foot", "find_imprints"})
 SMALL = frozenset({"_chequerboard_corners"})
 
@@ -82,6 +85,7 @@ class SharedResults:
 def share_results(kept: SharedResults, patch: pytest.MonkeyPatch) -> None:
     """Let equal scans and equal feet share what is found in them and made of them."""
     patch.setattr(Foot, "__init__", _sharing(kept, Foot.__init__))
+    patch.setattr(foot_module, "_MOST_BYTES", KEPT_BYTES)
     for owner, name in SHARED:
         patch.setattr(owner, name, _made_once(kept, name, getattr(owner, name)))
     patch.setattr(make_foot, "place_foot", _placed_once(kept, make_foot.place_foot))
