@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Annotated, Any, Final
 
 from insole_core.messages import Message
+from insole_core.records.marks import MEASURED_BY, SCANNED_HOW, SCANNED_WHEN
+from insole_core.records.record_field import Made
 
 NOT_RECORDED: Final = "not recorded"
 """Of the calibration of sensors, in sessions of before it was stored."""
@@ -28,11 +30,15 @@ class CaptureFacts:
         Of the reconstruction, as `insole-studio reconstruct --report` writes it.
     """
 
-    recorded_at: str = ""
-    sensor_serials: tuple[str, ...] = ()
-    calibrated_on: str = ""
-    calibration_residuals: Mapping[str, float] = field(default_factory=dict)
-    report: Mapping[str, Any] = field(default_factory=dict)
+    recorded_at: Annotated[str, Made("day of the recording", SCANNED_WHEN)] = ""
+    sensor_serials: Annotated[tuple[str, ...], Made("sensors", MEASURED_BY, stored="[]")] = ()
+    calibrated_on: Annotated[str, Made("day of the calibration", MEASURED_BY)] = ""
+    calibration_residuals: Annotated[
+        Mapping[str, float], Made("residuals of the calibration", MEASURED_BY, stored="{}")
+    ] = field(default_factory=dict)
+    report: Annotated[Mapping[str, Any], Made("report", SCANNED_HOW, stored="{}")] = field(
+        default_factory=dict
+    )
 
     @property
     def residual_lines(self) -> list[Message]:

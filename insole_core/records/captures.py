@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields
 from pathlib import Path, PurePath
 from typing import Any, Final
 
@@ -22,6 +21,7 @@ from insole_core.records.context import RecordsContext
 from insole_core.records.field_checks import check_line
 from insole_core.records.person import new_id
 from insole_core.records.program_version import program_version
+from insole_core.records.record_field import Made, fields_of
 from insole_core.records.rights import Right
 from insole_core.records.schema import captures, visits
 from insole_core.records.stored_contents import put_file, refer_to
@@ -31,8 +31,8 @@ from insole_core.records.visit import CaptureState
 SESSION: Final = "session"
 MESH: Final = "mesh"
 _MESH_SUFFIXES: Final = (*SCAN_SUFFIXES, ".zip")
-_JSON: Final = ("sensor_serials", "calibration_residuals", "report")
-_FACTS: Final = tuple(field.name for field in fields(CaptureFacts))
+_FACTS: Final = fields_of(CaptureFacts)
+_JSON: Final = tuple(n for n, f in _FACTS.items() if isinstance(f, Made) and f.is_json)
 
 
 class Captures:
@@ -172,11 +172,7 @@ def _end_work(connection: Connection, visit_id: str) -> None:
 def _values(capture: Capture) -> dict[str, Any]:
     values = vars(capture).copy()
     facts = vars(values.pop("facts"))
-    dumped = {
-        name: json.dumps(value if name != "sensor_serials" else list(value))
-        for name, value in facts.items()
-        if name in _JSON
-    }
+    dumped = {name: json.dumps(facts[name]) for name in _JSON}
     return {**values, **facts, **dumped}
 
 

@@ -110,4 +110,7 @@ DEVICE: Final = kept("documents the device (Regulation (EU) 2017/745, Annex XIII
 CONTENT: Final = kept("names a file of this program that holds no text")
 PSEUDONYM_STAYS: Final = checked("stands for the name of whom the law keeps a device")
 MAKER: Final = checked("who made the device")
+MEASURED_BY: Final = checked("documents the device: by what it was measured (Annex XIII)")
+SCANNED_WHEN: Final = checked("when the scan was made")
+SCANNED_HOW: Final = checked("how well the scan was reconstructed")
 NOBODY: Final = kept("the table is about no patient")

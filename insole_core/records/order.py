@@ -105,7 +105,7 @@ class Order:
     due_on: Annotated[date | None, Day("date that it is due", WHEN, label="Due")]
     remarks: Annotated[str, Lines("remarks", EMPTIED, label="Remarks")]
     release: int
-    place: Annotated[str, Made("folder of the order", EMPTIED, stored="")]
+    place: Annotated[str, Made("folder of the order", EMPTIED)]
     version_ids: tuple[str, ...]
     files: tuple[OrderFile, ...]
     events: tuple[OrderEvent, ...]

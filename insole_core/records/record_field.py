@@ -85,15 +85,20 @@ class Made(Field):
     Parameters
     ----------
     stored
-        What the column holds at first.
+        What the column holds at first; brackets for JSON.
     """
 
-    stored: str
+    stored: str = ""
 
     @property
     def empty(self) -> str:
         """What the column holds that nobody has filled."""
         return self.stored
+
+    @property
+    def is_json(self) -> bool:
+        """Whether the column holds JSON."""
+        return self.stored in ("[]", "{}")
 
     def checked(self, value: Any, today: date) -> Any:
         """Return it as it is."""

@@ -31,6 +31,7 @@ from sqlalchemy import (
 )
 from sqlalchemy.types import TypeEngine
 
+from insole_core.records.capture import CaptureFacts
 from insole_core.records.checked_values import check_values
 from insole_core.records.marks import (
     BOOKKEEPING,
@@ -121,8 +122,6 @@ def _salt() -> str:
     return secrets.token_hex(16)
 
 
-_CALIBRATION = checked("documents the device: by what it was measured (Annex XIII)")
-
 persons = Table(
     "persons",
     metadata,
@@ -196,17 +195,7 @@ captures = Table(
     ),
     # as a case names its scan: of the manifest of a session's folder, or of the file
     _text("source_sha256", kept("tells which scan it was, and nothing of it")),
-    _text("recorded_at", checked("when the scan was made")),
-    Column("sensor_serials", Text, nullable=False, server_default="[]", info=_CALIBRATION),
-    _text("calibrated_on", _CALIBRATION),
-    Column("calibration_residuals", Text, nullable=False, server_default="{}", info=_CALIBRATION),
-    Column(
-        "report",
-        Text,
-        nullable=False,
-        server_default="{}",
-        info=checked("how well the scan was reconstructed"),
-    ),
+    *_declared(CaptureFacts),
     Column("program_version", Text, nullable=False, info=DEVICE),
     Column("created_at", Text, nullable=False, info=WHEN),
     Column("author", Text, nullable=False, info=STAFF),
