@@ -141,7 +141,6 @@ def _person_page(records: Records, person_id: str) -> None:
             records.presence.others(visit.id)
         records.orders.of_person(person_id)
         records.follow_ups.of_person(person_id)
-        records.persons.merges_into(person_id)
 
 
 def _start_page(records: Records) -> None:

@@ -30,11 +30,11 @@ class CaptureFacts:
         Of the reconstruction, as `insole-studio reconstruct --report` writes it.
     """
 
-    recorded_at: Annotated[str, Made("day of the recording", SCANNED_WHEN)] = ""
+    recorded_at: Annotated[str, Made("recording day", SCANNED_WHEN)] = ""
     sensor_serials: Annotated[tuple[str, ...], Made("sensors", MEASURED_BY, stored="[]")] = ()
-    calibrated_on: Annotated[str, Made("day of the calibration", MEASURED_BY)] = ""
+    calibrated_on: Annotated[str, Made("calibration day", MEASURED_BY)] = ""
     calibration_residuals: Annotated[
-        Mapping[str, float], Made("residuals of the calibration", MEASURED_BY, stored="{}")
+        Mapping[str, float], Made("calibration residuals", MEASURED_BY, stored="{}")
     ] = field(default_factory=dict)
     report: Annotated[Mapping[str, Any], Made("report", SCANNED_HOW, stored="{}")] = field(
         default_factory=dict

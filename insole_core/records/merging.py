@@ -188,17 +188,6 @@ def undo_merge(context: RecordsContext, merge: Merge) -> None:
         )
 
 
-def merges_of(context: RecordsContext, person_id: str) -> list[Merge]:
-    """Return the merges into a person that are not undone, the latest first."""
-    query = (
-        select(*_MERGE_COLUMNS)
-        .where(merges.c.kept_id == person_id, merges.c.undone_at.is_(None))
-        .order_by(merges.c.at.desc())
-    )
-    with context.reading() as connection:
-        return [Merge(**row._mapping) for row in connection.execute(query)]
-
-
 def _seal(
     connection: Connection, context: RecordsContext, changed: Mapping[str, list[str]]
 ) -> None:

@@ -340,31 +340,6 @@ class Orders:
             self._context.log(connection, "changed", "order", order_id)
             return order_of(connection, order_id)
 
-    def add_files(self, order_id: str, files: Sequence[Path]) -> Order:
-        """Store further files with the newest revision of an order.
-
-        Raises
-        ------
-        InputError
-            When a file cannot be read, or the order has another one of its name.
-        RecordsError, OutputError
-            When they cannot be stored.
-        """
-        with self._context.reading() as connection:
-            order = order_of(connection, order_id)
-        stored = self._stored(files, order.release)
-        with self._context.writing(Right.ORDER, order.person_id) as connection:
-            taken = {file.name for file in order_of(connection, order_id).newest_files}
-            for file in stored:
-                if file.name in taken:
-                    raise InputError(
-                        "The order has a file {name} already; give this one another name.",
-                        name=file.name,
-                    )
-            _add_files(connection, order_id, stored)
-            self._context.log(connection, "added files", "order", order_id, count=len(stored))
-            return order_of(connection, order_id)
-
     def copy_files(self, order_id: str, folder: Path) -> tuple[Path, ...]:
         """Copy the files of an order's newest revision into a folder that is there.
 

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Final
+from typing import Final, Protocol
 
 from sqlalchemy import Connection, select
 
 from insole_core.folded_text import fold
-from insole_core.messages import Message
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
-from insole_core.records.person_columns import IMPORTED, NAME_PARTS
 from insole_core.records.person_matching import PersonIndex, born_text, summary_of
 from insole_core.records.person_rows import PERSON_FIELDS
+from insole_core.records.person_table import IMPORTED, NAME_PARTS, PersonRow, PersonRows
 from insole_core.records.persons import add_persons
-from insole_core.records.persons_of_table import PersonRow, PersonRows
 from insole_core.records.records import Records
 from insole_core.records.rights import Right
 from insole_core.records.schema import audit_head, persons
@@ -231,3 +230,34 @@ def _has_lines(text: str, wanted: str) -> bool:
 
 def _folded_lines(text: str) -> list[str]:
     return [fold(line) for line in text.split("\n") if line]
+
+
+class Outcomes(Protocol):
+    """What becomes of something that is imported."""
+
+    @property
+    def outcome(self) -> Outcome:
+        """Whether it is added."""
+
+
+def count_outcomes(lines: Iterable[Outcomes]) -> Message:
+    """Return how many there are of each outcome: "3 new, 1 refused"."""
+    counts = Counter(line.outcome for line in lines)
+    return joined(
+        Message("{count} {outcome}", count=counts[outcome], outcome=str(outcome))
+        for outcome in Outcome
+        if counts[outcome]
+    )
+
+
+def count_added(lines: Sequence[Outcomes], *, with_doubtful: bool) -> Message:
+    """Return how many an import has added, and the outcomes: "4 added (3 new, 1 doubtful)".
+
+    Parameters
+    ----------
+    with_doubtful
+        Whether doubtful ones were added.
+    """
+    added = {Outcome.NEW, Outcome.DOUBTFUL} if with_doubtful else {Outcome.NEW}
+    count = sum(line.outcome in added for line in lines)
+    return Message("{count} added ({outcomes})", count=count, outcomes=count_outcomes(lines))

@@ -31,7 +31,6 @@ from insole_core.records.merging import (
     NamedMerge,
     latest_merges,
     merge_persons,
-    merges_of,
     preview_merge,
     undo_merge,
 )
@@ -272,10 +271,6 @@ class Persons:
             When that has been done already, or a later merge has to be undone first.
         """
         undo_merge(self._context, merge)
-
-    def merges_into(self, person_id: str) -> list[Merge]:
-        """Return the merges into a person that are not undone, the latest first."""
-        return merges_of(self._context, person_id)
 
     def _summaries(self, query: Select[Any]) -> list[PersonSummary]:
         with self._context.reading() as connection:

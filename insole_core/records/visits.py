@@ -5,9 +5,9 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import date
-from typing import Any
+from typing import Any, Final
 
-from sqlalchemy import Row, Select, delete, insert, select, update
+from sqlalchemy import Connection, Row, Select, delete, func, insert, select, update
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import Conflict, RecordsError
@@ -21,12 +21,20 @@ from insole_core.records.person_rows import locked_person, person_of
 from insole_core.records.prescription import Base
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.presence import Presence
-from insole_core.records.record_field import changed_fields
+from insole_core.records.record_field import changed_fields, typed_fields
 from insole_core.records.rights import Right
-from insole_core.records.schema import persons, presence, visits
+from insole_core.records.schema import (
+    captures,
+    follow_ups,
+    orders,
+    persons,
+    prescription_versions,
+    presence,
+    visit_photos,
+    visits,
+)
 from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
-from insole_core.records.visit_contents import check_empty, held_by
 from insole_core.records.visit_rows import all_visits, visit_from, visit_of, visit_values
 
 
@@ -126,7 +134,7 @@ class Visits:
     def held(self, visit_id: str) -> dict[str, int]:
         """Return how many scans, photos, versions, orders and follow-ups a visit holds."""
         with self._context.reading() as connection:
-            return held_by(connection, visit_id)
+            return _held_by(connection, visit_id)
 
     def delete(self, visit_id: str) -> None:
         """Delete a visit that holds nothing, which the audit log tells.
@@ -138,7 +146,7 @@ class Visits:
             When it holds something, somebody else has it open, or it is gone already.
         """
         with self._context.writing_visit(Right.WRITE, visit_id) as (connection, visit):
-            check_empty(connection, visit)
+            _check_empty(connection, visit)
             others = self._presence.others_within(connection, visit_id)
             if others:
                 raise RecordsError(
@@ -208,3 +216,48 @@ def _listed() -> Select[Any]:
         visits.c.reason,
         visits.c.capture_state,
     ).join(persons, persons.c.id == visits.c.person_id)
+
+
+_HELD: Final = {
+    "scans": captures,
+    "photos": visit_photos,
+    "versions": prescription_versions,
+    "orders": orders,
+    "follow_ups": follow_ups,
+}
+
+
+def _held_by(connection: Connection, visit_id: str) -> dict[str, int]:
+    """Return how many things of each kind were scanned, prescribed or ordered on a visit."""
+    counts = {}
+    for name, table in _HELD.items():
+        query = select(func.count()).select_from(table).where(table.c.visit_id == visit_id)
+        counts[name] = int(connection.execute(query).scalar_one())
+    return counts
+
+
+def _check_empty(connection: Connection, visit: Visit) -> None:
+    """Check that a visit holds nothing that somebody has found, scanned, prescribed or ordered.
+
+    Raises
+    ------
+    RecordsError
+        Says what it holds.
+    """
+    day = visit.visited_on.isoformat()
+    counts = _held_by(connection, visit.id)
+    if any(counts.values()):
+        raise RecordsError(
+            "The visit of {day} holds scans ({scans}), photos ({photos}), versions of "
+            "prescriptions ({versions}), orders ({orders}) or follow-ups ({follow_ups}), and is "
+            "kept; only an empty visit can be deleted.",
+            day=day,
+            **counts,
+        )
+    fields = typed_fields(Visit).items()
+    if visit.measures or any(getattr(visit, name) for name, field in fields if not field.is_needed):
+        raise RecordsError(
+            "The visit of {day} has a reason, findings, weight, shoe size or measures, and is "
+            "kept; clear them under “Edit…” first if it was made by mistake.",
+            day=day,
+        )

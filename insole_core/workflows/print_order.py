@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, TypeAlias, get_args
+from typing import Literal, TypeAlias
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import UsageError
@@ -27,7 +27,6 @@ from insole_core.solids.print_zones import (
 from insole_core.solids.zone_bodies import zoned_part
 
 ZoneSource: TypeAlias = Literal["table", "pressure", "file"]
-ZONE_SOURCES: tuple[ZoneSource, ...] = get_args(ZoneSource)
 
 
 @dataclass(frozen=True)

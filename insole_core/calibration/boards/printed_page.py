@@ -18,7 +18,6 @@ RULER_MM = 100.0
 _MARGIN_MM = 5.0
 _BLACK, _BLUE = "#000000", "#0057b8"
 _MARKER_MM = 15.8
-_LABEL_MM = 10.0
 _OVERLAP_PX = 4
 _PX_PER_SQUARE = 540
 """Of the picture that a ChArUco board is taken from: 0.05 mm a pixel."""

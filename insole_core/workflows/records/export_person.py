@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -11,6 +12,8 @@ from datetime import date
 from itertools import groupby
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
+
+from PIL import Image, ImageDraw, ImageFont
 
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_json import foot_to_json
@@ -32,7 +35,8 @@ from insole_core.records.fhir import (
     patient_resource,
 )
 from insole_core.records.order import Order, OrderFile
-from insole_core.records.photo import Photo
+from insole_core.records.photo import Photo, PhotoMark
+from insole_core.records.photo_picture import jpeg_of
 from insole_core.records.records import Records
 from insole_core.records.rights import Right, require
 from insole_core.records.statement import statement_of, write_statement_paper
@@ -40,7 +44,6 @@ from insole_core.records.visits import patient_of
 from insole_core.solids.export_job import standing
 from insole_core.solids.prescription_paper import NOBODY, Responsible
 from insole_core.solids.solid import make_solid
-from insole_core.workflows.records.marked_photo import with_marks
 from insole_core.workflows.records.person_dossier import (
     PersonDossier,
     VisitDossier,
@@ -215,7 +218,7 @@ class _ExportWriter:
             picture = self._records.photos.picture(photo)
             self._add(name, lambda path: write_private(path, picture))
             if photo.marks:
-                marked = with_marks(picture, photo.marks)
+                marked = _with_marks(picture, photo.marks)
                 self._add(
                     f"{place}/{photo.number}-marked.jpg", lambda path: write_private(path, marked)
                 )
@@ -368,3 +371,30 @@ def _numbered(names: Sequence[str]) -> list[str]:
         stem, dot, suffix = name.partition(".")
         unique.append(name if count == 1 else f"{stem}-{count}{dot}{suffix}")
     return unique
+
+
+_MARK_COLOR: Final = "#ff5f00"
+"""Stands out from skin, and from the red and green of the sides."""
+_LINE, _TEXT = 1 / 250, 1 / 32
+"""Width of a line, and height of a number, as parts of the longer side."""
+
+
+def _with_marks(picture: bytes, marks: Sequence[PhotoMark]) -> bytes:
+    """Return a JPEG with lines and places drawn on it, each with its number from 1."""
+    with Image.open(io.BytesIO(picture), formats=("JPEG",)) as read:
+        image = read.convert("RGB")
+    drawn = ImageDraw.Draw(image)
+    longest = max(image.size)
+    width, font = max(round(longest * _LINE), 1), ImageFont.load_default(longest * _TEXT)
+    for number, mark in enumerate(marks, start=1):
+        points = [(x * image.width, y * image.height) for x, y in mark.points]
+        x, y = points[0]
+        if len(points) > 1:
+            drawn.line(points, fill=_MARK_COLOR, width=width, joint="curve")
+        else:
+            drawn.circle((x, y), 3 * width, outline=_MARK_COLOR, width=width)
+        place = (x + 4 * width, y)
+        drawn.text(
+            place, str(number), fill=_MARK_COLOR, font=font, stroke_width=1, stroke_fill="white"
+        )
+    return jpeg_of(image)

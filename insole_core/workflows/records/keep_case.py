@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from datetime import date
 from typing import Final
@@ -13,14 +13,15 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, RecordsError
 from insole_core.export.shop_order import OrderTerms
+from insole_core.foot.measures import DEFINITIONS, measure
 from insole_core.geometry.side import Side
-from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
+from insole_core.records.record_field import FieldChoice, merge_fields, settle_fields
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.records.visits import patient_of
-from insole_core.workflows.records.visit_measures import visit_measures
+from insole_core.workflows.foot_landmarks import landmarks_of
 
 _PATIENT: Final = tuple(field.name for field in fields(Patient))
 _TERMS: Final = tuple(field.name for field in fields(OrderTerms))
@@ -211,3 +212,21 @@ def add_case(records: Records, case: CaseRecord, person_id: str = "") -> Visit:
     for foot in case.feet:
         records.prescriptions.save(visit.id, foot, None)
     return visit
+
+
+_UNIT = {"mm": "_mm", "degrees": "", "": ""}
+"""What a key of the record ends with; names of angles already end so."""
+
+
+def visit_measures(feet: Iterable[FootRecord]) -> dict[str, float]:
+    """Return the measures of feet by side, name and unit: ``left_foot_length_mm``.
+
+    Measures that a scan does not show are left out, and feet that were not scanned on this visit.
+    """
+    return {
+        f"{foot.side}_{key}{_UNIT[DEFINITIONS[key].unit]}": round(value, 3)
+        for foot in feet
+        if not foot.foot.mirrored and not foot.foot.scanned_on
+        for key, value in measure(foot.foot, landmarks_of(foot)).items()
+        if value is not None
+    }

@@ -3136,10 +3136,6 @@
             <translation>En fots enda variant kan inte tas bort; töm den i stället.</translation>
         </message>
         <message>
-            <source>The order has a file {name} already; give this one another name.</source>
-            <translation>Beställningen har redan en fil {name}; ge den här ett annat namn.</translation>
-        </message>
-        <message>
             <source>The order has no number; give it one.</source>
             <translation>Beställningen har inget nummer; ge den ett.</translation>
         </message>
@@ -4490,10 +4486,6 @@
         <message>
             <source>added</source>
             <translation>tillagd</translation>
-        </message>
-        <message>
-            <source>added files</source>
-            <translation>lade till filer</translation>
         </message>
         <message>
             <source>adjusted</source>

@@ -202,17 +202,11 @@ def test_who_moves_an_order_second_is_told(records: Records, order: Order) -> No
         records.orders.move(order.id, OrderState.SENT, "", order.revision + 1)
 
 
-def test_an_order_is_changed_and_gets_files(records: Records, order: Order, tmp_path: Path) -> None:
+def test_an_order_is_changed(records: Records, order: Order) -> None:
     order = records.orders.change(
         order.id, {"shop": "Other", "due_on": None, "remarks": "red"}, order.revision
     )
     assert (order.shop, order.due_on, order.remarks) == ("Other", None, "red")
-    sheet = tmp_path / "sheet.pdf"
-    sheet.write_bytes(b"%PDF")
-    order = records.orders.add_files(order.id, [sheet])
-    assert [file.name for file in order.files] == ["left.stl", "sheet.pdf"]
-    with pytest.raises(InputError, match=r"sheet\.pdf already"):
-        records.orders.add_files(order.id, [sheet])
 
 
 @pytest.mark.parametrize("count", [0, 2])

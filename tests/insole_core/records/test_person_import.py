@@ -15,18 +15,18 @@ from insole_core.progress import Cancelled, Progress
 from insole_core.records.author import Author
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
-from insole_core.records.person_columns import (
-    ColumnMapping,
-    asks_date_order,
-    propose_mapping,
-)
 from insole_core.records.person_import import (
     ImportPlan,
     Outcome,
     import_persons,
     plan_import,
 )
-from insole_core.records.persons_of_table import read_persons
+from insole_core.records.person_table import (
+    ColumnMapping,
+    asks_date_order,
+    propose_mapping,
+    read_persons,
+)
 from insole_core.records.text_table import read_table
 
 _TODAY = date(2026, 11, 22)

@@ -28,7 +28,7 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
 from insole_core.workflows.mirrored_foot import mirrored_foot
 from insole_core.workflows.order_package import PackedItem, write_package
-from insole_core.workflows.records.visit_measures import visit_measures
+from insole_core.workflows.records.keep_case import visit_measures
 from insole_core.workflows.scanned_foot import feet_made_of
 
 PATIENT = Patient("Ö", "1970-02-28", "2026-11-20")

@@ -17,9 +17,8 @@ from insole_studio.cli.records.place import add_place, opened
 
 if TYPE_CHECKING:
     from insole_core.cases.written_dates import DateOrder
-    from insole_core.records.import_report import Outcomes
-    from insole_core.records.person_columns import ColumnMapping
-    from insole_core.records.persons_of_table import PersonRows
+    from insole_core.records.person_import import Outcomes
+    from insole_core.records.person_table import ColumnMapping, PersonRows
     from insole_core.records.records import Records
     from insole_core.records.text_table import TextTable
 
@@ -106,7 +105,7 @@ def _cases(records: Records, arguments: argparse.Namespace, progress: Progress) 
 
 
 def _counts(lines: Sequence[Outcomes], arguments: argparse.Namespace) -> str:
-    from insole_core.records.import_report import count_added, count_outcomes
+    from insole_core.records.person_import import count_added, count_outcomes
 
     if arguments.dry_run:
         return count_outcomes(lines)
@@ -142,8 +141,7 @@ def _persons(records: Records, arguments: argparse.Namespace, progress: Progress
 
 
 def _read(arguments: argparse.Namespace) -> PersonRows:
-    from insole_core.records.person_columns import IMPORTED, asks_date_order
-    from insole_core.records.persons_of_table import read_persons
+    from insole_core.records.person_table import IMPORTED, asks_date_order, read_persons
     from insole_core.records.text_table import read_table
 
     table = read_table(arguments.source, _codec(arguments.encoding))
@@ -174,7 +172,7 @@ def _codec(name: str | None) -> str | None:
 
 
 def _mapping(table: TextTable, arguments: argparse.Namespace) -> ColumnMapping:
-    from insole_core.records.person_columns import ColumnMapping, propose_mapping
+    from insole_core.records.person_table import ColumnMapping, propose_mapping
     from insole_core.records.personal_numbers import KINDS
 
     proposed = propose_mapping(table)
@@ -200,7 +198,7 @@ def _order(arguments: argparse.Namespace) -> DateOrder | None:
 
 
 def _column(table: TextTable, text: str) -> tuple[int, str | None]:
-    from insole_core.records.person_columns import IMPORTED
+    from insole_core.records.person_table import IMPORTED
 
     named = {field.noun: name for name, field in IMPORTED.items()} | {_LEFT_OUT: None}
     heading, equals, noun = text.rpartition("=")

@@ -18,8 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_core.records.field_merge import FieldChoice
-from insole_core.records.record_field import Lines, Typed
+from insole_core.records.record_field import FieldChoice, Lines, Typed
 from insole_studio.features.records.record_form import shown_text
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.vertical_scroll import VerticalScroll

@@ -17,11 +17,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.template import Template
 from insole_core.messages import Message
-from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.prescription import VersionSummary
-from insole_core.records.record_field import typed_fields
+from insole_core.records.record_field import FieldChoice, merge_fields, settle_fields, typed_fields
 from insole_core.records.visit import CaptureState, Visit, fields_of_patient
 from insole_core.visible_text import visible_line
 from insole_studio.document.case_name import case_name
@@ -49,6 +48,7 @@ from insole_studio.features.records.orders_page import OrdersPage
 from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
+from insole_studio.features.records.record_dialogs import VisitDialog
 from insole_studio.features.records.record_texts import person_rows, version_text
 from insole_studio.features.records.same_prescription import (
     SamePrescription,
@@ -58,7 +58,6 @@ from insole_studio.features.records.sample_patient import SamplePatient
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
 from insole_studio.features.records.visit_captures import VisitCaptures
-from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.features.records.visit_photos import VisitPhotos
 from insole_studio.features.records.visit_presence import VisitPresence
 from insole_studio.services.app_services import AppServices

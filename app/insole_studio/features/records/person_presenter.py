@@ -13,11 +13,15 @@ from insole_core.errors import Conflict, InputError, InsoleError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.capture import Capture
-from insole_core.records.field_merge import FieldChoice, merge_fields, settle_fields
 from insole_core.records.order import OrderSummary
 from insole_core.records.person import Person
 from insole_core.records.prescription import VersionSummary
-from insole_core.records.record_field import changed_fields
+from insole_core.records.record_field import (
+    FieldChoice,
+    changed_fields,
+    merge_fields,
+    settle_fields,
+)
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord

@@ -15,15 +15,21 @@ from insole_core.export.csv_text import csv_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
 from insole_core.records.character_sets import Reading
-from insole_core.records.import_report import count_added, count_outcomes
-from insole_core.records.person_columns import ColumnMapping, asks_date_order, propose_mapping
 from insole_core.records.person_import import (
     ImportLine,
     ImportPlan,
+    count_added,
+    count_outcomes,
     import_persons,
     plan_import,
 )
-from insole_core.records.persons_of_table import PersonRows, read_persons
+from insole_core.records.person_table import (
+    ColumnMapping,
+    PersonRows,
+    asks_date_order,
+    propose_mapping,
+    read_persons,
+)
 from insole_core.records.records import Records
 from insole_core.records.text_table import TextTable, UnclearCharacterSet, read_table
 from insole_core.solids.prescription_paper import Responsible

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFormLayout, QScrollArea, QWidget
 
 from insole_core.cases.written_dates import DateOrder
 from insole_core.records.person import Person
-from insole_core.records.person_columns import IMPORTED, ColumnMapping
+from insole_core.records.person_table import IMPORTED, ColumnMapping
 from insole_core.records.text_table import TextTable
 from insole_core.visible_text import visible_line, visible_value
 from insole_studio.features.records.import_dialog import ImportDialog

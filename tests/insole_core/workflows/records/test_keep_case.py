@@ -25,9 +25,8 @@ from insole_core.records.place import RecordsPlace
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
-from insole_core.workflows.records.keep_case import CaseChange, add_case, keep_case
+from insole_core.workflows.records.keep_case import CaseChange, add_case, keep_case, visit_measures
 from insole_core.workflows.records.thumbnails import thumbnails
-from insole_core.workflows.records.visit_measures import visit_measures
 
 
 @pytest.fixture

@@ -17,14 +17,12 @@ from insole_core.errors import InputError
 from insole_core.evaluation.report import section_lines
 from insole_core.records import schema
 from insole_core.records.author import Author
-from insole_core.records.field_merge import merge_fields
 from insole_core.records.marks import Erased, Merged
 from insole_core.records.open import open_records
 from insole_core.records.order import Order
 from insole_core.records.person import Person
-from insole_core.records.person_columns import IMPORTED, field_of, propose_mapping
 from insole_core.records.person_import import Outcome, plan_import
-from insole_core.records.persons_of_table import read_persons
+from insole_core.records.person_table import IMPORTED, field_of, propose_mapping, read_persons
 from insole_core.records.place import RecordsPlace
 from insole_core.records.record_field import (
     Choice,
@@ -32,6 +30,7 @@ from insole_core.records.record_field import (
     Number,
     Typed,
     fields_of,
+    merge_fields,
     typed_fields,
 )
 from insole_core.records.records import Records

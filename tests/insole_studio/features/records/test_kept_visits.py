@@ -20,8 +20,8 @@ from insole_core.cases.order_note import OrderNote
 from insole_core.errors import RecordsError, Unreachable
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
-from insole_core.records.field_merge import FieldChoice
 from insole_core.records.prescriptions import Prescriptions
+from insole_core.records.record_field import FieldChoice
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.visit import Visit

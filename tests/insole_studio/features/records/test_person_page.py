@@ -22,10 +22,9 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import HeelLift
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
-from insole_core.records.field_merge import FieldChoice
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
-from insole_core.records.record_field import Line
+from insole_core.records.record_field import FieldChoice, Line
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.mirrored_foot import mirrored_foot
@@ -37,8 +36,8 @@ from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.person_page import PERSON, PersonPage
+from insole_studio.features.records.record_dialogs import VisitDialog
 from insole_studio.features.records.record_texts import moment_text
-from insole_studio.features.records.visit_dialog import VisitDialog
 from insole_studio.widgets.notice_bar import Notice
 from insole_studio.widgets.side_badge import SideBadge
 
