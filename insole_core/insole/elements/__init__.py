@@ -7,6 +7,7 @@ from insole_core.insole.elements.arch_raise import ArchRaise
 from insole_core.insole.elements.brush_stroke import BrushStroke
 from insole_core.insole.elements.correction import CORRECTION_TYPES, Correction, in_order, new_id
 from insole_core.insole.elements.forefoot_twist import ForefootTwist
+from insole_core.insole.elements.full_lift import FullLift
 from insole_core.insole.elements.heel_cup import HeelCup
 from insole_core.insole.elements.heel_lift import HeelLift
 from insole_core.insole.elements.heel_skive import HeelSkive
@@ -20,6 +21,7 @@ __all__ = [
     "BrushStroke",
     "Correction",
     "ForefootTwist",
+    "FullLift",
     "HeelCup",
     "HeelLift",
     "HeelSkive",

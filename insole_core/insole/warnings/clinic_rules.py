@@ -14,11 +14,10 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
-from insole_core.insole.elements import ArchRaise, Correction, HeelCup, HeelSkive, Pelott, Posting
+from insole_core.insole.elements import ArchRaise, HeelCup, HeelLift, HeelSkive, Pelott, Posting
 from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.lifts import heel_lift_mm
 from insole_core.insole.prescription.materials import MaterialTable, read_materials
 from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_core.insole.prescription.pronation import PronationStep
@@ -214,7 +213,8 @@ def _edge(angle_deg: float) -> str:
 def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     cup = _cup_mm(design)
     inversion = max(rounded(posting_angles(design)[0], _SHOWN), 0.0)
-    lift_mm = rounded(heel_lift_mm(design), _SHOWN)
+    lifts = design.of(HeelLift)
+    lift_mm = rounded(sum(c.height_mm for c in lifts), _SHOWN)
     if lift_mm > rules.greatest_heel_lift_mm:
         lifted = Message(
             "The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are "
@@ -222,7 +222,7 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
             height_mm=lift_mm,
             usual_mm=rules.greatest_heel_lift_mm,
         )
-        yield DesignWarning(lifted, _lifting(design)[-1].id)
+        yield DesignWarning(lifted, lifts[-1].id)
     for c in design.of(HeelSkive):
         both = rounded(c.depth_mm + inversion, _SHOWN)
         deep = both > rules.skive_and_inversion_limit
@@ -237,11 +237,6 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
                 cup_mm=cup,
             )
             yield DesignWarning(shallow, c.id)
-
-
-def _lifting(design: InsoleDesign) -> tuple[Correction, ...]:
-    heel = np.zeros(1)
-    return tuple(c for c in design.of_stage("sole") if c.raised_mm(heel).any())
 
 
 def _cup_mm(design: InsoleDesign) -> float:

@@ -436,6 +436,10 @@
             <translation>Minst tre punkter behövs för att lägga ett koordinatsystem i ett annat, men bara {count} gavs.</translation>
         </message>
         <message>
+            <source>At the heads</source>
+            <translation>Vid huvudena</translation>
+        </message>
+        <message>
             <source>Averaging the frames</source>
             <translation>Tar medel av bilderna</translation>
         </message>
@@ -1144,6 +1148,10 @@
             <translation>Full till</translation>
         </message>
         <message>
+            <source>Full-length lift</source>
+            <translation>Hel höjning</translation>
+        </message>
+        <message>
             <source>Fullness across</source>
             <translation>Fyllighet tvärs</translation>
         </message>
@@ -1306,6 +1314,10 @@
         <message>
             <source>How much narrower the rear end is than the front; 0 % is an ellipse</source>
             <translation>Hur mycket smalare bakre änden är än den främre; 0 % är en ellips</translation>
+        </message>
+        <message>
+            <source>How much of the height the metatarsal heads are raised</source>
+            <translation>Hur stor del av höjden metatarsalhuvudena höjs</translation>
         </message>
         <message>
             <source>How much the arch is raised at its highest place</source>
@@ -1490,6 +1502,10 @@
         <message>
             <source>Leg length discrepancy</source>
             <translation>Benlängdsskillnad</translation>
+        </message>
+        <message>
+            <source>Leg length discrepancy above 6 mm</source>
+            <translation>Benlängdsskillnad över 6 mm</translation>
         </message>
         <message>
             <source>Length</source>
@@ -2090,6 +2106,10 @@
         <message>
             <source>Radius</source>
             <translation>Radie</translation>
+        </message>
+        <message>
+            <source>Raise heel and ball together, for legs of unequal length</source>
+            <translation>Höj häl och trampdyna tillsammans, för ben av olika längd</translation>
         </message>
         <message>
             <source>Raise the medial arch about its apex</source>
@@ -5246,6 +5266,10 @@
         <message>
             <source>full length</source>
             <translation>hel längd</translation>
+        </message>
+        <message>
+            <source>full-length lift</source>
+            <translation>hel höjning</translation>
         </message>
         <message>
             <source>given name</source>
@@ -9030,6 +9054,10 @@
         <message>
             <source>{value} mm from the bisection of the 1st metatarsal</source>
             <translation>{value} mm från första metatarsalbenets delningslinje</translation>
+        </message>
+        <message>
+            <source>{value} of it at the heads</source>
+            <translation>{value} av det vid huvudena</translation>
         </message>
         <message>
             <source>{value} over the floor</source>

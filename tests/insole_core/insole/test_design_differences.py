@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import ArchRaise, HeelSkive, Pelott, Posting, Rocker
+from insole_core.insole.elements import ArchRaise, FullLift, HeelSkive, Pelott, Posting, Rocker
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
@@ -39,6 +39,11 @@ ONE_LINE = [
         PLAIN,
         PLAIN.with_added(ArchRaise(target_mm=28.0)),
         "Added: arch raise, 28 mm over the floor, 100 mm long",
+    ),
+    (
+        PLAIN,
+        PLAIN.with_added(FullLift()),
+        "Added: full-length lift, 8 mm, 50 % of it at the heads",
     ),
     (PLAIN, PLAIN.with_added(Rocker()), "Added: rocker, 5 mm behind the heads"),
     (PLAIN, replace(PLAIN, bottom="following"), "Underside: flat → cupped"),

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -16,6 +17,7 @@ from insole_core.insole.elements import (
     BrushStroke,
     Correction,
     ForefootTwist,
+    FullLift,
     HeelCup,
     HeelLift,
     HeelSkive,
@@ -23,7 +25,9 @@ from insole_core.insole.elements import (
     Posting,
 )
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_totals import check_totals
 from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.lifts import heel_lift_mm
 from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.surface.contact import contact_base
@@ -181,3 +185,22 @@ def test_cup_is_deep_where_the_scan_ends_low(depth):
     raised = field.heights_mm - bare.contact.heights_mm
     assert np.abs(raised[insole.measured]).max() < 1e-9
     assert np.abs(raised[field.y_mm > 0.46 * 240]).max() < 1e-9
+
+
+@pytest.mark.parametrize(("share", "heads_mm"), [(0.0, 0.0), (0.5, 4.0), (1.0, 8.0)])
+def test_a_full_lift_is_whole_at_the_heel_a_share_of_it_at_the_heads_and_gone_at_the_toes(
+    share: float, heads_mm: float
+) -> None:
+    field = heights(plate(Side.LEFT), FullLift(height_mm=8.0, heads_share=share))
+    places = np.array([[0.0, at * PLATE_LENGTH] for at in (0.05, 0.25, 0.7, 1.0)])
+    lifted = field.height_at(places) - field.height_at(places[-1])
+    assert lifted == pytest.approx([8.0, 8.0, heads_mm, 0.0], abs=0.02)
+    falls = np.diff(field.heights_mm[:, field.heights_mm.shape[1] // 2])
+    assert falls.max() < 1e-9
+
+
+def test_a_full_lift_and_a_heel_lift_add_up() -> None:
+    both = InsoleDesign(Side.LEFT, (FullLift(height_mm=10.0), HeelLift(height_mm=12.0)))
+    with pytest.raises(DesignError, match="add up to 22 mm, and must be -10 to 20 mm"):
+        check_totals(both)
+    assert heel_lift_mm(both) == 22.0

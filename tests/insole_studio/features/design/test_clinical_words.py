@@ -15,6 +15,7 @@ from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
     ForefootTwist,
+    FullLift,
     HeelCup,
     HeelLift,
     HeelSkive,
@@ -47,7 +48,7 @@ FREE_PAD = Pelott(
 )  # fmt: skip
 PARTS = (
     PAD, FREE_PAD, Posting(rearfoot_deg=4.0), ForefootTwist(angle_deg=-2.0), HeelSkive(),
-    HeelLift(),
+    HeelLift(), FullLift(),
     ArchRaise(apex_mm=(20.0, 110.0)), HeelCup(), Rocker(), BrushStroke(points_mm=((0.0, 50.0),)),
     InsoleDesign(Side.RIGHT), Layers(), Outline(source="shoe_size", shoe_size_eu=42.0),
 )  # fmt: skip
@@ -139,6 +140,7 @@ def test_the_zone_of_a_posting_is_typed_in_per_cent_under_expert(opened: Applica
     ("correction", "text"),
     [
         (HeelLift(height_mm=6.92154), "Heel lift 6.9 mm"),
+        (FullLift(), "Full-length lift 8 mm"),
         (replace(PAD, height_mm=4.96), "Pelott 5 mm (60 × 40)"),
         (ForefootTwist(angle_deg=-3.0), "Forefoot twist 3° lateral"),
         (Posting(rearfoot_deg=-9.2, forefoot_deg=0.01), "Posting 9.2° lateral / 0°"),

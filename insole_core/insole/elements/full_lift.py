@@ -1,0 +1,50 @@
+"""A lift of the whole foot, for a leg that is shorter than a lift of the heel alone can make up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.elements.correction import Correction
+from insole_core.insole.elements.words import mm_message
+from insole_core.insole.fields import Number, Share
+from insole_core.insole.primitives.blending import smooth_step
+from insole_core.messages import Message
+
+_HEEL, _HEADS, _TOES = 0.25, 0.7, 1.0
+"""Shares of the length up to which the heel is lifted in full, where the metatarsal heads lie, and
+where the lift has run out."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FullLift(Correction):
+    """A lift from heel to toes: full at the heel, a share of it at the heads, none at the toes."""
+
+    type, name = "full_lift", "Full-length lift"
+    tip = "Raise heel and ball together, for legs of unequal length"
+    stage, order = "sole", 25
+
+    height_mm: Annotated[float, Number("Height", "How much the heel is raised", 0, 10, main="")] = (
+        8.0
+    )
+    heads_share: Annotated[
+        float,
+        Share(
+            "At the heads",
+            "How much of the height the metatarsal heads are raised",
+            main="{value} of it at the heads",
+        ),
+    ] = 0.5
+
+    def raised_mm(self, share: FloatArray) -> FloatArray:
+        """Return by how much it raises the sections at shares (n,) of the length."""
+        to_heads = (1 - self.heads_share) * smooth_step(share, _HEEL, _HEADS)
+        to_toes = self.heads_share * smooth_step(share, _HEADS, _TOES)
+        return np.asarray(self.height_mm * (1 - to_heads - to_toes))
+
+    def brief(self) -> Message:
+        """Return its height."""
+        return mm_message(self.height_mm)
