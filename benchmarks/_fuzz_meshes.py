@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
@@ -16,7 +17,9 @@ from benchmarks._fuzz_mutations import Mutation, byte_mutations
 from benchmarks._fuzz_pool import Expected
 from insole_core.formats.obj import write_obj
 from insole_core.formats.ply import write_ply
+from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.stl import write_ascii_stl, write_stl
+from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
 
 
@@ -29,12 +32,14 @@ def sound_files() -> Iterator[tuple[str, bytes]]:
         write_ascii_stl(mesh, folder / "text.stl")
         write_ply(mesh, folder / "binary.ply")
         write_obj(mesh, folder / "text.obj")
+        write_solids([SolidPart(mesh, "foot")], folder / "text.amf")
         for path in sorted(folder.iterdir()):
             yield path.name, path.read_bytes()
         plain = replace(mesh, colors=None)
         shape = trimesh.Trimesh(plain.vertices, plain.triangles, process=False)
         shape.export(folder / "text.ply", encoding="ascii")
         yield "text.ply", (folder / "text.ply").read_bytes()
+        yield "scene.dae", bytes(shape.export(file_type="dae"))
 
 
 def damaged_files(name: str, content: bytes, rng: random.Random) -> Iterator[Mutation]:
@@ -64,10 +69,30 @@ def damaged_files(name: str, content: bytes, rng: random.Random) -> Iterator[Mut
             yield what, b"\n".join([*lines, line]), "refused"
         yield "index beyond", content + b"f 1 2 999999999\n", "refused"
         yield "1e308", content + b"v 1e308 0 0\nf 1 2 -1\n", "refused"
+    if name in ("text.amf", "scene.dae"):
+        yield from _xml(name, content)
     if name == "text.stl":
         yield "NaN", content.replace(b"vertex ", b"vertex nan ", 1), "refused"
         yield "word", content.replace(b"vertex ", b"vertex x ", 1), "refused"
         yield "two corners", content.replace(b"   vertex", b"   vortex", 1), "refused"
+
+
+def _xml(name: str, content: bytes) -> Iterator[Mutation]:
+    if name == "text.amf":
+        yield "NaN", content.replace(b"<x>", b"<x>nan", 1), "refused"
+        yield "corner beyond", content.replace(b"<v1>", b"<v1>9999999", 1), "refused"
+        yield "two corners", re.sub(rb"<v3>\d+</v3>", b"", content, count=1), "refused"
+    else:
+        yield "NaN", re.sub(rb"(<float_array[^>]*>)", rb"\1nan ", content, count=1), "refused"
+        yield "corner beyond", content.replace(b"<p>", b"<p>9999999", 1), "refused"
+        yield "no positions", content.replace(b'"POSITION"', b'"OTHER"', 1), "refused"
+    at = content.index(b"?>") + 2 if content.startswith(b"<?xml") else 0
+    laughs = b'<!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>'
+    outside = b'<!DOCTYPE x SYSTEM "http://nowhere.invalid/x.dtd">'
+    for what, head in (("entities", laughs), ("a type elsewhere", outside)):
+        yield what, content[:at] + head + content[at:], "refused"
+    last = content.rindex(b"</")
+    yield "never closed", content[:last] + b"<x>" * 100_000 + content[last:], "refused"
 
 
 def _cut_is(name: str) -> Expected:

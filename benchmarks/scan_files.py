@@ -23,7 +23,9 @@ import trimesh
 
 from benchmarks._measure import print_table
 from insole_core.errors import InsoleError
+from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.stl import write_stl
+from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.mesh_file import read_mesh
@@ -46,6 +48,13 @@ def content(suffix: str, mesh: TriangleMesh, encoding: str | None = None) -> byt
     kind = "stl_ascii" if suffix == "stl" and encoding else suffix
     made = shape.export(file_type=kind, **({} if kind == "stl_ascii" else extra))
     return made.encode() if isinstance(made, str) else bytes(made)
+
+
+def written(suffix: str, mesh: TriangleMesh) -> bytes:
+    with tempfile.TemporaryDirectory() as name:
+        path = Path(name) / f"foot.{suffix}"
+        write_solids([SolidPart(mesh, "foot")], path)
+        return path.read_bytes()
 
 
 def cases(mesh: TriangleMesh) -> Iterator[Case]:  # noqa: PLR0915 - a table
@@ -117,6 +126,16 @@ def cases(mesh: TriangleMesh) -> Iterator[Case]:  # noqa: PLR0915 - a table
     yield "3MF with entities in entities", "laughs.3mf", three_mf(laughs())
     yield "3MF without an item to build", "item.3mf", three_mf(b"<model><resources/></model>")
     yield "3MF with parts in a circle", "circle.3mf", three_mf(circular_model())
+    amf, dae = written("amf", mesh), content("dae", mesh)
+    yield "AMF cut off", "cut.amf", put(amf[: len(amf) // 2])
+    yield "AMF that declares entities", "laughs.amf", put(laughs() + amf)
+    yield "AMF with a corner beyond", "corner.amf", put(amf.replace(b"<v1>", b"<v1>9999999", 1))
+    yield "AMF that is no archive", "no.amf", put(b"PK\3\4" + b"\0" * 500)
+    yield "COLLADA cut off", "cut.dae", put(dae[: len(dae) // 2])
+    yield "COLLADA that declares entities", "laughs.dae", put(laughs() + dae)
+    yield "COLLADA with a corner beyond", "corner.dae", put(dae.replace(b"<p>", b"<p>9999999", 1))
+    yield "COLLADA with a million elements", "many.dae", put(b"<a>" + b"<b/>" * 1_000_000 + b"</a>")
+    yield "COLLADA, 300 MB of blanks", "blank.dae", put(b"<a>" + b" " * 300_000_000 + b"</a>")
     yield "zip with 3000 scans", "many.zip", many_scans
     yield "zip that leads out of itself", "slip.zip", slipping(stl)
     yield "XYZ with decimal commas", "comma.xyz", put(points.replace(".", ",").encode())
